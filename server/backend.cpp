@@ -31,6 +31,7 @@ Backend::Backend(const Config& settings, std::string resume_key)
                         [this] {
                           if (streams.evict_largest()) telemetry.metrics.count_eviction();
                         },
+                    .is_one_ending = [this] { return streams.is_evicting(); },
                     .counted_bytes = [this] { return memory.used_bytes(); },
                     .resident_bytes = resident_bytes}),
       pulse(std::chrono::seconds(config.stall_timeout_s)),

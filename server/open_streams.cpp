@@ -67,8 +67,21 @@ bool OpenStreams::evict_largest() {
     return a->held_bytes() < b->held_bytes();
   });
   if (largest == open.end() || (*largest)->held_bytes() == 0) return false;
+  {
+    const std::lock_guard lock(mutex_);
+    evicted_ = *largest;
+  }
   (*largest)->evict();
   return true;
+}
+
+bool OpenStreams::is_evicting() const {
+  std::shared_ptr<OpenStream> evicted;
+  {
+    const std::lock_guard lock(mutex_);
+    evicted = evicted_.lock();
+  }
+  return evicted != nullptr && evicted->held_bytes() > 0;
 }
 
 void OpenStreams::drain() {

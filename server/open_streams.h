@@ -66,6 +66,8 @@ class OpenStreams {
 
   // Evicts the stream that holds most. False when none holds anything.
   bool evict_largest();
+  // Whether the one that was evicted last still holds something.
+  [[nodiscard]] bool is_evicting() const;
 
   // From now on no stream is admitted.
   void drain();
@@ -90,6 +92,7 @@ class OpenStreams {
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::list<std::weak_ptr<OpenStream>> streams_;
+  std::weak_ptr<OpenStream> evicted_;
   bool draining_ = false;
   bool stopping_ = false;
   std::thread watcher_;

@@ -26,6 +26,10 @@ int milliseconds(std::uint32_t seconds) { return static_cast<int>(seconds) * 100
 constexpr std::uint32_t health_buffer_mib = 8;
 // The name of a service.
 constexpr std::uint32_t health_message_bytes = 4096;
+// gRPC itself refuses without details. What is larger than allowed by less than this is refused by
+// the stream it came for, with its reason. Before gRPC looks at the size of a message it has all of
+// it: nothing more is held for that.
+constexpr std::uint32_t refused_message_bytes = 16U << 20U;
 // A megabyte under way is what a link of a gigabit takes in 8 ms.
 constexpr int stream_window_bytes = 1 << 20;
 
@@ -41,6 +45,9 @@ void set_limits(grpc::ServerBuilder& builder, const Config& config, std::uint32_
   set(GRPC_ARG_MAX_CONCURRENT_STREAMS, static_cast<int>(config.max_streams_per_connection));
   set(GRPC_ARG_KEEPALIVE_TIME_MS, milliseconds(config.keepalive_time_s));
   set(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, milliseconds(config.keepalive_timeout_s));
+  // Nobody is asked before the handshake of TLS is over: it may take as long as one who is.
+  set(GRPC_ARG_SERVER_HANDSHAKE_TIMEOUT_MS,
+      milliseconds(config.keepalive_time_s + config.keepalive_timeout_s));
   set(GRPC_ARG_KEEPALIVE_PERMIT_WITHOUT_CALLS, 1);
   set(GRPC_ARG_HTTP2_MAX_PINGS_WITHOUT_DATA, 0);
   // What waits in gRPC behind a stream whose turn has not come is bounded by its window. gRPC would
@@ -119,7 +126,8 @@ std::string Server::open(bool with_addresses) {
   const Config& config = backend_.config;
   grpc::EnableDefaultHealthCheckService(true);
   grpc::ServerBuilder builder;
-  set_limits(builder, config, config.max_message_bytes, config.max_grpc_buffer_mib);
+  set_limits(builder, config, config.max_message_bytes + refused_message_bytes,
+             config.max_grpc_buffer_mib);
   builder.RegisterService(&service_);
   if (config.reflection) {
     reflection_ = std::make_unique<Reflection>(backend_);

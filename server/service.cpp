@@ -43,13 +43,19 @@ TrcService::BytesReactor* TrcService::SurveyRadii(grpc::CallbackServerContext* c
 }
 
 grpc::ServerUnaryReactor* TrcService::GetServerInfo(grpc::CallbackServerContext* context,
-                                                    const v1::GetServerInfoRequest* /*request*/,
-                                                    v1::GetServerInfoResponse* response) {
+                                                    const grpc::ByteBuffer* /*request*/,
+                                                    grpc::ByteBuffer* response) {
   CallRecord record(backend_.telemetry, Method::get_server_info, context->peer(),
                     trace_of(*context));
   const Ending ending =
       refuse_caller(*context, backend_.config.tls_allowed_clients).value_or(Ending{});
-  if (ending.status.ok()) describe(backend_.config, *response);
+  if (ending.status.ok()) {
+    v1::GetServerInfoResponse answer;
+    describe(backend_.config, answer);
+    bool own = false;
+    static_cast<void>(
+        grpc::SerializationTraits<v1::GetServerInfoResponse>::Serialize(answer, response, &own));
+  }
   record.ended(ending);
   grpc::ServerUnaryReactor* reactor = context->DefaultReactor();
   reactor->Finish(ending.status);

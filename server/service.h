@@ -7,13 +7,13 @@ namespace trc::server {
 
 // Registers the RPCs; each lives in a file of its own under rpc/.
 //
-// The streams take bytes instead of messages: see StreamReactor.
+// All of them take bytes instead of messages: see StreamReactor.
 class TrcService final : public v1::TrcService::WithRawCallbackMethod_CompensatePath<
                              v1::TrcService::WithRawCallbackMethod_CompensateProgram<
                                  v1::TrcService::WithRawCallbackMethod_CompensateProgramOnce<
                                      v1::TrcService::WithRawCallbackMethod_PreviewPath<
                                          v1::TrcService::WithRawCallbackMethod_SurveyRadii<
-                                             v1::TrcService::WithCallbackMethod_GetServerInfo<
+                                             v1::TrcService::WithRawCallbackMethod_GetServerInfo<
                                                  v1::TrcService::Service>>>>>> {
  public:
   explicit TrcService(Backend& backend) : backend_(backend) {}
@@ -29,8 +29,8 @@ class TrcService final : public v1::TrcService::WithRawCallbackMethod_Compensate
                                                   grpc::ByteBuffer* response) override;
   BytesReactor* SurveyRadii(grpc::CallbackServerContext* context) override;
   grpc::ServerUnaryReactor* GetServerInfo(grpc::CallbackServerContext* context,
-                                          const v1::GetServerInfoRequest* request,
-                                          v1::GetServerInfoResponse* response) override;
+                                          const grpc::ByteBuffer* request,
+                                          grpc::ByteBuffer* response) override;
 
  private:
   Backend& backend_;

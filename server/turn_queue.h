@@ -49,9 +49,11 @@ class TurnQueue {
     std::size_t standing_ = 0;
   };
 
-  // A group with so many turns that stand still begins no other one: they keep threads.
-  static constexpr std::size_t most_standing_of_group = 96;
-  static constexpr std::size_t most_standing = 192;
+  // Turns that stand still keep threads, of which there are so many. A group may have as many as
+  // it leaves to others, so that whoever comes later still begins; the last ones are for groups
+  // that have none.
+  static constexpr std::size_t most_standing = 256;
+  static constexpr std::size_t most_standing_of_one_group = 96;
 
   void push(const Waiting& waiting) {
     Group& group = *waiting.group;
@@ -98,7 +100,7 @@ class TurnQueue {
     auto oldest = std::chrono::steady_clock::now();
     for (const Group* group : turns_) {
       auto first = group->waiting_.begin();
-      if (group->standing_ >= most_standing_of_group)
+      if (group->standing_ > 0 && !may_begin(*group))
         first = std::find_if(first, group->waiting_.end(), is_standing);
       if (first != group->waiting_.end()) oldest = std::min(oldest, first->since);
     }
@@ -110,7 +112,8 @@ class TurnQueue {
 
   static bool is_standing(const Waiting& waiting) { return waiting.standing != nullptr; }
   [[nodiscard]] bool may_begin(const Group& group) const {
-    return group.standing_ < most_standing_of_group && standing_ < most_standing;
+    if (group.standing_ == 0) return standing_ < most_standing;
+    return group.standing_ + standing_ < 2 * most_standing_of_one_group;
   }
 
   Waiting take(Turns::iterator place, const std::deque<Waiting>::iterator& next) {

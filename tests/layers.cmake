@@ -34,6 +34,13 @@ foreach(folder geometry nc/text nc/state nc/dialect nc/program trc nc/writer ver
   layer(core/${folder} "${known}" "Eigen/.*")
 endforeach()
 
+# The rooms of core/trc, each above those before it; the compensator stands above all of them.
+string(REPLACE "|core/trc/.*" "|core/trc/(pass|path_block|setup|state_archive)\\.h" in_trc "${known}")
+foreach(room result corner selection walls passes loops short_way)
+  string(APPEND in_trc "|core/trc/${room}/.*")
+  layer(core/trc/${room} "${in_trc}" "Eigen/.*")
+endforeach()
+
 string(APPEND known "|proto/wire/.*|(proto/)?(${generated})")
 layer(proto/wire "${known}" "Eigen/.*|google/protobuf/.*")
 layer(server "${known}|server/.*" ".*")

@@ -147,9 +147,8 @@ int create(const trc_setup& given, std::unique_ptr<trc_session>& session) {
   if (given.input == TRC_INPUT_TEXT) {
     const wire::ProgramSettings settings = wire::from_proto(setup, place, faults);
     if (!faults.empty()) return fail(TRC_ARGUMENT, text_of(faults));
-    session->program.emplace(trc::ProgramSessionSetup{.session = settings.path.session,
-                                                      .nc_text = settings.nc_text,
-                                                      .decimals = settings.decimals});
+    session->program.emplace(
+        trc::ProgramSessionSetup{.session = settings.path.session, .nc_text = settings.nc_text});
   } else {
     const wire::PathSettings settings = wire::from_proto(setup.path(), place, faults);
     if (!faults.empty()) return fail(TRC_ARGUMENT, text_of(faults));

@@ -93,8 +93,8 @@ Exit write_converted(const Call& call, const v1::ProgramSetup& setup, const std:
                      Output& output) {
   wire::FieldFaults faults;
   const wire::ProgramSettings read = wire::from_proto(setup, wire::FieldPath("setup"), faults);
-  const ConvertedProgram converted = convert_program(
-      text, read.path.session.program, *dialect_spelled(call.to), static_cast<int>(call.decimals));
+  const ConvertedProgram converted =
+      convert_program(text, read.path.session.program, *dialect_spelled(call.to));
   for (const ConvertedProgram::Fault& fault : converted.faults)
     std::cerr << told(call.program.file + ": error: --to " + call.to + " does not convert " +
                       fault.word + " (line " + std::to_string(fault.line) +

@@ -44,9 +44,10 @@ std::optional<std::string> page_of(std::string text, const v1::ProgramSetup& set
   wire::FieldFaults faults;
   wire::ProgramSettings settings = wire::from_proto(setup, wire::FieldPath("setup"), faults);
   server::http::Memory memory(std::numeric_limits<std::size_t>::max() / 2);
-  server::http::ViewBuilder builder(
-      {.text = std::move(text), .name = name, .settings = std::move(settings)}, memory,
-      [] { return false; });
+  server::http::ViewBuilder builder({.text = std::make_shared<const std::string>(std::move(text)),
+                                     .name = name,
+                                     .settings = std::move(settings)},
+                                    memory, [] { return false; });
   if (paths.exit == Exit::refused) builder.set_refused();
   for (const Diagnostic& diagnostic : paths.diagnostics) {
     v1::Diagnostic message;

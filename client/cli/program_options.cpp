@@ -56,26 +56,8 @@ bool says_a_radius(const ProgramOptions& options) {
          });
 }
 
-}  // namespace
-
-void add_program_options(CLI::App& command, ProgramOptions& options) {
-  command.add_option("file", options.file, "NC program; - reads standard input")
-      ->type_name("FILE")
-      ->required();
-  add_setup_options(command, options);
-}
-
-void add_setup_options(CLI::App& command, ProgramOptions& options) {
-  add_settings_options(command, options);
-  add_service_options(command, options.service);
-}
-
-void add_settings_options(CLI::App& command, ProgramOptions& options) {
-  command
-      .add_option("--set", options.assignments,
-                  "What holds before the first line, as in tool_radius=5; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
+// How the text is read.
+void add_reading_options(CLI::App& command, ProgramOptions& options) {
   std::vector<std::string> dialects;
   for (const Dialect& dialect : all_dialects())
     if (dialect.available) dialects.emplace_back(dialect.spelling);
@@ -113,6 +95,9 @@ void add_settings_options(CLI::App& command, ProgramOptions& options) {
                   "What coordinates of fanuc without a decimal point count in: units (X10 is 10 "
                   "mm) or increments (X10 is 0.010 mm, 0.0010 in)")
       ->transform(CLI::IsMember({"units", "increments"}, CLI::ignore_case));
+}
+
+void add_tool_options(CLI::App& command, ProgramOptions& options) {
   command
       .add_option("--tools", options.tools,
                   "Table of tools: CSV with the header number,radius, as wanted with name and edge "
@@ -130,6 +115,30 @@ void add_settings_options(CLI::App& command, ProgramOptions& options) {
       .add_option("--wear", options.wear,
                   "What that tool is larger by, mm; negative: worn off: --set wear")
       ->type_name("MM");
+}
+
+}  // namespace
+
+void add_program_options(CLI::App& command, ProgramOptions& options) {
+  command.add_option("file", options.file, "NC program; - reads standard input")
+      ->type_name("FILE")
+      ->required();
+  add_setup_options(command, options);
+}
+
+void add_setup_options(CLI::App& command, ProgramOptions& options) {
+  add_settings_options(command, options);
+  add_service_options(command, options.service);
+}
+
+void add_settings_options(CLI::App& command, ProgramOptions& options) {
+  command
+      .add_option("--set", options.assignments,
+                  "What holds before the first line, as in tool_radius=5; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  add_reading_options(command, options);
+  add_tool_options(command, options);
   add_language_option(command, options.language);
 }
 

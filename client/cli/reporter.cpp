@@ -55,6 +55,10 @@ std::string without_names_of_fields(std::string help) {
         "--whole-numbers units (X10 is 10 mm) or increments (X10 is 0.010 mm)"},
        {"`whole_numbers` UNITS (X10 ist 10 mm) oder INCREMENTS (X10 ist 0.010 mm) im Setup",
         "--whole-numbers units (X10 ist 10 mm) oder increments (X10 ist 0.010 mm)"},
+       {"into the same text, or give its text in `subprograms` of the setup",
+        "into the same file, or give its file: --subprograms FILE, or the folder"},
+       {"in denselben Text stellen oder seinen Text in `subprograms` des Setups angeben",
+        "in dieselbe Datei stellen oder seine Datei angeben: --subprograms FILE, oder den Ordner"},
        {"in `subprograms` (--subprograms)", "with --subprograms"},
        {"in `subprograms` angeben (--subprograms)", "mit --subprograms angeben"}});
   for (const auto& [field, own] : names)

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <string_view>
 
+#include "core/nc/text/characters.h"
+
 namespace trc::cli {
 namespace {
 
@@ -65,7 +67,6 @@ std::optional<std::string> SourceLines::line(std::uint32_t number) {
   if (byte < 0 && !any) return std::nullopt;
   ++next_line_;
   // No letter of the program, and columns do not count it.
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (number == 1 && text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
   return text;
 }

@@ -27,10 +27,12 @@ constexpr auto rows = std::to_array<Sentence>({
     {"{}: File is actually a directory: {}", "{}: die Datei ist ein Verzeichnis: {}"},
     {"{}: Path does not exist: {}", "{}: das gibt es nicht: {}"},
     {"{}: Value {} not in range {} to {}", "{}: der Wert {} liegt nicht zwischen {} und {}"},
-    {"Could not convert: {} = {}", "{} passt nicht zu {}"},
+    {"{} is {}, which is no number", "{} ist {}, und das ist keine Zahl"},
     {"{}: {} is no number; write {}, with a decimal point",
      "{}: {} ist keine Zahl; {} schreiben, mit Dezimalpunkt"},
+    {"{}: {} is no number", "{}: {} ist keine Zahl"},
     {"{}: it takes {}", "{}: möglich sind {}"},
+    {"{}: {} not in {{}}; did you mean {}?", "{}: {} gehört nicht zu {{}}; ist {} gemeint?"},
     {"{}: {} not in {{}}", "{}: {} gehört nicht zu {{}}"},
     {"{}: {} required {} missing", "{}: es fehlen Angaben ({} × {})"},
     {"{}: At Most {} required but received {}", "{}: höchstens {} erlaubt, angegeben sind {}"},
@@ -81,7 +83,6 @@ constexpr auto rows = std::to_array<Sentence>({
      "{} ist keine Zeile einer Werkzeugtabelle; eine CSV beginnt mit einem Kopf wie "
      "number,radius"},
     {"{} names no tool and edge, as in {}", "{} nennt kein Werkzeug mit Schneide, wie in {}"},
-    {"{} is {}, which is no number", "{} ist {}, und das ist keine Zahl"},
     {"the table has no column {}", "die Tabelle hat keine Spalte {}"},
     {"unknown column {}", "unbekannte Spalte {}"},
     {"the header needs number or name, and one of radius, diameter",
@@ -239,6 +240,7 @@ constexpr auto rows = std::to_array<Sentence>({
     {"in a list of servers {} must be an IP address and a port",
      "in einer Liste von Servern muss {} eine IP-Adresse mit Port sein"},
     {"{} mixes IPv4 and IPv6", "{} mischt IPv4 und IPv6"},
+    {"{} has no port: write {}", "{} hat keinen Port: {} schreiben"},
     {"with TLS give one name that stands for all servers, dns:///NAME:PORT: {} has none their "
      "certificates could be checked against",
      "mit TLS einen Namen angeben, der für alle Server steht, dns:///NAME:PORT: {} hat keinen, an "

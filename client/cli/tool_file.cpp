@@ -43,7 +43,7 @@ class Table {
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
       return "it is text in UTF-16; save it as CSV UTF-8";
     // As spreadsheets begin UTF-8.
-    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+    if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
     std::size_t line_number = 0;
     while (!text.empty()) {
       const auto end = text.find('\n');

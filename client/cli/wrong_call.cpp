@@ -1,6 +1,13 @@
 #include "client/cli/wrong_call.h"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "client/cli/told.h"
@@ -72,13 +79,57 @@ std::string meant_number(const std::string& fault) {
   const auto begin = fault.find("--");
   if (equals == std::string::npos || begin >= equals) return {};
   std::string number = fault.substr(equals + 3);
+  const std::string text = fault.substr(begin, equals - begin) + ": " + number + " is no number";
   const auto comma = number.find(',');
   if (comma == std::string::npos || number.find_first_not_of("+-0123456789,") < number.size() ||
       number.find(',', comma + 1) < number.size())
-    return {};
-  std::string text = fault.substr(begin, equals - begin) + ": " + number + " is no number; write ";
+    return told(text) + "\n";
   number[comma] = '.';
-  return told(text + number + ", with a decimal point") + "\n";
+  return told(text + "; write " + number + ", with a decimal point") + "\n";
+}
+
+// The choice that a control, or a shop, calls by another name.
+std::optional<std::string> called_otherwise(const std::string& word) {
+  constexpr auto names =
+      std::to_array<std::pair<std::string_view, std::string_view>>({{"siemens", "sinumerik"},
+                                                                    {"840d", "sinumerik"},
+                                                                    {"828d", "sinumerik"},
+                                                                    {"haas", "fanuc"},
+                                                                    {"mazak", "fanuc"},
+                                                                    {"fagor", "fanuc"},
+                                                                    {"mach3", "fanuc"},
+                                                                    {"grbl", "fanuc"},
+                                                                    {"iso", "fanuc"},
+                                                                    {"emc", "linuxcnc"},
+                                                                    {"emc2", "linuxcnc"},
+                                                                    {"tnc", "heidenhain"},
+                                                                    {"itnc", "heidenhain"},
+                                                                    {"klartext", "heidenhain"},
+                                                                    {"twincat", "isg"},
+                                                                    {"beckhoff", "isg"},
+                                                                    {"in", "inch"},
+                                                                    {"inches", "inch"},
+                                                                    {"metric", "mm"}});
+  const auto* const found =
+      std::ranges::find(names, word, &std::pair<std::string_view, std::string_view>::first);
+  if (found == names.end()) return std::nullopt;
+  return std::string(found->second);
+}
+
+// "--dialect: siemens not in {isg,fanuc}": with what is meant, where that is one of them.
+std::string with_meant_choice(std::string fault) {
+  const auto colon = fault.find(": ");
+  const auto between = fault.find(" not in {");
+  if (colon == std::string::npos || between == std::string::npos || colon > between) return fault;
+  std::string word = fault.substr(colon + 2, between - colon - 2);
+  std::ranges::transform(word, word.begin(), [](unsigned char c) { return std::tolower(c); });
+  std::istringstream list(fault.substr(between + 9, fault.find('}', between) - between - 9));
+  std::vector<std::string> choices;
+  for (std::string one; std::getline(list, one, ',');) choices.push_back(std::move(one));
+  auto meant = called_otherwise(word);
+  if (!meant || std::ranges::find(choices, *meant) == choices.end())
+    meant = likely_meant(word, choices);
+  return meant ? fault.append("; did you mean ").append(*meant).append("?") : fault;
 }
 
 std::string more_about(const std::string& name) {
@@ -101,7 +152,7 @@ std::string text_of_wrong_call(const CLI::App& app, const CLI::ParseError& fault
   const std::string name = spelled(commands.empty() ? app : *commands.front());
   if (const std::string number = meant_number(fault.what()); !number.empty())
     return name + ": " + number;
-  return name + ": " + told(fault.what()) + "\n" + more_about(name);
+  return name + ": " + told(with_meant_choice(fault.what())) + "\n" + more_about(name);
 }
 
 }  // namespace trc::cli

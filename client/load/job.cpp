@@ -207,7 +207,7 @@ ExpectedResult expected_text(const Job& job, std::string& refused) {
     refused = first_of(faults);
     return expected;
   }
-  ProgramSession session({.session = settings.path.session, .decimals = settings.decimals});
+  ProgramSession session({.session = settings.path.session});
   std::vector<Diagnostic> told;
   Answers out([&](const Answer& part) {
     expected.add(std::string_view(part.text));

@@ -1,4 +1,4 @@
-import {pathFlag, rapidFlag, segmentSize} from './styles.js';
+import {pathFlag, rapidFlag, segmentSize, sweepAt} from './styles.js';
 
 // Pixels: of way between two arrows at least, of a segment that carries one in its middle, and of
 // short pieces that carry one together.
@@ -37,7 +37,9 @@ export function arrowsOf(camera, tiles, shown) {
       since += length;
       if (length >= carrying) {
         at = null;
-        if (since >= apart && put((ax + bx) / 2, (ay + by) / 2, (bx - ax) / length, (by - ay) / length, word & 0xff)) since = 0;
+        // In its middle an arc goes the way its chord goes, and lies beside it.
+        const dx = (bx - ax) / length, dy = (by - ay) / length, aside = length / 2 * Math.tan(n[k + sweepAt] / 4);
+        if (since >= apart && put((ax + bx) / 2 - aside * dy, (ay + by) / 2 + aside * dx, dx, dy, word & 0xff)) since = 0;
         continue;
       }
       if (!at || Math.hypot(at.x - ax, at.y - ay) > 1) { from = {x: ax, y: ay}; way = 0; }

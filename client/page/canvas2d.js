@@ -1,4 +1,5 @@
-import {asideFlag, palette, pathFlag, rapidFlag, segmentSize, special, widths} from './styles.js';
+import {arcOf} from './arcs.js';
+import {asideFlag, palette, pathFlag, rapidFlag, segmentSize, special, sweepAt, widths} from './styles.js';
 
 // Draws the same without a graphics processor.
 export class Canvas2d {
@@ -34,8 +35,15 @@ export class Canvas2d {
         if (!paths.has(key)) paths.set(key, {style, rapid, marked, radius, path: new Path2D()});
         const [ax, ay] = this.toPixels(tile.x + n[k], tile.y + n[k + 1]);
         const [bx, by] = this.toPixels(tile.x + n[k + 2], tile.y + n[k + 3]);
-        paths.get(key).path.moveTo(ax, ay);
-        paths.get(key).path.lineTo(bx, by + (ax === bx && ay === by ? 0.01 : 0));
+        const {path} = paths.get(key), sweep = n[k + sweepAt];
+        path.moveTo(ax, ay);
+        if (sweep) {
+          // The screen counts angles the other way round.
+          const {x, y, radius, begin} = arcOf(ax, ay, bx, by, -sweep);
+          path.arc(x, y, radius, begin, begin - sweep, sweep > 0);
+        } else {
+          path.lineTo(bx, by + (ax === bx && ay === by ? 0.01 : 0));
+        }
       }
     const c = this.context;
     for (const {style, rapid, marked, radius, path} of paths.values()) {

@@ -111,6 +111,16 @@ class Elements {
   }
 }
 
+// Where an arc meets the lines along the sides of a square, as shares of it.
+function sharesOnSides(arc, start, left, below, side) {
+  const turn = 2 * Math.PI, radius = Math.hypot(start.x - arc.x, start.y - arc.y), begin = Math.atan2(start.y - arc.y, start.x - arc.x);
+  const upright = [left, left + side].map(x => Math.acos((x - arc.x) / radius)).flatMap(angle => [angle, -angle]);
+  const level = [below, below + side].map(y => Math.asin((y - arc.y) / radius)).flatMap(angle => [angle, Math.PI - angle]);
+  return [...upright, ...level].filter(angle => !Number.isNaN(angle))
+    .map(angle => Math.sign(arc.sweep) * (angle - begin))
+    .map(way => (way - turn * Math.floor(way / turn)) / Math.abs(arc.sweep)).filter(share => share < 1);
+}
+
 // The segments of a square, of which none is shorter than the tolerance but those that must be seen.
 class Drawing {
   constructor(low, side, tolerance) {
@@ -155,20 +165,19 @@ class Drawing {
         (elements.planeOf(i) === elements.plane ? 0 : asideFlag);
       const small = Math.max(box[2] - box[0], box[3] - box[1]) <= 2 * this.tolerance;
       const about = {element: i, line: elements.line(i), word, radius: elements.values[4 * i + 3]};
-      if (elements.isSpecial(i) && small) this.dot(ax, ay, about);
+      // A circle that is too small to be one leads nowhere.
+      const isClosed = elements.arc(i) !== null && ax === bx && ay === by;
+      if (small && (elements.isSpecial(i) || isClosed)) this.dot(ax, ay, about);
       if (!small || !pen || pen.atX !== ax || pen.atY !== ay) {
         lift();
         pen = {x: ax, y: ay, atX: ax, atY: ay, ...about};
       }
       const arc = elements.arc(i);
       if (arc && !small) {
-        const radius = Math.hypot(ax - arc.x, ay - arc.y);
-        const step = 2 * Math.acos(Math.max(-1, 1 - Math.min(this.tolerance / 2, radius) / radius));
-        const chords = Math.min(20_000, Math.max(2, Math.ceil(Math.abs(arc.sweep) / Math.max(step, 1e-9))));
-        for (let n = 1; n < chords; ++n) {
-          const p = elements.at(i, n / chords);
-          goTo(p.x, p.y);
-        }
+        // It stays an arc.
+        pen = null;
+        this.addArc(arc, share => elements.at(i, share), box, about);
+        continue;
       }
       goTo(bx, by);
     }
@@ -181,6 +190,32 @@ class Drawing {
     if (this.dots.has(key)) return;
     this.dots.add(key);
     this.add(x, y, x, y, about);
+  }
+
+  // The parts of an arc within the square, in pieces that stay near to their chords.
+  addArc(arc, place, box, about) {
+    const {low, side, margin} = this;
+    const [left, below] = [low.x - margin, low.y - margin], whole = side + 2 * margin;
+    const within = (x, y) => x >= left && x <= left + whole && y >= below && y <= below + whole;
+    if (within(box[0], box[1]) && within(box[2], box[3])) return this.addPieces(arc, place, 0, 1, about);
+    let from = 0;
+    for (const to of [...sharesOnSides(arc, place(0), left, below, whole), 1].sort((a, b) => a - b)) {
+      const middle = place((from + to) / 2);
+      if (to > from && within(middle.x, middle.y)) this.addPieces(arc, place, from, to, about);
+      from = to;
+    }
+  }
+
+  addPieces(arc, place, from, to, about) {
+    const {low, tolerance} = this;
+    const start = place(from), radius = Math.hypot(start.x - arc.x, start.y - arc.y);
+    const step = 2 * Math.acos(1 - Math.min(16 * tolerance, radius) / radius);
+    const count = Math.ceil((to - from) * Math.abs(arc.sweep) / step), sweep = (to - from) * arc.sweep / count;
+    const isStraight = radius * (1 - Math.cos(sweep / 2)) < tolerance / 4;
+    for (let i = 0; i < count; ++i) {
+      const [a, b] = [i, i + 1].map(n => place(from + n / count * (to - from)));
+      this.segments.push(a.x - low.x, a.y - low.y, b.x - low.x, b.y - low.y, about.element, about.line, about.word, about.radius, isStraight ? 0 : sweep);
+    }
   }
 
   // The part within the square.
@@ -198,7 +233,7 @@ class Drawing {
     }
     if (first > last) return;
     this.segments.push(ax + first * (bx - ax) - low.x, ay + first * (by - ay) - low.y,
-      ax + last * (bx - ax) - low.x, ay + last * (by - ay) - low.y, about.element, about.line, about.word, about.radius);
+      ax + last * (bx - ax) - low.x, ay + last * (by - ay) - low.y, about.element, about.line, about.word, about.radius, 0);
   }
 }
 

@@ -9,7 +9,14 @@ import {special} from './styles.js';
 import {WebGl} from './webgl.js';
 
 export const camera = new Camera();
-const renderer = WebGl.make($('lines')) ?? new Canvas2d($('lines'));
+function makeRenderer() {
+  const made = WebGl.make($('lines'), redraw);
+  if (made) return made;
+  // One that has been asked for WebGL gives nothing else.
+  $('lines').replaceWith($('lines').cloneNode());
+  return new Canvas2d($('lines'));
+}
+const renderer = makeRenderer();
 const overlay = new Overlay($('over'));
 document.body.dataset.renderer = renderer.constructor.name;
 
@@ -47,7 +54,10 @@ function draw() {
     renderer.draw(tiles, {layers: shown.layers, line: shown.line});
     document.body.dataset.segments = tiles.reduce((sum, tile) => sum + tile.count, 0);
     document.body.dataset.complete = own.complete;
-    if (own.complete) document.body.dataset.pictureMs ??= (performance.now() - shown.current.began).toFixed(1);
+    if (own.complete) {
+      document.body.dataset.pictureMs ??= (performance.now() - shown.current.began).toFixed(1);
+      own.settle();
+    }
   }
   const arrows = shown.current?.tiles && shown.also.arrows ? arrowsOf(camera, shown.current.tiles.visible(camera), isShown) : [];
   document.body.dataset.arrows = arrows.length;

@@ -71,6 +71,7 @@ function showNothing() {
 
 // What is measured behind the first picture.
 async function learn(program, view) {
+  await program.tiles.drawn;
   while (view.measuring && program.view === view) {
     await new Promise(resolve => setTimeout(resolve, 250));
     const now = await api.view(view.id).catch(() => null);
@@ -98,7 +99,7 @@ function forget(program) {
 }
 
 async function show(program, fit) {
-  const {view} = program;
+  const {view, tiles} = program;
   shown.line = 0;
   shown.place = null;
   shown.measured = [];
@@ -120,7 +121,11 @@ async function show(program, fit) {
   if (fit) showAll();
   redraw();
   document.body.dataset.view = view.id;
-  await Promise.all([input.show(view), output.show(view)]);
+  await input.show(view);
+  output.clear();
+  // To make it is as much work as all before: the picture comes first.
+  if (!view.refused) await tiles.drawn;
+  if (program.view === view) await output.show(view);
 }
 
 // A radius that the program itself gives, or its only tool, outlives the setting: then another one

@@ -1,5 +1,6 @@
 import {api} from './api.js';
-import {segmentSize} from './styles.js';
+import {arcOf, nearestOnArc} from './arcs.js';
+import {segmentSize, sweepAt} from './styles.js';
 
 // The part of the plane that is seen, and the tiles of a view that cover it.
 export class Camera {
@@ -22,6 +23,15 @@ export class Camera {
   }
 }
 
+// The point of a segment of a tile that is nearest to another one.
+function nearestOn(numbers, x, y) {
+  const [ax, ay, bx, by] = numbers, sweep = numbers[sweepAt];
+  if (sweep) return nearestOnArc(arcOf(ax, ay, bx, by, sweep), x, y);
+  const dx = bx - ax, dy = by - ay, square = dx * dx + dy * dy;
+  const s = square > 0 ? Math.max(0, Math.min(1, ((x - ax) * dx + (y - ay) * dy) / square)) : 0;
+  return {x: ax + s * dx, y: ay + s * dy};
+}
+
 const tilePixels = 512;
 // Of all tiles that are seen together: lines, and the band that reaches in from beside the picture.
 const mostSegments = 40_000, mostOfBand = 10_000, mostOfTile = 8192;
@@ -34,6 +44,8 @@ export class Tiles {
     this.loaded = new Map();  // "level/x/y" → tile, the one used longest ago first
     this.asked = new Map();
     this.wanted = new Set();
+    // Once all that is seen of it has been drawn, or nothing more will be.
+    this.drawn = new Promise(resolve => { this.settle = resolve; });
   }
 
   // Around what draws one picture: tiles that were asked for and nobody wants are given up.
@@ -113,13 +125,16 @@ export class Tiles {
       this.changed();
     } catch (error) {
       this.asked.delete(key);
-      if (error.name !== 'AbortError') this.lost?.(error);
+      if (error.name === 'AbortError') return;
+      this.settle();
+      this.lost?.(error);
     }
   }
 
   get complete() { return this.asked.size === 0; }
 
   release() {
+    this.settle();
     for (const abort of this.asked.values()) abort.abort();
     for (const tile of this.loaded.values()) tile.release?.();
     this.loaded.clear();
@@ -130,15 +145,12 @@ export class Tiles {
     let best = null;
     for (const tile of this.visible(camera))
       for (let i = 0; i < tile.count; ++i) {
-        const n = tile.numbers, k = i * segmentSize;
-        const x = at.x - tile.x - n[k], y = at.y - tile.y - n[k + 1];
-        const dx = n[k + 2] - n[k], dy = n[k + 3] - n[k + 1];
-        const square = dx * dx + dy * dy;
-        const s = square > 0 ? Math.max(0, Math.min(1, (x * dx + y * dy) / square)) : 0;
-        const distance = Math.hypot(x - s * dx, y - s * dy);
+        const n = tile.numbers, k = i * segmentSize, x = at.x - tile.x, y = at.y - tile.y;
+        const near = nearestOn(n.subarray(k, k + segmentSize), x, y);
+        const distance = Math.hypot(x - near.x, y - near.y);
         if (distance <= reach && (!best || distance < best.distance))
           best = {distance, element: tile.words[k + 4], line: tile.words[k + 5], style: tile.words[k + 6],
-            point: {x: tile.x + n[k] + s * dx, y: tile.y + n[k + 1] + s * dy}};
+            point: {x: tile.x + near.x, y: tile.y + near.y}};
       }
     return best;
   }

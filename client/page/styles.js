@@ -1,5 +1,7 @@
-// Numbers a segment has in a tile: its ends, element, line, style with flags, radius of the tool.
-export const segmentSize = 8;
+// Numbers a segment has in a tile: its ends, element, line, style with flags, radius of the tool,
+// sweep of an arc.
+export const segmentSize = 9;
+export const sweepAt = 8;
 
 // Colours that differ for every kind of colour vision (Okabe and Ito), by the style of an element.
 export const styleNames = ['layerContour', 'layerMasked', 'layerPath', 'layerTransition', 'layerLead', 'layerPlain'];

@@ -1,8 +1,16 @@
+import {arcOf} from './arcs.js';
 import {ticksOf} from './overlay.js';
-import {palette, pathFlag, rapidFlag, segmentSize, special, widths} from './styles.js';
+import {palette, pathFlag, rapidFlag, segmentSize, special, sweepAt, widths} from './styles.js';
 
 const escaped = text => text.replace(/[&<>"]/g, c => `&#${c.charCodeAt(0)};`);
 const px = value => value.toFixed(2);
+
+// To the end of a segment, as SVG has lines and arcs.
+function wayTo(ax, ay, bx, by, sweep) {
+  if (!sweep) return `L${px(bx)} ${px(by)}`;
+  const {radius} = arcOf(ax, ay, bx, by, sweep);
+  return `A${px(radius)} ${px(radius)} 0 0 ${sweep < 0 ? 1 : 0} ${px(bx)} ${px(by)}`;
+}
 
 // The segments of one look together: [key, "M…L…"].
 function pathsOf(camera, tiles, keyOf) {
@@ -15,7 +23,7 @@ function pathsOf(camera, tiles, keyOf) {
       const [ax, ay] = camera.toScreen({x: tile.x + n[k], y: tile.y + n[k + 1]});
       const [bx, by] = camera.toScreen({x: tile.x + n[k + 2], y: tile.y + n[k + 3]});
       if (!paths.has(key)) paths.set(key, []);
-      paths.get(key).push(`M${px(ax)} ${px(ay)}L${px(bx)} ${px(by)}`);
+      paths.get(key).push(`M${px(ax)} ${px(ay)}${wayTo(ax, ay, bx, by, n[k + sweepAt])}`);
     }
   return [...paths].sort(([a], [b]) => a - b).map(([key, parts]) => [key, parts.join('')]);
 }

@@ -2,11 +2,11 @@ import {palette, rgb, segmentSize, special, widths} from './styles.js';
 
 const segmentBytes = 4 * segmentSize;
 
-// Draws tiles with WebGL 2: one quad for each segment, its width in pixels.
+// Draws tiles with WebGL 2: one quad for each line or arc, its width in pixels.
 const vertexSource = `#version 300 es
 in vec4 ends;
 in uvec3 about;
-in float tool;
+in vec2 tool_and_sweep;
 uniform vec2 origin, half_size;
 uniform float scale, band;
 uniform uint line, layers;
@@ -15,10 +15,14 @@ uniform float widths[6];
 uniform vec3 own_color, marked;
 uniform bool is_compare;
 out vec2 local;
-out float span, radius;
+flat out float span, radius;
+// Of an arc, along its chord and across it: its centre, its radius and half its sweep; 0: a line.
+flat out vec2 center;
+flat out float bend, half_sweep;
 out vec4 color;
 flat out uint dashed;
 void main() {
+  float tool = tool_and_sweep.x;
   uint style = min(about.z & 255u, 5u);
   bool rapid = (about.z & 256u) != 0u, path = (about.z & 512u) != 0u;
   bool shown = (layers >> style & 1u) != 0u && (!rapid || (layers >> 6 & 1u) != 0u);
@@ -29,9 +33,19 @@ void main() {
   span = distance(a, b);
   vec2 along = span > 0.0 ? (b - a) / span : vec2(1.0, 0.0);
   radius = band > 0.0 ? tool * band : widths[style] * (is_marked ? 2.4 : 1.0) * 0.5;
-  float reach = radius + 1.0;
+  float reach = radius + 1.0, below = -reach, above = reach;
+  half_sweep = tool_and_sweep.y / 2.0;
+  center = vec2(0.0);
+  bend = 0.0;
+  if (half_sweep != 0.0) {
+    center = vec2(0.5, 0.5 / tan(half_sweep)) * span;
+    bend = 0.5 * span / abs(sin(half_sweep));
+    float rise = 0.5 * span * tan(half_sweep / 2.0);
+    below -= max(rise, 0.0);
+    above -= min(rise, 0.0);
+  }
   vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
-  local = vec2(mix(-reach, span + reach, corner.x), mix(-reach, reach, corner.y));
+  local = vec2(mix(-reach, span + reach, corner.x), mix(below, above, corner.y));
   vec2 at = a + along * local.x + vec2(-along.y, along.x) * local.y;
   gl_Position = vec4(shown ? at / half_size : vec2(2.0), 0.0, 1.0);
   color = vec4(is_marked ? marked : band > 0.0 || is_compare ? own_color : colors[style], 1.0);
@@ -40,27 +54,48 @@ void main() {
 const fragmentSource = `#version 300 es
 precision highp float;
 in vec2 local;
-in float span, radius;
+flat in float span, radius;
+flat in vec2 center;
+flat in float bend, half_sweep;
 in vec4 color;
 flat in uint dashed;
 out vec4 result;
+float distance_to_line() { return length(vec2(local.x - clamp(local.x, 0.0, span), local.y)); }
+float distance_to_arc() {
+  vec2 from = local - center;
+  bool beside = abs(from.x) * cos(half_sweep) > abs(sin(half_sweep)) * -sign(half_sweep) * from.y;
+  if (beside) return min(length(local), length(local - vec2(span, 0.0)));
+  // The difference of two large distances, but made of small ones.
+  float squares = local.x * (local.x - span) + local.y * (local.y - 2.0 * center.y);
+  return abs(squares) / (length(from) + bend);
+}
 void main() {
-  vec2 to = vec2(local.x - clamp(local.x, 0.0, span), local.y);
-  float cover = clamp(radius + 0.5 - length(to), 0.0, 1.0);
+  float away = half_sweep == 0.0 ? distance_to_line() : distance_to_arc();
+  float cover = clamp(radius + 0.5 - away, 0.0, 1.0);
   if (dashed == 1u && mod(local.x, 10.0) > 5.0) cover = 0.0;
   if (cover <= 0.0) discard;
   result = vec4(color.rgb, color.a * cover);
 }`;
 
 export class WebGl {
-  static make(canvas) {
+  // Null where there is no WebGL 2 that works. `restored`: what was drawn is gone.
+  static make(canvas, restored) {
     const gl = canvas.getContext('webgl2', {antialias: false, alpha: false, preserveDrawingBuffer: true});
-    return gl ? new WebGl(canvas, gl) : null;
+    if (!gl) return null;
+    try { return new WebGl(canvas, gl, restored); } catch (error) { console.warn(error); return null; }
   }
 
-  constructor(canvas, gl) {
+  constructor(canvas, gl, restored) {
     this.canvas = canvas;
     this.gl = gl;
+    this.program = this.makeProgram();
+    // A graphics processor may go, and come back with nothing of what it had.
+    canvas.addEventListener('webglcontextlost', event => event.preventDefault());
+    canvas.addEventListener('webglcontextrestored', () => { this.program = this.makeProgram(); restored(); });
+  }
+
+  makeProgram() {
+    const {gl} = this;
     const program = gl.createProgram();
     for (const [type, source] of [[gl.VERTEX_SHADER, vertexSource], [gl.FRAGMENT_SHADER, fragmentSource]]) {
       const shader = gl.createShader(type);
@@ -71,12 +106,13 @@ export class WebGl {
     }
     gl.bindAttribLocation(program, 0, 'ends');
     gl.bindAttribLocation(program, 1, 'about');
-    gl.bindAttribLocation(program, 2, 'tool');
+    gl.bindAttribLocation(program, 2, 'tool_and_sweep');
     gl.linkProgram(program);
     if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program));
-    this.program = program;
-    this.at = name => gl.getUniformLocation(program, name);
+    return program;
   }
+
+  at(name) { return this.gl.getUniformLocation(this.program, name); }
 
   begin(camera, ratio) {
     const {gl} = this;
@@ -108,7 +144,7 @@ export class WebGl {
     for (const tile of tiles) {
       if (tile.count === 0) continue;
       this.keepWithin(tile);
-      gl.bindVertexArray(tile.array ?? this.upload(tile));
+      gl.bindVertexArray(tile.program === this.program ? tile.array : this.upload(tile));
       // In double precision up to here: the tile's own numbers are small.
       gl.uniform2f(this.at('origin'), (tile.x - camera.x) * camera.scale * ratio, (tile.y - camera.y) * camera.scale * ratio);
       gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, tile.count);
@@ -139,9 +175,9 @@ export class WebGl {
     gl.vertexAttribIPointer(1, 3, gl.UNSIGNED_INT, segmentBytes, 16);
     gl.vertexAttribDivisor(1, 1);
     gl.enableVertexAttribArray(2);
-    gl.vertexAttribPointer(2, 1, gl.FLOAT, false, segmentBytes, 28);
+    gl.vertexAttribPointer(2, 2, gl.FLOAT, false, segmentBytes, 28);
     gl.vertexAttribDivisor(2, 1);
-    tile.array = array;
+    Object.assign(tile, {array, program: this.program});
     tile.release = () => { gl.deleteVertexArray(array); gl.deleteBuffer(buffer); };
     return array;
   }

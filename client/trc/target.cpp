@@ -47,6 +47,9 @@ std::optional<Failure> target_of(const std::string& address, bool tls, Target& t
     return std::nullopt;
   }
   if (address.find(',') == std::string::npos) {
+    // gRPC would take the port of HTTPS.
+    const bool has_port = address.find(':') != std::string::npos && !address.ends_with(']');
+    if (!has_port) return refused("'" + address + "' has no port: write " + address + ":50051");
     target = {.uri = address, .service_config = {}};
     return std::nullopt;
   }

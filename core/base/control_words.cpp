@@ -83,6 +83,10 @@ constexpr auto own_helps = std::to_array<OwnHelp>({
      .english = "Correct the centre or the end point; the arc runs about the shifted centre.",
      .german = "Mittelpunkt oder Endpunkt berichtigen; der Bogen läuft um den verschobenen "
                "Mittelpunkt."},
+    {.code = Code::subprogram_unknown,
+     .english = "Put it into the same text, or give its text in `subprograms` of the setup.",
+     .german = "Es in denselben Text stellen oder seinen Text in `subprograms` des Setups "
+               "angeben."},
 });
 
 static_assert(std::ranges::is_sorted(own_helps, {}, &OwnHelp::code));

@@ -151,11 +151,15 @@ Lengths lengths_for(std::span<const DiagnosticValue> values, bool inch) {
   return lengths;
 }
 
+std::string with_unit(double length, const Lengths& lengths) {
+  return length_text(length, lengths) + (lengths.inch ? " in" : " mm");
+}
+
 std::string value_text(const DiagnosticValue& value, const Lengths& lengths, Language language) {
   const std::string words = words_of(value.name, language) + " ";
   switch (measure_of(value.name)) {
     case Measure::length:
-      return words + length_text(value.value, lengths) + (lengths.inch ? " in" : " mm");
+      return words + with_unit(value.value, lengths);
     case Measure::angle:
       return words + written(value.value, std::chars_format::fixed, 3) +
              (language == Language::german ? " Grad" : " degrees");
@@ -209,8 +213,23 @@ std::optional<double> value_named(const Diagnostic& diagnostic, std::string_view
   return found->value;
 }
 
+// "tool ⌀12.000 mm does not fit into the arc of radius 5.000 mm: "
+Narrowness narrowness_of_arc(const Diagnostic& diagnostic) {
+  const auto radius = value_named(diagnostic, "tool_radius");
+  const auto arc = value_named(diagnostic, "contour_radius");
+  if (!radius || !arc) return {};
+  const std::array<DiagnosticValue, 2> both{{{"", *radius}, {"", *arc}}};
+  const Lengths lengths = lengths_for(both, diagnostic.inch);
+  const std::string tool = with_unit(2 * *radius, lengths);
+  const std::string room = with_unit(*arc, lengths);
+  return {.english = "tool ⌀" + tool + " does not fit into the arc of radius " + room + ": ",
+          .german = "Werkzeug ⌀" + tool + " passt nicht in den Bogen mit Radius " + room + ": ",
+          .said = "contour_radius"};
+}
+
 // "tool ⌀12.000 mm does not fit, the slot is 8.000 mm wide here: ", where that is known.
 Narrowness narrowness_of(const Diagnostic& diagnostic) {
+  if (diagnostic.code == Code::tool_not_smaller_than_arc) return narrowness_of_arc(diagnostic);
   const bool does_not_fit = diagnostic.code == Code::line_reversed ||
                             diagnostic.code == Code::arc_wrapped ||
                             diagnostic.code == Code::bottleneck;
@@ -221,11 +240,8 @@ Narrowness narrowness_of(const Diagnostic& diagnostic) {
   const std::array<DiagnosticValue, 2> both{
       {{"", 2 * *radius}, {"", width ? *width : 2 * *largest}}};
   const Lengths lengths = lengths_for(both, diagnostic.inch);
-  const auto text = [&](double length) {
-    return length_text(length, lengths) + (lengths.inch ? " in" : " mm");
-  };
-  const std::string tool = text(both[0].value);
-  const std::string room = text(both[1].value);
+  const std::string tool = with_unit(both[0].value, lengths);
+  const std::string room = with_unit(both[1].value, lengths);
   if (width)
     return {.english = "tool ⌀" + tool + " does not fit, the slot is " + room + " wide here: ",
             .german = "Werkzeug ⌀" + tool + " passt nicht, die Nut ist hier " + room + " breit: ",
@@ -244,8 +260,11 @@ Narrowness narrowness_of(const Diagnostic& diagnostic) {
 std::string with_narrowness(const Narrowness& narrow, std::string title, Language language) {
   if (narrow.said.empty()) return title;
   const bool german = language == Language::german;
-  const std::string_view same = german ? "das Werkzeug passt nicht: " : "the tool does not fit: ";
-  if (title.starts_with(same)) title.erase(0, same.size());
+  constexpr auto same = std::to_array<std::string_view>(
+      {"the tool does not fit: ", "the tool does not fit into the arc: ",
+       "das Werkzeug passt nicht: ", "das Werkzeug passt nicht in den Kreisbogen: "});
+  for (const std::string_view words : same)
+    if (title.starts_with(words)) title.erase(0, words.size());
   return (german ? narrow.german : narrow.english) + title;
 }
 
@@ -415,6 +434,32 @@ std::string_view help_about_values(const Diagnostic& diagnostic, bool german) {
   return {};
 }
 
+// Behind "TRANS, …, as in sinumerik", what the program is declared as then. Empty: nobody said.
+std::string help_to_declare(const Diagnostic& diagnostic, bool german) {
+  struct Family {
+    std::string_view dialect;
+    std::string_view english;
+    std::string_view german;
+  };
+  constexpr auto families = std::to_array<Family>(
+      {{"fanuc", "for Fanuc, Haas or the like", "für Fanuc, Haas oder dergleichen"},
+       {"linuxcnc", "for LinuxCNC", "für LinuxCNC"},
+       {"sinumerik", "for Sinumerik", "für Sinumerik"},
+       {"heidenhain", "in Klartext of Heidenhain", "in Klartext von Heidenhain"}});
+  if (diagnostic.code != Code::other_dialect) return {};
+  const auto* const family = std::ranges::find_if(families, [&](const Family& each) {
+    return diagnostic.detail.ends_with(", as in " + std::string(each.dialect));
+  });
+  if (family == families.end()) return {};
+  const std::string name(family->dialect);
+  if (german)
+    return "Ist dies ein Programm " + std::string(family->german) +
+           ", dann dies angeben: --dialect " + name +
+           ", `dialect` im Setup. Ist es eines für ISG, das Wort streichen.";
+  return "If this is a program " + std::string(family->english) + ", declare it: --dialect " +
+         name + ", `dialect` in the setup. If it is one for ISG, remove the word.";
+}
+
 }  // namespace
 
 DiagnosticTexts texts_of(const Diagnostic& diagnostic) {
@@ -433,6 +478,8 @@ std::string help_of(const Diagnostic& diagnostic, Language language) {
   if (begins_in_corner(diagnostic)) return help_in_corner(diagnostic.words, german);
   const auto* const slip = std::ranges::find(slip_helps, diagnostic.slip.kind, &SlipHelp::kind);
   if (slip == slip_helps.end()) {
+    if (std::string declared = help_to_declare(diagnostic, german); !declared.empty())
+      return declared;
     std::string_view help = help_in(diagnostic.words, diagnostic.code, language);
     constexpr std::array of_words{Code::nc_unsupported, Code::position_unknown, Code::nc_number,
                                   Code::circle_incomplete, Code::ended_while_active};

@@ -453,8 +453,6 @@ struct Phrase {
 
 // What details say of a word: the meanings of functions, and what readers say of their own.
 constexpr auto phrases = std::to_array<Phrase>({
-    {"F, more than 0 and at most 1000000000 mm/min",
-     "F, mehr als 0 und höchstens 1000000000 mm/min"},
     {"G20, inch in fanuc and linuxcnc", "G20, Zoll bei fanuc und linuxcnc"},
     {"L, a subprogram call", "L, ein Unterprogrammaufruf"},
     {"P, a parameter", "P, ein Parameter"},
@@ -593,6 +591,7 @@ constexpr auto phrases = std::to_array<Phrase>({
     {"measuring shift on", "Messversatz ein"},
     {"mirroring", "Spiegeln"},
     {"modal macro call", "modaler Makroaufruf"},
+    {"more than 0 and at most 1000000000 mm/min", "mehr als 0 und höchstens 1000000000 mm/min"},
     {"more than 30 arguments", "mehr als 30 Argumente"},
     {"more values than elements", "mehr Werte als Elemente"},
     {"motion in machine coordinates", "Bewegung in Maschinenkoordinaten"},

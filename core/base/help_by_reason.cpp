@@ -192,6 +192,8 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "F."},
     {"a variable", "Write its value in its place, or assign it in the program.",
      "Ihren Wert an ihre Stelle schreiben oder sie im Programm setzen."},
+    {"an expression or a name", "Write its value in its place. A comment stands in ( ).",
+     "Seinen Wert an seine Stelle schreiben. Ein Kommentar steht in ( )."},
     {"an expression", "Write its value in its place.", "Seinen Wert an seine Stelle schreiben."},
     {"a parameter", "Write its value in its place.", "Seinen Wert an seine Stelle schreiben."},
     {"EXTCALL", "Give the text of the program that it calls in `subprograms` (--subprograms).",

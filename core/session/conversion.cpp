@@ -58,12 +58,12 @@ struct Words {
 
 class Conversion {
  public:
-  Conversion(const ProgramSetup& setup, DialectName to, int decimals)
+  Conversion(const ProgramSetup& setup, DialectName to)
       : from_(dialect_of(setup.dialect)),
         to_(dialect_of(to)),
         setup_(setup),
         klartext_(to == DialectName::heidenhain),
-        writer_({.decimals = decimals,
+        writer_({.decimals = setup.decimals,
                  .start = setup.start,
                  .motion = to_.motion.value_or(MotionKind::rapid),
                  .absolute_center = klartext_,
@@ -469,8 +469,8 @@ ConvertedProgram Conversion::run(std::string_view program) {
 }  // namespace
 
 ConvertedProgram convert_program(std::string_view program, const ProgramSetup& setup,
-                                 DialectName to, int decimals) {
-  return Conversion(setup, to, decimals).run(program);
+                                 DialectName to) {
+  return Conversion(setup, to).run(program);
 }
 
 }  // namespace trc

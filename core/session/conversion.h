@@ -25,8 +25,8 @@ struct ConvertedProgram {
 // words up to M9 and M30, S, T with M6, comments. Functions that hold at the start anyway are left
 // out. Everything else is a fault: it means something else there, or nothing.
 //
-// `setup` is what the program is read with; the program has no G41, G42 any more. `decimals` of mm.
+// `setup` is what the program is read with; the program has no G41, G42 any more.
 [[nodiscard]] ConvertedProgram convert_program(std::string_view program, const ProgramSetup& setup,
-                                               DialectName to, int decimals);
+                                               DialectName to);
 
 }  // namespace trc

@@ -30,7 +30,7 @@ NcWriter::Setup writer_setup(const ProgramSessionSetup& setup) {
   const Dialect& dialect = dialect_of(program.dialect);
   const bool klartext = dialect.name == DialectName::heidenhain;
   // Decimals out of range are refused before anything is written.
-  NcWriter::Setup writer{.decimals = std::clamp(setup.decimals, 0, most_decimals - 1),
+  NcWriter::Setup writer{.decimals = std::clamp(program.decimals, 0, most_decimals - 1),
                          .start = program.start,
                          .motion = dialect.motion.value_or(MotionKind::rapid),
                          .absolute_center = program.absolute_center || klartext,
@@ -77,9 +77,10 @@ struct ProgramSession::Parts {
     if (const Dialect& dialect = dialect_of(setup.session.program.dialect); !dialect.available)
       path.stop(diagnostic(Code::not_available, {},
                            std::string("the dialect ").append(dialect.spelling)));
-    if (setup.decimals >= 0 && setup.decimals < most_decimals) return;
+    const int decimals = setup.session.program.decimals;
+    if (decimals >= 0 && decimals < most_decimals) return;
     Diagnostic invalid = diagnostic(Code::field_invalid, {}, "decimals");
-    invalid.values = {{"decimals", static_cast<double>(setup.decimals)}};
+    invalid.values = {{"decimals", static_cast<double>(decimals)}};
     path.stop(std::move(invalid));
   }
 

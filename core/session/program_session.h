@@ -15,7 +15,6 @@ namespace trc {
 struct ProgramSessionSetup {
   SessionSetup session{};
   bool nc_text = true;                   // output as NC text; false: compensated blocks
-  int decimals = 4;                      // of coordinates in NC text, mm; one more for inch
   std::size_t longest_line = 64 * 1024;  // bytes; 900006 beyond
   // So many different faults of reading are told in one run: at the end of the text at the latest.
   std::size_t most_faults = 50;

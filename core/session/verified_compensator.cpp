@@ -5,7 +5,7 @@
 #include <span>
 #include <utility>
 
-#include "core/trc/selection/entry_help.h"
+#include "core/trc/entry_help.h"
 #include "core/verify/state_archive.h"
 
 namespace trc {

@@ -54,6 +54,12 @@ void note(const Diagnostic& found, double least, Surveyed& result) {
     result.limits.push_back(*last);
 }
 
+// Kerf masking fills a notch that the tool cannot enter, without a note: its walls are not reached.
+void note_filled(const CompensatedBlock& block, std::vector<Source>& filled) {
+  const bool is_known = filled.size() == 2 || (!filled.empty() && filled.back() == block.source);
+  if (block.origin == Origin::kerf && !is_known) filled.push_back(block.source);
+}
+
 }  // namespace
 
 Survey::Survey(SurveySetup setup, Reader reader)
@@ -83,7 +89,7 @@ Surveyed Survey::run(double radius) {
   } else if (auto wear = too_much_wear(reading, radius)) {
     found.refusal = std::move(wear);
   } else {
-    compensate(reading, false, found);
+    compensate(reading, Loops::as_programmed, found);
   }
   found.reaches_all = found.accepted() && found.clearance.gouging == 0 && found.limits.empty();
   if (!found.reaches_all && found.limits.empty()) found.limits = limits_of(reading, found);
@@ -95,12 +101,13 @@ Surveyed Survey::run(double radius) {
   return found;
 }
 
-void Survey::compensate(const Reading& reading, bool removes_loops, Surveyed& found) {
+void Survey::compensate(const Reading& reading, Loops loops, Surveyed& found) {
   // So many at once lie in the caches still.
   constexpr std::size_t portion = 256;
   CompensatorSetup compensator = setup_.session.compensator;
   compensator.start = setup_.session.program.start;
   compensator.inverse_path = false;
+  const bool removes_loops = loops == Loops::removed;
   if (removes_loops) compensator.largest_masked_share = 1;
   verify::UncutSink uncut;
   if (setup_.uncut)
@@ -113,11 +120,13 @@ void Survey::compensate(const Reading& reading, bool removes_loops, Surveyed& fo
                               {.uncut = std::move(uncut), .known_walls = &walls_});
   std::vector<Block> blocks(portion);
   std::vector<CompensatedBlock> out;
+  std::vector<Source> filled;
   const auto drop = [&] {
     if (!out.empty() && setup_.progressed) setup_.progressed();
+    for (const CompensatedBlock& block : out) note_filled(block, filled);
     out.clear();
   };
-  // Of the path only what it tells is wanted.
+  // Of the path only what it tells is wanted, and which notches were filled.
   const auto take = [&] {
     for (drop(); session.is_releasing(); drop()) session.release(out);
     for (const Diagnostic& told : log.take()) {
@@ -137,6 +146,7 @@ void Survey::compensate(const Reading& reading, bool removes_loops, Surveyed& fo
   }
   if (!log.stopped()) session.finish_until_portion(modes.at_end(), out);
   take();
+  if (found.limits.empty()) found.limits = std::move(filled);
   found.summary = session.summary();
   if (session.clearance() != nullptr) found.clearance = *session.clearance();
   found.uncut_known = setup_.uncut && found.accepted();
@@ -147,7 +157,7 @@ void Survey::compensate(const Reading& reading, bool removes_loops, Surveyed& fo
 // The verification has not measured what was refused before its end.
 void Survey::look_for_uncut(const Reading& reading, Surveyed& found) {
   Surveyed other{.radius = found.radius};
-  compensate(reading, true, other);
+  compensate(reading, Loops::removed, other);
   found.uncut_known = other.accepted();
   found.uncut_by_removal = other.accepted();
   if (!other.accepted()) return;

@@ -90,7 +90,8 @@ class Survey {
 
   // The radius as the state has it: in wear mode a difference.
   [[nodiscard]] double term_of(double radius) const;
-  void compensate(const Reading& reading, bool removes_loops, Surveyed& found);
+  enum class Loops : std::uint8_t { as_programmed, removed };
+  void compensate(const Reading& reading, Loops loops, Surveyed& found);
   void look_for_uncut(const Reading& reading, Surveyed& found);
   [[nodiscard]] std::optional<Diagnostic> too_much_wear(const Reading& reading,
                                                         double radius) const;

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "core/trc/entry_help.h"
 #include "core/trc/loops/loop_removal.h"
 #include "core/trc/pass.h"
 #include "core/trc/passes/bottlenecks.h"
@@ -14,7 +15,6 @@
 #include "core/trc/passes/reporting.h"
 #include "core/trc/passes/rounded_input.h"
 #include "core/trc/passes/transitions.h"
-#include "core/trc/selection/entry_help.h"
 #include "core/trc/selection/inside_corner.h"
 #include "core/trc/selection/refused_way.h"
 #include "core/trc/selection/split.h"
@@ -54,7 +54,7 @@ struct Compensator::Passes {
         bottlenecks(setup, log, checkpoint),
         reporting(setup, log),
         short_way(
-            setup.inverse_path, setup.tolerances, setup.leads.input_resolution, log, loop_removal,
+            setup, log, loop_removal,
             [this](PathBlocks& free, std::vector<CompensatedBlock>& out) {
               path.blocks.swap(free);
               const bool goes_on = finish_path(Input::more, out);
@@ -62,7 +62,7 @@ struct Compensator::Passes {
               return goes_on;
             },
             reporting),
-        short_release(setup.inverse_path, setup.tolerances, loop_removal, reporting) {}
+        short_release(setup, loop_removal, reporting) {}
 
   // clang-format off
   bool step(Input input, std::vector<CompensatedBlock>& out) {

@@ -1,62 +1,18 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <functional>
+#include <cstddef>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
-#include "core/base/checkpoint.h"
 #include "core/base/diagnostics.h"
 #include "core/base/state.h"
-#include "core/base/tolerances.h"
 #include "core/nc/state/block.h"
 #include "core/trc/result/compensated_block.h"
-#include "core/trc/walls/walls.h"
+#include "core/trc/result/summary.h"
+#include "core/trc/setup.h"
 
 namespace trc {
-
-struct Limits {
-  // Window of contour masking in relevant blocks; 0: the whole selection (D-10).
-  std::size_t look_ahead_blocks = 0;
-  // Passive blocks between two relevant ones (D-24, 90011).
-  std::size_t passive_blocks = 100;
-  // Relevant blocks in one selection that has to be held as a whole.
-  std::size_t selection_blocks = 20'000'000;
-};
-
-// Which way blocks in the middle of a contour go. What comes out is the same: for tests.
-enum class Engine : std::uint8_t {
-  automatic,  // the short way where enough of them come at once
-  passes,     // each through all passes, also out of loop removal
-  short_way,  // the short way for each that may take it
-};
-
-struct CompensatorSetup {
-  Position start{};  // of the tool before the first block, mm
-  Limits limits{};
-  Tolerances tolerances{};
-  bool implicit_contour_masking = false;  // P-CHAN-00219, D-34
-  bool circular_kerf_masking = true;      // P-CHAN-00284
-  LeadSettings leads{};                   // D-38
-  double largest_masked_share = 0.5;      // of the walls, left out (D-39)
-  double smallest_feed_factor = 0.01;     // D-31
-  bool inverse_path = false;              // CompensatedBlock::inverse
-  Engine engine = Engine::automatic;
-  bool helps_with_entries = true;     // Diagnostic::entry_help
-  Checkpoint::Interrupt interrupt{};  // of long work
-};
-
-// What a finished session did.
-struct Summary {
-  std::uint64_t blocks_in = 0;  // relevant and passive blocks
-  std::uint64_t blocks_out = 0;
-  std::array<std::uint64_t, origin_count> blocks_by_origin{};
-  double programmed_length = 0;   // mm, in the plane
-  double compensated_length = 0;  // mm, in the plane
-};
 
 // Programmed blocks in, compensated blocks out. The order of the passes is the
 // list in Compensator::step (compensator.cpp) – start reading there.

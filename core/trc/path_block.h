@@ -97,12 +97,8 @@ struct PathBlock {
   std::vector<PassiveBlock> passive_after_exit{};
 
   [[nodiscard]] const TrcMode& mode() const { return *programmed.mode; }
-  // Violating loops are taken out of the whole contour, instead of blocks masked
-  // one by one. Not below the nominal radius of wear mode: a smaller tool keeps clear of the part
-  // wherever the nominal one does, and the centre path it leaves towards the part is no wall.
   [[nodiscard]] bool removes_loops() const {
-    return role != Role::passive && mode().masking == Masking::on &&
-           mode().options.remove_masked_blocks && !mode().below_nominal;
+    return role != Role::passive && mode().removes_loops();
   }
 
   static void* operator new(std::size_t size);

@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "core/nc/state/state_archive.h"
-#include "core/trc/compensator.h"
 #include "core/trc/path_block.h"
+#include "core/trc/result/summary.h"
 #include "core/trc/walls/left_out.h"
 #include "core/trc/walls/walls.h"
 

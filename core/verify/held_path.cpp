@@ -48,8 +48,7 @@ std::uint32_t HeldPath::number_of(const std::shared_ptr<const TrcMode>& shared) 
                   .plane = mode.plane,
                   .reverses = mode.options.reverse,
                   .follows = follows,
-                  .joins_fine_steps = mode.masking != Masking::on ||
-                                      !mode.options.remove_masked_blocks || mode.below_nominal};
+                  .joins_fine_steps = !mode.removes_loops()};
   if (rules_.empty() || rules_.back() != rule) rules_.push_back(rule);
   return static_cast<std::uint32_t>(rules_.size() - 1);
 }

@@ -146,33 +146,71 @@ void collapse_all(Columns& message) {
   collapse(*message.mutable_planes());
 }
 
+// The columns of motions; knows the motion before each.
+struct Motions {
+  // Returns what the motion is; adds to the flags of its block.
+  unsigned write(const CompensatedBlock& block, std::uint32_t index, unsigned& flags) {
+    if (before == nullptr)
+      first = &block;
+    else
+      gaps = gaps || !goes_on_from(*before, block);
+    before = &block;
+    ends.add(from_plane(block.plane, end_of(block.path), block.normal.to));
+    const auto* arc = std::get_if<Arc>(&block.path);
+    if (arc != nullptr) {
+      centers.add(from_plane(block.plane, arc->center, block.normal.from));
+      message.mutable_sweep()->AddAlreadyReserved(arc->sweep);
+    }
+    if (!block.tracking.empty()) {
+      write_tracking(block.tracking, message);
+      flags |= Columns::FLAG_TRACKING;
+    }
+    if (block.inverse) {
+      Columns::InverseAt& entry = *message.add_inverses();
+      entry.set_index(index);
+      inverse_to_proto(block, *entry.mutable_inverse());
+    }
+    if (arc != nullptr) return Columns::KIND_ARC;
+    return block.rapid ? Columns::KIND_RAPID : Columns::KIND_LINEAR;
+  }
+  // Each start, where not every motion begins where the one before it ends; else the first one.
+  void write_starts_of(std::span<const CompensatedBlock> blocks) {
+    const PositionColumns starts{message.mutable_start_x(), message.mutable_start_y(),
+                                 message.mutable_start_z()};
+    if (gaps)
+      write_starts(blocks, starts);
+    else if (first != nullptr)
+      write_starts({first, 1}, starts);
+  }
+
+  v1::CompensatedColumns& message;
+  PositionColumns ends{message.mutable_end_x(), message.mutable_end_y(), message.mutable_end_z()};
+  PositionColumns centers{message.mutable_center_x(), message.mutable_center_y(),
+                          message.mutable_center_z()};
+  const CompensatedBlock* first = nullptr;
+  const CompensatedBlock* before = nullptr;  // the last one
+  bool gaps = false;
+};
+
 }  // namespace
 
 void to_proto(std::span<const CompensatedBlock> blocks, std::uint64_t first_block,
               v1::CompensatedColumns& message) {
   message.Clear();
   message.set_first_block(first_block);
-  const PositionColumns starts{message.mutable_start_x(), message.mutable_start_y(),
-                               message.mutable_start_z()};
-  const PositionColumns ends{message.mutable_end_x(), message.mutable_end_y(),
-                             message.mutable_end_z()};
-  const PositionColumns centers{message.mutable_center_x(), message.mutable_center_y(),
-                                message.mutable_center_z()};
+  Motions motions{.message = message};
   std::string& kinds = *message.mutable_kinds();
   std::string& all_flags = *message.mutable_flags();
   std::string& origins = *message.mutable_origins();
   std::string& planes = *message.mutable_planes();
   for (std::string* column : {&kinds, &all_flags, &origins, &planes}) column->resize(blocks.size());
   const auto count = static_cast<int>(blocks.size());
-  ends.reserve(count);
-  centers.reserve(count);
+  motions.ends.reserve(count);
+  motions.centers.reserve(count);
   for (Doubles* column : {message.mutable_sweep(), message.mutable_feed()}) column->Reserve(count);
   message.mutable_source_index()->Reserve(count);
   static const auto byte_of_origin = bytes_of_enum<Origin, origin_count>();
   static const auto byte_of_plane = bytes_of_enum<Plane, 3>();
-  const CompensatedBlock* first_motion = nullptr;
-  const CompensatedBlock* before = nullptr;  // the last motion
-  bool gaps = false;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     const CompensatedBlock& block = blocks[i];
     const auto index = static_cast<std::uint32_t>(i);
@@ -183,29 +221,7 @@ void to_proto(std::span<const CompensatedBlock> blocks, std::uint64_t first_bloc
       message.mutable_feed()->AddAlreadyReserved(block.feed);
       flags |= Columns::FLAG_FEED;
     }
-    if (!is_text_alone(block)) {
-      kind = block.rapid ? Columns::KIND_RAPID : Columns::KIND_LINEAR;
-      if (before == nullptr)
-        first_motion = &block;
-      else
-        gaps = gaps || !goes_on_from(*before, block);
-      before = &block;
-      ends.add(from_plane(block.plane, end_of(block.path), block.normal.to));
-      if (const auto* arc = std::get_if<Arc>(&block.path)) {
-        kind = Columns::KIND_ARC;
-        centers.add(from_plane(block.plane, arc->center, block.normal.from));
-        message.mutable_sweep()->AddAlreadyReserved(arc->sweep);
-      }
-      if (!block.tracking.empty()) {
-        write_tracking(block.tracking, message);
-        flags |= Columns::FLAG_TRACKING;
-      }
-      if (block.inverse) {
-        Columns::InverseAt& entry = *message.add_inverses();
-        entry.set_index(index);
-        inverse_to_proto(block, *entry.mutable_inverse());
-      }
-    }
+    if (!is_text_alone(block)) kind = motions.write(block, index, flags);
     if (!block.text.empty()) {
       Columns::TextAt& entry = *message.add_texts();
       entry.set_index(index);
@@ -216,10 +232,7 @@ void to_proto(std::span<const CompensatedBlock> blocks, std::uint64_t first_bloc
     origins[i] = byte_of_origin[static_cast<std::size_t>(block.origin)];
     planes[i] = byte_of_plane[static_cast<std::size_t>(block.plane)];
   }
-  if (gaps)
-    write_starts(blocks, starts);
-  else if (first_motion != nullptr)
-    write_starts({first_motion, 1}, starts);
+  motions.write_starts_of(blocks);
   collapse_all(message);
 }
 

@@ -185,6 +185,7 @@ bool CompensatedReader::read(const v1::CompensatedColumns& message,
   if (faults.count() != before) return false;
   ColumnReader columns(message, counts, path, faults);
   if (faults.count() != before) return false;
+  if (out.empty()) out.reserve(counts.blocks);
   for (std::size_t i = 0; i < counts.blocks; ++i) {
     const bool moves = columns.next_moves();
     CompensatedBlock& block = out.emplace_back();

@@ -25,10 +25,12 @@ bool from_proto(const v1::Position& message, const FieldPath& path, OptionalPosi
   const bool x = check_coordinate(message.has_x(), message.x(), "x", path, faults);
   const bool y = check_coordinate(message.has_y(), message.y(), "y", path, faults);
   const bool z = check_coordinate(message.has_z(), message.z(), "z", path, faults);
+  // A zero with a sign becomes one without: the answer would carry the sign on.
+  constexpr double unsigned_zero = 0.0;
   position = {};
-  if (message.has_x()) position[0] = message.x();
-  if (message.has_y()) position[1] = message.y();
-  if (message.has_z()) position[2] = message.z();
+  if (message.has_x()) position[0] = message.x() + unsigned_zero;
+  if (message.has_y()) position[1] = message.y() + unsigned_zero;
+  if (message.has_z()) position[2] = message.z() + unsigned_zero;
   return x && y && z;
 }
 

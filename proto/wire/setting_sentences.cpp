@@ -8,10 +8,16 @@ namespace {
 constexpr auto sentences = std::to_array<Sentence>({
     {"{} is no setting; write key=value", "{} ist keine Einstellung; NAME=WERT schreiben"},
     {"{} is no value; write NAME=VALUE", "{} ist kein Wert; NAME=WERT schreiben"},
+    {"{}: {} is not possible; it takes {}; write {}, with a decimal point",
+     "{}: {} ist nicht möglich; es nimmt {}; {} schreiben, mit Dezimalpunkt"},
     {"{}: {} is not possible; it takes {}", "{}: {} ist nicht möglich; es nimmt {}"},
     {"{} is not possible; it takes {}", "{} ist nicht möglich; es nimmt {}"},
     {"{} may be {} or {}; write the whole key",
      "{} kann {} oder {} sein; den ganzen Namen schreiben"},
+    {"{} is no D or T word with its radius in mm, as in {}, or with its wear too, as in {}; commas "
+     "separate tools, decimals have a point",
+     "{} ist kein D- oder T-Wort mit seinem Radius in mm, wie in {}, oder dazu seinem Verschleiß, "
+     "wie in {}; Kommas trennen Werkzeuge, Dezimalstellen haben einen Punkt"},
     {"{} is no D or T word with its radius in mm, as in {}, or with its wear too, as in {}",
      "{} ist kein D- oder T-Wort mit seinem Radius in mm, wie in {}, oder dazu seinem Verschleiß, "
      "wie in {}"},

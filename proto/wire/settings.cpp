@@ -339,7 +339,9 @@ std::string set_tools(std::string_view text, v1::ProgramSetup& setup) {
     if (!number || !radius || !wear)
       return "tools: \"" + std::string(entry) +
              "\" is no D or T word with its radius in mm, as in 1:5, or with its wear too, as in "
-             "1:5:-0.02";
+             "1:5:-0.02" +
+             (entry.find(':') == entry.npos ? "; commas separate tools, decimals have a point"
+                                            : "");
     v1::Tool& tool = *setup.add_tools();
     tool.set_number(*number);
     tool.set_radius(*radius);
@@ -365,7 +367,10 @@ std::vector<const Route*> routes_named(const std::string& key) {
   return found;
 }
 
-std::string unknown_key(const std::string& key) {
+std::string unknown_key(const std::string& given) {
+  // As much of it as a key has: what it is compared with costs as much as it is long.
+  constexpr std::size_t longest = 64;
+  const std::string_view key = std::string_view(given).substr(0, longest);
   std::vector<std::pair<std::size_t, std::string>> near;
   const auto consider = [&](const std::string& full) {
     const std::string last = full.substr(full.rfind('.') + 1);
@@ -384,7 +389,7 @@ std::string unknown_key(const std::string& key) {
   consider("variables");
   std::stable_sort(near.begin(), near.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::string text = "unknown setting \"" + key + "\"; nearest:";
+  std::string text = "unknown setting \"" + given + "\"; nearest:";
   for (std::size_t i = 0; i < 3; ++i) text += (i == 0 ? " " : ", ") + near[i].second;
   return text;
 }
@@ -406,7 +411,14 @@ std::string apply_setting(std::string_view assignment, v1::ProgramSetup& setup) 
   if (key == "tools") return set_tools(value, setup);
   if (key == "variables") return set_variables(value, setup);
   const auto impossible = [&](const std::string& whole, const FieldDescriptor& field) {
-    return whole + ": \"" + std::string(value) + "\" is not possible; it takes " + values_of(field);
+    std::string text = whole + ": \"" + std::string(value) + "\" is not possible; it takes ";
+    text += values_of(field);
+    std::string number(value);
+    std::ranges::replace(number, ',', '.');
+    if (field.cpp_type() == FieldDescriptor::CPPTYPE_DOUBLE && number != value &&
+        finite_from(number))
+      text += "; write " + number + ", with a decimal point";
+    return text;
   };
   for (const FieldDescriptor* field : program_fields())
     if (field->name() == key)

@@ -25,7 +25,6 @@ struct PathSettings {
 struct ProgramSettings {
   PathSettings path{};  // its `session.program.tools` is the tool table
   bool nc_text = true;  // output as NC text; false: compensated blocks
-  int decimals = 4;     // of coordinates in NC text
   std::string file_name{};
 };
 

@@ -146,10 +146,14 @@ std::string_view host_of(std::string_view host) {
   return host.substr(0, host.find(':'));
 }
 
-// Of the names that begin like one, as 127.0.0.1.example, anybody may own some.
+// Of the names that begin like one, as 127.0.0.1.example, anybody may own some. Names are the same
+// in small letters and in capitals.
 bool is_this_machine(std::string_view host) {
   const bool numeric = host.find_first_not_of("0123456789.") == std::string_view::npos;
-  return host == "localhost" || host == "::1" || (numeric && host.starts_with("127."));
+  const bool named = std::ranges::equal(host, std::string_view("localhost"), [](char a, char b) {
+    return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b;
+  });
+  return named || host == "::1" || (numeric && host.starts_with("127."));
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "proto/wire/json.h"
 #include "server/http/api.h"
 #include "server/http/german.h"
+#include "server/http/json_size.h"
 #include "server/http/problem.h"
 #include "server/http/settings.h"
 #include "server/rpc/status.h"
@@ -262,6 +263,10 @@ std::string fault_of(const Request& request) {
 // Reading JSON is work, and done by those who compute.
 void start(Api& api, const ExchangePointer& exchange, const Call& call) {
   api.compute([&api, exchange, call] {
+    const auto refused = call.is_json ? refuse_size(call.body, api.backend().config) : std::nullopt;
+    if (refused)
+      return exchange->post(
+          [exchange, call, status = refused->status] { call.format->refuse(exchange, status); });
     const Question question = read_question(call);
     exchange->post([&api, exchange, call, question] {
       if (!question.fault.empty())

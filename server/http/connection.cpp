@@ -35,6 +35,8 @@ using TlsStream = beast::ssl_stream<beast::tcp_stream>;
 
 // A body makes that much way, and an answer too, or the connection ends.
 constexpr std::size_t piece_bytes = 64U << 10U;
+// What is read of a body at a time.
+constexpr std::size_t most_read_bytes = 1U << 20U;
 // What is read of a request that was answered before it had come, so that the answer arrives.
 constexpr std::size_t most_ignored_bytes = 4U << 20U;
 constexpr std::chrono::seconds longest_farewell{2};
@@ -136,6 +138,7 @@ class Connection final : public Exchange,
 
   void await_request() {
     share_.release();
+    is_whole_ = false;
     parser_.emplace();
     parser_->header_limit(static_cast<std::uint32_t>(limits_.most_header_bytes));
     // The real limit follows when it is known what is asked.
@@ -157,6 +160,7 @@ class Connection final : public Exchange,
     if (fault) return close_socket();
     request_ = request_of(parser_->get(), std::move(request_.peer));
     keep_alive_ = parser_->keep_alive();
+    is_whole_ = parser_->is_done();
     const auto& head = parser_->get();
     // Without chunks the end of the connection would be the end of an answer.
     if (head.version() != 11) return refuse(505, "HTTP_VERSION", "The server speaks HTTP/1.1");
@@ -183,25 +187,60 @@ class Connection final : public Exchange,
     if (length && !take_memory(static_cast<std::size_t>(*length)))
       return refuse(no_memory_for_body());
     held_body_ = length ? static_cast<std::size_t>(*length) : 0;
-    if (expects_continue(parser_->get()) && !parser_->is_done())
+    if (expects_continue(parser_->get()) && !is_whole_)
       return send("HTTP/1.1 100 Continue\r\n\r\n", [self = this->shared_from_this()](bool taken) {
-        if (taken) self->read_body(0);
+        if (taken) self->read_body();
       });
-    read_body(0);
+    read_body();
   }
 
-  // `way`: bytes since the last time it was looked at the clock.
-  void read_body(std::size_t way) {
-    if (parser_->is_done()) return dispatch();
+  void read_body() {
+    if (is_whole_) return dispatch();
+    if (parser_->chunked()) return read_chunks(0);
+    length_ = static_cast<std::size_t>(*parser_->content_length());
+    request_.body.reserve(length_);
+    has_come_ = std::min(buffer_.size(), length_);
+    request_.body.append(static_cast<const char*>(buffer_.data().data()), has_come_);
+    buffer_.consume(has_come_);
+    read_rest(0);
+  }
+
+  // A body whose length is known, in pieces as large as they come. `way`: bytes since the last time
+  // it was looked at the clock.
+  void read_rest(std::size_t way) {
+    if (has_come_ == length_) return dispatch();
+    if (way == 0) lowest().expires_after(limits_.timeout);
+    std::string& body = request_.body;
+    // Not all at once: who only promises a large body has not sent it yet.
+    if (has_come_ == body.size()) body.resize(std::min(length_, has_come_ + most_read_bytes));
+    stream_.async_read_some(
+        asio::buffer(body.data() + has_come_, body.size() - has_come_),
+        [self = this->shared_from_this(), way](error_code fault, std::size_t bytes) {
+          self->has_come_ += bytes;
+          if (fault) return self->close_socket();
+          self->read_rest(way_after(way + bytes));
+        });
+  }
+
+  // Only what has come far enough gets more time: a byte now and then does not.
+  static std::size_t way_after(std::size_t way) {
+    return way >= piece_bytes ? 0 : std::max<std::size_t>(way, 1);
+  }
+
+  void read_chunks(std::size_t way) {
+    if (parser_->is_done()) {
+      request_.body = std::move(parser_->get().body());
+      return dispatch();
+    }
     if (way == 0) lowest().expires_after(limits_.timeout);
     bhttp::async_read_some(
         stream_, buffer_, *parser_,
         [self = this->shared_from_this(), way](error_code fault, std::size_t bytes) {
-          self->on_body(fault, way + bytes);
+          self->on_chunks(fault, way + bytes);
         });
   }
 
-  void on_body(error_code fault, std::size_t way) {
+  void on_chunks(error_code fault, std::size_t way) {
     if (fault && fault.category() == make_error_code(bhttp::error::bad_chunk).category() &&
         fault != bhttp::error::partial_message && fault != bhttp::error::end_of_stream)
       return refuse(400, "REQUEST_MALFORMED", "The body of the request is malformed");
@@ -213,8 +252,7 @@ class Connection final : public Exchange,
       if (!take_memory(more)) return refuse(no_memory_for_body());
       held_body_ += more;
     }
-    // Only what has come far enough gets more time: a byte now and then does not.
-    read_body(way >= piece_bytes ? 0 : std::max<std::size_t>(way, 1));
+    read_chunks(way_after(way));
   }
 
   // What somebody sends now matters more than views that somebody has looked at.
@@ -226,7 +264,7 @@ class Connection final : public Exchange,
 
   void dispatch() {
     lowest().expires_never();
-    request_.body = std::move(parser_->get().body());
+    is_whole_ = true;
     service_.handle(this->shared_from_this());
   }
 
@@ -269,8 +307,9 @@ class Connection final : public Exchange,
     refuse(problem(status, reason, title, title));
   }
   void refuse(const v1::Problem& problem) {
-    keep_alive_ = keep_alive_ && parser_->is_done();
+    keep_alive_ = keep_alive_ && is_whole_;
     share_.release();
+    request_.body = {};
     parser_->get().body().clear();
     parser_->get().body().shrink_to_fit();
     answer_problem(*this, problem);
@@ -327,6 +366,8 @@ class Connection final : public Exchange,
   void say_farewell() {
     error_code ignored;
     share_.release();
+    // Who has an answer and stays may make room for others.
+    waits();
     if constexpr (!is_tls) lowest().socket().shutdown(tcp::socket::shutdown_send, ignored);
     lowest().expires_after(longest_farewell);
     if constexpr (is_tls) {
@@ -368,6 +409,9 @@ class Connection final : public Exchange,
   Request request_;
   std::size_t most_body_bytes_ = 0;
   std::size_t held_body_ = 0;
+  std::size_t length_ = 0;  // of a body, where it is known
+  std::size_t has_come_ = 0;
+  bool is_whole_ = false;
   bool keep_alive_ = true;
 
   Clock::time_point started_{};

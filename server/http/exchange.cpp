@@ -1,6 +1,7 @@
 #include "server/http/exchange.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace trc::server::http {
 namespace {
@@ -61,5 +62,9 @@ bool Request::accepts(std::string_view type) const {
 std::string Request::content_type() const { return without_parameters(header("content-type")); }
 
 std::string Request::charset() const { return parameter_of(header("content-type"), "charset"); }
+
+std::shared_ptr<const std::string> Request::take_body() {
+  return std::make_shared<const std::string>(std::exchange(body, {}));
+}
 
 }  // namespace trc::server::http

@@ -31,6 +31,8 @@ struct Request {
   [[nodiscard]] std::string content_type() const;
   // What its parameter charset says, in lower case; empty when there is none.
   [[nodiscard]] std::string charset() const;
+  // For all who need it; there is none left then.
+  [[nodiscard]] std::shared_ptr<const std::string> take_body();
 };
 
 // The head of an answer.

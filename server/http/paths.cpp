@@ -8,6 +8,7 @@
 #include "server/http/api.h"
 #include "server/http/formats.h"
 #include "server/http/handlers.h"
+#include "server/http/json_size.h"
 #include "server/http/problem.h"
 #include "server/http/settings.h"
 #include "server/rpc/get_server_info.h"
@@ -35,6 +36,9 @@ void start(Api& api, const ExchangePointer& exchange, const char* rpc, Ask ask,
     return answer_problem(*exchange, problem(415, "CONTENT_TYPE", "The body must be JSON",
                                              "send a " + name + " as application/json"));
   api.compute([&api, exchange, rpc, name, ask, format = std::move(format)] {
+    if (const auto refused = refuse_size(exchange->request().body, api.backend().config))
+      return exchange->post(
+          [exchange, status = refused->status] { answer_problem(*exchange, problem_of(status)); });
     Message message;
     const std::string fault = wire::Json().read(exchange->request().body, message);
     prefer_language(exchange->request().header("accept-language"), message);

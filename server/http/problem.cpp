@@ -100,7 +100,8 @@ v1::Problem problem_of(const grpc::Status& status) {
       problem.set_status(422);
       problem.set_title("The program cannot be compensated");
     }
-    if (is_about_size(info.reason()) || is_beyond_a_limit(status, rich)) problem.set_status(413);
+    const bool is_too_large = !of_program && is_about_size(info.reason());
+    if (is_too_large || is_beyond_a_limit(status, rich)) problem.set_status(413);
     // Of a path there is one batch.
     if (info.reason() == "BATCH_TOO_LARGE")
       problem.set_detail("it has " + info.metadata().at("got") + " blocks, at most " +

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -14,7 +15,8 @@ namespace trc::server::http {
 template <class Request, class Setup>
 class TextQuestions final : public Questions {
  public:
-  TextQuestions(const Setup& setup, std::string text, std::size_t most_message_bytes)
+  TextQuestions(const Setup& setup, std::shared_ptr<const std::string> text,
+                std::size_t most_message_bytes)
       : text_(std::move(text)), piece_bytes_(std::min(piece_bytes, most_message_bytes / 2)) {
     *message_.mutable_setup() = setup;
   }
@@ -23,9 +25,9 @@ class TextQuestions final : public Questions {
     if (std::exchange(set_up_, true)) {
       v1::ProgramText& piece = *message_.mutable_text();
       piece.set_first_byte(at_);
-      piece.set_text(text_.substr(at_, piece_bytes_));
-      at_ = std::min(at_ + piece_bytes_, text_.size());
-      piece.set_final(at_ == text_.size());
+      piece.set_text(text_->substr(at_, piece_bytes_));
+      at_ = std::min(at_ + piece_bytes_, text_->size());
+      piece.set_final(at_ == text_->size());
       last = piece.final();
     }
     return RpcCall::bytes_of(message_);
@@ -34,7 +36,7 @@ class TextQuestions final : public Questions {
  private:
   static constexpr std::size_t piece_bytes = 256U << 10U;
 
-  std::string text_;
+  std::shared_ptr<const std::string> text_;
   std::size_t piece_bytes_;
   std::size_t at_ = 0;
   bool set_up_ = false;

@@ -49,7 +49,14 @@ std::string fault_of(const Route& route, const std::string& name, std::string_vi
 
 std::optional<v1::Problem> refuse_query(const Route& route, const Pairs& query) {
   v1::Problem refused = problem(400, "QUERY_INVALID", "A query parameter cannot be taken", {});
-  for (auto one = query.begin(); one != query.end(); ++one) {
+  // More than there are: what follows looks at each of them for each of them.
+  constexpr std::size_t most_parameters = 256;
+  if (query.size() > most_parameters) {
+    refused.set_detail("there are " + std::to_string(query.size()) + " parameters, at most " +
+                       std::to_string(most_parameters) + " are taken");
+    return refused;
+  }
+  for (auto one = query.begin(); one != query.end() && refused.fields_size() < most_fields; ++one) {
     const auto& [name, value] = *one;
     const bool is_repeated =
         std::ranges::find(query.begin(), one, name, &Pairs::value_type::first) != one;

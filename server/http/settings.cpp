@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/language.h"
+#include "core/base/utf8.h"
 #include "core/nc/dialect/dialect.h"
 #include "proto/wire/settings.h"
 #include "proto/wire/setup.h"
@@ -20,6 +21,7 @@ std::string read_one(const std::string& name, const std::string& value, v1::Prog
     setup.set_file_name(presentable(value));
     return {};
   }
+  if (!is_utf8(value)) return name + ": is no UTF-8";
   if (name == "dialect") {
     const auto dialect = dialect_spelled(value);
     if (!dialect || !dialect_of(*dialect).available)
@@ -88,6 +90,7 @@ std::optional<v1::Problem> read_settings(const Pairs& query, std::string_view ac
       problem(400, "SETTING_INVALID", "A query parameter is no setting that can be taken", {});
   std::vector<std::string> given;
   for (const auto& [name, value] : query) {
+    if (refused.fields_size() == most_fields) break;
     const std::string key = wire::whole_key(name);
     const bool is_repeated = std::ranges::any_of(given, [&](const std::string& other) {
       return is_part(key, other) || is_part(other, key);

@@ -52,9 +52,9 @@ class ViewFormat final : public Format, public std::enable_shared_from_this<View
     for (const v1::Diagnostic& diagnostic : answer_.diagnostics()) builder_->add(diagnostic);
     if (answer_.response_case() == Answer::kSummary) builder_->set_summary(answer_.summary());
     if (answer_.response_case() != Answer::kColumns) return true;
-    std::vector<CompensatedBlock> blocks;
+    blocks_.clear();
     wire::FieldFaults faults;
-    return reader_.read(answer_.columns(), blocks, faults) && builder_->add(blocks);
+    return reader_.read(answer_.columns(), blocks_, faults) && builder_->add(blocks_);
   }
 
   void close(std::string& out) override {
@@ -92,6 +92,7 @@ class ViewFormat final : public Format, public std::enable_shared_from_this<View
   std::unique_ptr<ViewBuilder> builder_;
   wire::CompensatedReader reader_;
   v1::CompensateProgramResponse answer_;
+  std::vector<CompensatedBlock> blocks_;
   std::string said_;
 };
 
@@ -143,6 +144,23 @@ void make_output_of(Api& api, const std::shared_ptr<View>& view) {
   });
 }
 
+// The tile a path …/tiles/LEVEL/X/Y names; none: there is no such tile.
+std::optional<TileName> tile_named(std::string_view path) {
+  std::array<std::uint64_t, 3> numbers{};
+  for (std::size_t i = numbers.size(); i-- > 0;) {
+    const std::size_t slash = path.rfind('/');
+    const auto number = whole_number(path.substr(slash + 1));
+    if (!number) return std::nullopt;
+    numbers[i] = *number;
+    path = path.substr(0, slash);
+  }
+  const auto [level, x, y] = numbers;
+  if (level > most_level || std::max(x, y) >= std::uint64_t{1} << level) return std::nullopt;
+  return TileName{.level = static_cast<std::uint32_t>(level),
+                  .x = static_cast<std::uint32_t>(x),
+                  .y = static_cast<std::uint32_t>(y)};
+}
+
 // Takes from the query which plane is shown; false: it is none.
 bool take_plane(Pairs& query, std::optional<Plane>& plane) {
   const auto asked = std::ranges::find(query, "shown_plane", &Pairs::value_type::first);
@@ -180,7 +198,7 @@ void make_view(Api& api, const ExchangePointer& exchange) {
   wire::ProgramSettings settings;
   if (const auto refused = read_setup(setup, api.backend().config, settings))
     return answer_problem(*exchange, problem_of(refused->status));
-  const std::string text = std::move(exchange->request().body);
+  const auto text = exchange->request().take_body();
   // Older views give way to a new one.
   auto builder = std::make_unique<ViewBuilder>(
       ViewedProgram{
@@ -209,28 +227,20 @@ void remove_view(Api& api, const ExchangePointer& exchange) {
 void view_tile(Api& api, const ExchangePointer& exchange) {
   const auto view = view_of(api, exchange->request());
   if (view == nullptr) return answer_problem(*exchange, no_view());
-  // …/tiles/LEVEL/X/Y
-  std::string_view rest = exchange->request().path;
-  std::array<std::uint32_t, 3> numbers{};
-  for (std::size_t i = numbers.size(); i-- > 0;) {
-    const auto number = whole_number(rest.substr(rest.rfind('/') + 1));
-    if (!number || *number >= std::uint64_t{1} << view->said().most_level())
-      return answer_problem(*exchange, problem(404, "TILE_OUTSIDE", "There is no such tile",
-                                               "levels and tiles are counted from 0"));
-    numbers[i] = static_cast<std::uint32_t>(*number);
-    rest = rest.substr(0, rest.rfind('/'));
-  }
+  const auto tile = tile_named(exchange->request().path);
+  if (!tile)
+    return answer_problem(*exchange, problem(404, "TILE_OUTSIDE", "There is no such tile",
+                                             "levels and tiles are counted from 0"));
   // So that somebody with a large screen and many tiles asks for less of each.
   constexpr std::uint64_t usual = 2048;
   const auto segments = static_cast<std::size_t>(std::clamp<std::uint64_t>(
       number_in(exchange->request().query, "segments", usual), 256, 16'384));
-  api.compute([exchange, view, numbers, segments] {
-    std::string tile =
-        view->tile({.level = numbers[0], .x = numbers[1], .y = numbers[2]}, segments);
-    exchange->post([exchange, tile = std::move(tile)]() mutable {
+  api.compute([exchange, view, tile, segments] {
+    std::string drawn = view->tile(*tile, segments);
+    exchange->post([exchange, drawn = std::move(drawn)]() mutable {
       exchange->answer({.content_type = "application/octet-stream",
                         .headers = {{"Cache-Control", "private, max-age=3600, immutable"}}},
-                       std::move(tile));
+                       std::move(drawn));
     });
   });
 }

@@ -27,6 +27,10 @@ constexpr std::chrono::milliseconds round{20};
 // Giving back holds up who takes memory meanwhile.
 constexpr unsigned rounds_between = 50;
 constexpr std::uint64_t worth_giving_back = 32U << 20U;
+// Where somebody has to go for it otherwise.
+constexpr std::uint64_t worth_giving_back_at_once = 1U << 20U;
+// A stream that was told to end does so where its turn passes by next.
+constexpr unsigned most_rounds_of_one_ending = 50;
 
 // "max" is none, and so is what version 1 writes for it, which passes every machine.
 std::uint64_t number_in(const std::string& path) {
@@ -124,29 +128,33 @@ void MemoryWatch::run() {
 }
 
 void MemoryWatch::look() {
+  // Asked before anything is measured: what it has freed is in no number of before.
+  const bool is_one_ending =
+      settings_.is_one_ending() && ++rounds_of_one_ending_ < most_rounds_of_one_ending;
+  if (!is_one_ending) rounds_of_one_ending_ = 0;
   std::uint64_t resident = settings_.resident_bytes();
   const auto passes = [&](std::uint64_t percent) {
     return settings_.limit_bytes > 0 && resident > settings_.limit_bytes / 100 * percent;
   };
   constexpr std::uint64_t scarce = 85;
   constexpr std::uint64_t critical = 95;
-  if (passes(scarce) && state_ == State::ample) {
+  if (passes(critical) || (passes(scarce) && state_ == State::ample)) {
     // Perhaps it is only not given back yet.
     rounds_until_give_back_ = 0;
-    give_back(resident);
+    give_back(resident, worth_giving_back_at_once);
     resident = settings_.resident_bytes();
   }
   // Address space has a limit of its own (RLIMIT_AS).
   if (passes(critical) || !has_room_) {
     state_ = State::critical;
-    settings_.end_largest();
+    if (!is_one_ending) settings_.end_largest();
   } else {
     state_ = passes(scarce) ? State::scarce : State::ample;
   }
-  give_back(resident);
+  give_back(resident, worth_giving_back);
 }
 
-void MemoryWatch::give_back(std::uint64_t resident) {
+void MemoryWatch::give_back(std::uint64_t resident, std::uint64_t worth) {
   if (gives_back_soon_.exchange(false)) {
     rounds_until_give_back_ = 0;
     // What could not be given back before is free now.
@@ -158,7 +166,7 @@ void MemoryWatch::give_back(std::uint64_t resident) {
   }
   const std::uint64_t in_use = left_ + settings_.counted_bytes();
   left_ = std::min(left_, resident);
-  if (resident < in_use + worth_giving_back) return;
+  if (resident < in_use + worth) return;
   rounds_until_give_back_ = rounds_between;
   PagePiece::give_back_spare();
   malloc_trim(0);

@@ -34,6 +34,8 @@ class MemoryWatch {
     std::uint64_t limit_bytes = 0;  // 0: none
     // Called in the thread of the watch, again and again while the state is critical.
     std::function<void()> end_largest{};
+    // Whether the one that was told to end last still holds something.
+    std::function<bool()> is_one_ending = [] { return false; };
     // What streams hold just now.
     std::function<std::uint64_t()> counted_bytes{};
     std::function<std::uint64_t()> resident_bytes{};
@@ -53,7 +55,8 @@ class MemoryWatch {
   void run();
   void look();
   // What is freed stays with the heap, and spare pages with this process, until they are asked for.
-  void give_back(std::uint64_t resident);
+  // Not for less than is worth it.
+  void give_back(std::uint64_t resident, std::uint64_t worth);
 
   const Settings settings_;
   std::atomic<State> state_ = State::ample;
@@ -61,6 +64,7 @@ class MemoryWatch {
   bool has_room_ = true;
   std::uint64_t left_ = 0;  // resident, after what could be given back was
   unsigned rounds_until_give_back_ = 0;
+  unsigned rounds_of_one_ending_ = 0;
   std::mutex mutex_;
   std::condition_variable changed_;
   bool stopping_ = false;

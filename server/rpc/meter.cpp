@@ -24,10 +24,10 @@ bool Meter::note(const Summary& so_far) {
   const bool came_out = so_far.blocks_out > blocks_out_;
   if (came_out) {
     blocks_out_ = so_far.blocks_out;
-    let_go_through_ = blocks_in_;
+    released_through_ = blocks_in_;
   }
   blocks_in_ = so_far.blocks_in;
-  held_blocks_ = std::max(blocks_in_ - let_go_through_, std::min(look_ahead_blocks_, blocks_in_));
+  held_blocks_ = std::max(blocks_in_ - released_through_, std::min(look_ahead_blocks_, blocks_in_));
   return came_out;
 }
 

@@ -53,7 +53,7 @@ class Meter {
   // Times count from where a stream goes on.
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(blocks_in_, blocks_out_, let_go_through_);
+    archive(blocks_in_, blocks_out_, released_through_);
   }
 
  private:
@@ -64,7 +64,7 @@ class Meter {
   std::uint64_t blocks_in_ = 0;
   std::uint64_t blocks_out_ = 0;
   std::uint64_t held_blocks_ = 0;
-  std::uint64_t let_go_through_ = 0;  // input up to here was taken when something came out last
+  std::uint64_t released_through_ = 0;  // input up to here was taken when something came out last
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
   double cpu_seconds_ = 0;
 };

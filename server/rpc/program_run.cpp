@@ -18,7 +18,6 @@ ProgramRun::ProgramRun(const StreamContext& stream, const Settings& settings)
     : StreamRun(stream, settings.path,
                 {.session = settings.path.session,
                  .nc_text = settings.nc_text,
-                 .decimals = settings.decimals,
                  .longest_line = stream.backend.config.max_line_bytes}),
       gives_text_(settings.nc_text) {}
 

@@ -25,7 +25,7 @@ struct Row {
   int retry_after_s = 0;  // 0: waiting does not help
 };
 
-constexpr std::array<Row, 29> table{{
+constexpr std::array<Row, 30> table{{
     {Refusal::setup_missing, StatusCode::FAILED_PRECONDITION, "SETUP_MISSING",
      "the first request must carry the setup", "die erste Anfrage muss das Setup enthalten"},
     {Refusal::setup_repeated, StatusCode::FAILED_PRECONDITION, "SETUP_REPEATED",
@@ -60,6 +60,10 @@ constexpr std::array<Row, 29> table{{
      "no request came within the idle timeout", "es kam zu lange keine Anfrage"},
     {Refusal::field_invalid, StatusCode::INVALID_ARGUMENT, "FIELD_INVALID",
      "a field has a value that is not allowed", "ein Feld hat einen Wert, der nicht erlaubt ist"},
+    {Refusal::message_too_large, StatusCode::RESOURCE_EXHAUSTED, "MESSAGE_TOO_LARGE",
+     "the request is larger than the setting max-message-bytes allows; send smaller pieces",
+     "die Anfrage ist größer, als die Einstellung max-message-bytes erlaubt; kleinere "
+     "Stücke senden"},
     {Refusal::batch_too_large, StatusCode::RESOURCE_EXHAUSTED, "BATCH_TOO_LARGE",
      "the batch has more blocks than the setting max-blocks-per-batch allows; send smaller "
      "batches",

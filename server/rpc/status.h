@@ -25,6 +25,7 @@ enum class Refusal {
   contour_incomplete,
   stream_idle,
   field_invalid,
+  message_too_large,
   batch_too_large,
   request_unreadable,
   call_invalid,

@@ -10,6 +10,7 @@
 #include <mutex>
 #include <new>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "server/backend.h"
@@ -175,17 +176,26 @@ class StreamReactor
 
   // From a reaction.
   void take_turn() {
-    if (input_ == Input::request) record_.carried(request_bytes_.Length());
+    if (input_ == Input::request) note_size();
     if (!cancelled_ && is_short())
       turn();
     else
       backend_.pool.submit(*this, peer_->turns);
   }
 
+  // A request that is too large is let go of at once, and its turn refuses it.
+  void note_size() {
+    const std::size_t size = request_bytes_.Length();
+    if (size <= backend_.config.max_message_bytes) return record_.carried(size);
+    bytes_too_many_ = size;
+    request_bytes_.Clear();
+  }
+
   // Whether the next turn takes no longer than handing it to a worker would. A small request is
   // read for that.
   [[nodiscard]] bool is_short() {
     constexpr std::size_t small = 16U << 10U;
+    if (bytes_too_many_ > 0) return false;
     if (input_ != Input::request) return work_->is_short(nullptr);
     if (request_bytes_.Length() > small) return false;
     const StreamAccount::Turn accounted(account_);
@@ -286,6 +296,7 @@ class StreamReactor
   Turn compute() {
     switch (std::exchange(input_, Input::none)) {
       case Input::request:
+        if (bytes_too_many_ > 0) return end(too_large());
         if (!read_request()) return end(refuse(Refusal::request_unreadable));
         is_read_ = false;
         return work_->take(*request_, *response_);
@@ -295,6 +306,13 @@ class StreamReactor
         break;
     }
     return work_->proceed(*response_);
+  }
+
+  [[nodiscard]] Ending too_large() const {
+    const std::string size = std::to_string(bytes_too_many_);
+    const std::string most = std::to_string(backend_.config.max_message_bytes);
+    return refuse(Refusal::message_too_large, size + " > " + most + " bytes",
+                  {{"message_bytes", size}, {"max_message_bytes", most}});
   }
 
   // Does what the last turn has asked for, or leaves it to the end of a heartbeat on its way.
@@ -385,6 +403,7 @@ class StreamReactor
   ArenaMessage<Request> request_;
   bool is_read_ = false;  // of its bytes
   bool is_unreadable_ = false;
+  std::size_t bytes_too_many_ = 0;  // of the request that is refused; 0: none
   ArenaMessage<Response> response_;
   grpc::ByteBuffer answer_;
   grpc::ByteBuffer beat_;

@@ -97,6 +97,29 @@ TEST(Message, SaysLengthsInTheUnitOfTheProgram) {
                                    "7.87e-07 in)");
 }
 
+TEST(Message, SaysOfAnArcThatIsTooSmallWhichToolAndArc) {
+  Diagnostic found = diagnostic(Code::tool_not_smaller_than_arc, {});
+  found.values = {{"contour_radius", 3}, {"tool_radius", 5}, {"difference", -2}};
+  EXPECT_EQ(message_of(found),
+            "tool ⌀10.000 mm does not fit into the arc of radius 3.000 mm: its radius is not "
+            "smaller than that of the arc (tool radius 5.000 mm, difference -2.000 mm)");
+  EXPECT_EQ(message_of(found, Language::german),
+            "Werkzeug ⌀10.000 mm passt nicht in den Bogen mit Radius 3.000 mm: sein Radius ist "
+            "nicht kleiner als der des Bogens (Werkzeugradius 5.000 mm, Unterschied -2.000 mm)");
+}
+
+TEST(Help, NamesTheDialectThatTheProgramLooksLike) {
+  const auto help_for = [](const char* detail, Language language = Language::english) {
+    return help_of(diagnostic(Code::other_dialect, {}, detail), language);
+  };
+  for (const char* name : {"fanuc", "linuxcnc", "sinumerik", "heidenhain"})
+    for (const Language language : {Language::english, Language::german}) {
+      const std::string help = help_for(("O1, as in " + std::string(name)).c_str(), language);
+      EXPECT_NE(help.find("--dialect " + std::string(name)), std::string::npos) << help;
+    }
+  EXPECT_EQ(help_for("G41.1"), std::string(row_of(Code::other_dialect).remedy));
+}
+
 TEST(Message, NamesAnotherBlockByItsLine) {
   std::vector<DiagnosticValue> values;
   append_place(values, "first", {.index = 5, .number = 70, .line = 7});

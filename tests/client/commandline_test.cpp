@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -558,6 +559,45 @@ TEST(WrongCall, SaysWhatWasLikelyMeant) {
             std::string::npos);
   EXPECT_NE(told({"compensate", "a.nc", "b.nc"}).find("several programs need --output-dir"),
             std::string::npos);
+}
+
+// Shops call controls and units by other names.
+TEST(WrongCall, SaysWhichChoiceWasLikelyMeant) {
+  for (const auto& [option, given, meant] :
+       std::to_array<std::array<const char*, 3>>({{"--dialect", "siemens", "sinumerik"},
+                                                  {"--dialect", "Haas", "fanuc"},
+                                                  {"--dialect", "fanux", "fanuc"},
+                                                  {"--dialect", "iTNC", "heidenhain"},
+                                                  {"--to", "siemens", "sinumerik"},
+                                                  {"--unit", "inches", "inch"}})) {
+    const Ended ended = trc({"compensate", "part.nc", option, given});
+    EXPECT_EQ(ended.code, 2);
+    EXPECT_NE(ended.err.find("; did you mean " + std::string(meant) + "?\n"), std::string::npos)
+        << ended.err;
+  }
+  EXPECT_EQ(trc({"compensate", "part.nc", "--dialect", "okuma"}).err.find("did you mean"),
+            std::string::npos);
+}
+
+TEST(WrongCall, SaysHowNumbersAreWritten) {
+  const auto told = [](const std::vector<std::string>& more) {
+    std::vector<std::string> call{"compensate", "-"};
+    call.insert(call.end(), more.begin(), more.end());
+    const Ended ended = trc(call, demo);
+    EXPECT_EQ(ended.code, 2);
+    return ended.err;
+  };
+  EXPECT_EQ(told({"--radius", "5mm"}), "trc compensate: --radius: 5mm is no number\n");
+  EXPECT_EQ(
+      told({"--set", "tool_radius=5,5"}),
+      "trc: --set: tool_radius: \"5,5\" is not possible; it takes a number; write 5.5, with a "
+      "decimal point\n");
+  EXPECT_EQ(told({"--set", "tool_radius=5,5", "--lang", "de"}),
+            "trc: --set: tool_radius: \"5,5\" ist nicht möglich; es nimmt eine Zahl; 5.5 "
+            "schreiben, mit Dezimalpunkt\n");
+  EXPECT_NE(told({"--set", "tools=1:5,5"}).find("; commas separate tools, decimals have a point\n"),
+            std::string::npos);
+  EXPECT_EQ(told({"--server", "box"}), "trc: 'box' has no port: write box:50051\n");
 }
 
 TEST(Output, ThatHasNoPlaceEndsTheCommand) {
@@ -1118,6 +1158,17 @@ TEST(Compensate, RemediesNameWhatTheCommandLineHas) {
   EXPECT_EQ(ended.code, 1);
   EXPECT_NE(ended.err.find("help: Give the radius: --radius 5"), std::string::npos) << ended.err;
   EXPECT_EQ(ended.err.find("setup"), std::string::npos) << ended.err;
+  const Ended of_fanuc =
+      trc({"compensate", "-"}, "O1\nG21 G41 D1 G01 X10 Y0 F500\nX20\nG40 X30 Y10\nM30\n");
+  EXPECT_NE(
+      of_fanuc.err.find("Haas or the like, declare it: --dialect fanuc. If it is one for ISG"),
+      std::string::npos)
+      << of_fanuc.err;
+  const Ended calls = trc({"compensate", "-", "--dialect", "fanuc"}, "O1\nG41 D1\nM98 P7\nM30\n");
+  EXPECT_NE(calls.err.find("help: Put it into the same file, or give its file: --subprograms FILE, "
+                           "or the folder.\n"),
+            std::string::npos)
+      << calls.err;
 }
 
 // Bytes of programs come out as they came in; what is said of them is UTF-8.

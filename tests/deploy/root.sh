@@ -1,5 +1,11 @@
 # Sourced by tests that need a bare Debian 12: a root file system, and commands that run in a copy.
 
+# Bounds of time are those of a machine of two cores that does nothing else. Where it does,
+# TRC_FRESH_PATIENCE=3 allows three times as much.
+allowed() {
+  echo $(($1 * ${TRC_FRESH_PATIENCE:-1}))
+}
+
 # make_root FOLDER CONFIGURATION: from this machine's package sources, which it inherits. In a mount
 # namespace of its own, so that an interrupted run leaves nothing mounted.
 make_root() {
@@ -7,7 +13,7 @@ make_root() {
   mapfile -t sources < <(grep -lsE '^(deb |Suites:).*[[:space:]]bookworm([[:space:]]|$)' \
     /etc/apt/sources.list /etc/apt/sources.list.d/*)
   apt-config dump | grep -E '^Acquire::(http|https|Check|Retries)' >"$2" || true
-  timeout 600 unshare --mount mmdebstrap --quiet --variant=minbase --aptopt="$2" \
+  timeout "$(allowed 600)" unshare --mount mmdebstrap --quiet --variant=minbase --aptopt="$2" \
     bookworm "$1" "${sources[@]}" </dev/null
 }
 
@@ -15,12 +21,6 @@ make_root() {
 copy_root() {
   cp -a "$1" "$2"
   cp /etc/resolv.conf /etc/hosts "$2/etc/"
-}
-
-# Bounds of time are those of a machine of two cores that does nothing else. Where it does,
-# TRC_FRESH_PATIENCE=3 allows three times as much.
-allowed() {
-  echo $(($1 * ${TRC_FRESH_PATIENCE:-1}))
 }
 
 # in_root ROOT SECONDS COMMAND: mounts live in a namespace of their own and end with the command,

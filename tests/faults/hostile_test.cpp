@@ -3,8 +3,6 @@
 #include <grpcpp/grpcpp.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <future>
 #include <memory>
@@ -114,90 +112,8 @@ TEST(Hostile, SilentReflectionTakesNoThreadsAndEnds) {
   }
 }
 
-// Many times: what a stream does, with the number of the stream.
-template <class Frames>
-std::string flood(int count, std::uint32_t& stream, const Frames& frames) {
-  std::string bytes;
-  for (int i = 0; i < count; ++i, stream += 2) bytes += frames(stream);
-  return bytes;
-}
-
-// Sends until the server closes the connection, at most so long. How long somebody else had to wait
-// meanwhile is measured.
-struct FloodResult {
-  bool closed = false;
-  double longest_wait_s = 0;
-  double resident_mib = 0;  // at most
-};
-template <class Frames>
-FloodResult flood_until_closed(const ServerProcess& server, const std::string& head,
-                               const Frames& frames) {
-  FloodResult result;
-  std::atomic<bool> done = false;
-  std::thread other([&] {
-    const auto channel = channel_to(server.address());
-    while (!done) {
-      const auto begin = std::chrono::steady_clock::now();
-      const auto answer = server::run_program(channel, {}, server::g239_program);
-      EXPECT_TRUE(answer.status.ok()) << answer.status.error_message();
-      const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-      result.longest_wait_s = std::max(result.longest_wait_s, took.count());
-      result.resident_mib = std::max(result.resident_mib, server.resident_mib());
-    }
-  });
-  const RawConnection connection(server.address(), "127.0.0.2");
-  std::uint32_t stream = 1;
-  const auto end = std::chrono::steady_clock::now() + seconds(20);
-  bool sends = connection.send_bytes(http2::greeting() + head);
-  while (sends && std::chrono::steady_clock::now() < end)
-    sends = connection.is_open() && connection.send_bytes(flood(200, stream, frames));
-  result.closed = !sends;
-  done = true;
-  other.join();
-  return result;
-}
-
 double closed_for(const ServerProcess& server, const std::string& reason) {
   return metric(server.admin(), "trc_connections_closed_total{reason=\"" + reason + "\"}");
-}
-
-constexpr double longest_stall_s = 4 * testing_support::times_slower;
-constexpr double flood_memory_mib = 384;
-constexpr double given_back_mib = 128;
-
-// CVE-2023-44487.
-TEST(Hostile, StreamsThatAreResetAtOnceEndTheirConnection) {
-  const ServerProcess server({"--admin-listen", "127.0.0.1:0"});
-  for (const std::string path :
-       {"/trc.v1.TrcService/CompensatePath", "/trc.v1.TrcService/GetServerInfo", "/none"}) {
-    SCOPED_TRACE(path);
-    const FloodResult result = flood_until_closed(server, "", [&](std::uint32_t stream) {
-      return http2::headers(stream, path) + http2::reset(stream);
-    });
-    EXPECT_TRUE(result.closed);
-    EXPECT_LT(result.longest_wait_s, longest_stall_s);
-    EXPECT_TRUE(!memory_tells || result.resident_mib < flood_memory_mib) << result.resident_mib;
-  }
-  EXPECT_EQ(closed_for(server, "early_cancels") + closed_for(server, "calls") +
-                closed_for(server, "overhead"),
-            3);
-  // Once what was begun has been cleared away, its memory is given back.
-  EXPECT_TRUE(!memory_tells ||
-              eventually([&] { return server.resident_mib() < given_back_mib; }, 60))
-      << server.resident_mib();
-  EXPECT_NE(server.log().find("\"connection_closed\",\"peer\":\"ipv4:127.0.0.2:"),
-            std::string::npos);
-}
-
-// DATA frames without a byte on one stream: no flow control holds them back.
-TEST(Hostile, FramesThatCarryNothingHoldNobodyUp) {
-  const ServerProcess server({"--admin-listen", "127.0.0.1:0"});
-  const FloodResult result =
-      flood_until_closed(server, http2::headers(1, "/trc.v1.TrcService/CompensatePath"),
-                         [](std::uint32_t) { return http2::empty_data(1); });
-  EXPECT_TRUE(result.closed) << "or not read any more";
-  EXPECT_LT(result.longest_wait_s, longest_stall_s);
-  EXPECT_TRUE(!memory_tells || result.resident_mib < flood_memory_mib) << result.resident_mib;
 }
 
 // Others find a descriptor however many connections one address opens.

@@ -4,20 +4,19 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <csignal>
 #include <future>
 #include <memory>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "core/session/program_session.h"
 #include "grpc/health/v1/health.grpc.pb.h"
 #include "server/resources/memory_account.h"
 #include "tests/faults/control_group.h"
-#include "tests/faults/long_stream.h"
 #include "tests/faults/questions.h"
 #include "tests/faults/service_manager.h"
 #include "tests/server/calls.h"
@@ -147,6 +146,68 @@ TEST(Limits, TheTiniestStepsDoNotKillASmallServer) {
   for (const Answer& answer : ask_at_once(small.process().address(), text, 3))
     EXPECT_FALSE(answer.reason().empty()) << answer.status.error_message();
   small.expect_recovers(before);
+}
+
+// Arcs whose centre is a little off, each of which is told: ten bytes become a page of text.
+std::string arcs_off_centre(std::size_t bytes) {
+  std::string text = "G0 X0 Y0\nG1 F800\nG91\n";
+  while (text.size() < bytes) text += "G2X2I1.02\n";
+  return text + "M30\n";
+}
+
+TEST(Limits, AWarningOfEveryLineDoesNotKillASmallServer) {
+  if (!memory_tells) GTEST_SKIP() << "not under a sanitizer";
+  SmallServer small;
+  ASSERT_TRUE(serves(small.process().address()));
+  const double before = small.process().resident_mib();
+  const std::string text = arcs_off_centre(40'000);
+  const std::size_t lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+  for (const Answer& answer : ask_at_once(small.process().address(), text, 14)) {
+    if (answer.status.ok())
+      EXPECT_GE(answer.diagnostics.size() + 10, lines);
+    else
+      EXPECT_EQ(answer.reason(), "MEMORY_LIMIT") << answer.status.error_message();
+  }
+  small.expect_recovers(before);
+}
+
+// A block without a word takes two bytes on its way, and a hundred times as much as a message.
+TEST(Limits, MessagesOfVeryManyBlocksDoNotKillASmallServer) {
+  if (!memory_tells) GTEST_SKIP() << "not under a sanitizer";
+  SmallServer small;
+  ASSERT_TRUE(serves(small.process().address()));
+  const double before = small.process().resident_mib();
+  v1::CompensatePathRequest batch;
+  for (int i = 0; i < 500'000; ++i) batch.mutable_batch()->add_blocks();
+  std::vector<std::future<Answer>> asked;
+  for (int i = 0; i < 60; ++i)
+    asked.push_back(std::async(std::launch::async, [&] {
+      return server::call_path(channel_to(small.process().address()),
+                               {server::setup_request(v1::PathSetup()), batch});
+    }));
+  for (auto& one : asked) {
+    const Answer answer = one.get();
+    EXPECT_EQ(answer.status.error_code(), grpc::RESOURCE_EXHAUSTED)
+        << answer.status.error_message();
+    EXPECT_NE(answer.reason(), "");
+  }
+  small.expect_recovers(before);
+}
+
+// What a client asks for does not pass what the server allows.
+TEST(Limits, OfPassiveBlocksIsTheServersWhateverIsAskedFor) {
+  const ServerProcess server({"--max-passive-blocks", "10"});
+  std::string text = "G1 G41 V.G.WZ_AKT.R=0.5 X10 Y0 F800\n";
+  for (int i = 0; i < 50; ++i) text += "M8\n";
+  v1::ProgramSetup setup;
+  setup.mutable_path()->set_max_passive_blocks(10'000);
+  const Answer answer =
+      server::run_program(channel_to(server.address()), setup, text + "X30\nG40\nX0 Y-9\nM30\n");
+  EXPECT_EQ(answer.status.error_code(), grpc::INVALID_ARGUMENT) << answer.status.error_message();
+  EXPECT_NE(answer.status.error_message().find("90011"), std::string::npos)
+      << answer.status.error_message();
+  EXPECT_NE(answer.status.error_message().find("10"), std::string::npos)
+      << answer.status.error_message();
 }
 
 grpc::health::v1::HealthCheckResponse::ServingStatus health_of(const std::string& address) {
@@ -308,47 +369,6 @@ TEST(Limits, OnePeerCannotTakeAllMemory) {
   EXPECT_NE(refused.status.error_message().find("max-memory-per-peer-mib"), std::string::npos)
       << refused.status.error_message();
   EXPECT_TRUE(serves(socket));
-}
-
-TEST(Limits, ASelectionMayComputeForSoLong) {
-  const ServerProcess server({"--max-selection-cpu-s", "1"});
-  LongStream stream(channel_to(server.address()), laps(1000));
-  const Answer answer = stream.end();
-  EXPECT_EQ(answer.status.error_code(), grpc::RESOURCE_EXHAUSTED);
-  EXPECT_EQ(answer.reason(), "CPU_LIMIT") << answer.status.error_message();
-  EXPECT_EQ(answer.metadata("setting"), "max-selection-cpu-s");
-}
-
-TEST(Limits, AStreamMayComputeForSoLong) {
-  const ServerProcess server({"--max-stream-cpu-s", "1", "--max-selection-cpu-s", "0"});
-  LongStream stream(channel_to(server.address()), laps(1000));
-  const Answer answer = stream.end();
-  EXPECT_EQ(answer.reason(), "CPU_LIMIT") << answer.status.error_message();
-  EXPECT_EQ(answer.metadata("setting"), "max-stream-cpu-s");
-}
-
-// Two that compute on both workers, and others beside them.
-TEST(Limits, LongSelectionsKeepNobodyFromHisTurn) {
-  const Folder folder;
-  const std::string socket = "unix:" + folder.path("socket");
-  ServerProcess server(
-      {"--worker-threads", "2", "--drain-timeout-s", "1", "--admin-listen", "127.0.0.1:0"},
-      "127.0.0.1:0," + socket);
-  const std::string text = laps(1000);
-  std::vector<std::unique_ptr<LongStream>> busy;
-  for (int i = 0; i < 4; ++i)
-    busy.push_back(std::make_unique<LongStream>(channel_to(server.address()), text));
-  std::this_thread::sleep_for(seconds(1));
-  for (int i = 0; i < 5; ++i) {
-    const auto begin = Clock::now();
-    EXPECT_TRUE(serves(socket));
-    EXPECT_LT(Clock::now() - begin, seconds(5));
-  }
-  // And it ends when it is told to, whatever computes.
-  const auto told = Clock::now();
-  server.signal(SIGTERM);
-  server.wait();
-  EXPECT_LT(Clock::now() - told, seconds(1 + 2) + times_slower * std::chrono::milliseconds(500));
 }
 
 }  // namespace

@@ -3,15 +3,19 @@
 #include <grpcpp/grpcpp.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <memory>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
 #include "grpc/health/v1/health.grpc.pb.h"
+#include "tests/faults/raw_connection.h"
 #include "tests/faults/service_manager.h"
 #include "tests/server/calls.h"
 #include "tests/support/process.h"
@@ -238,6 +242,32 @@ TEST(Certificates, AuthoritiesAreReadToTheLastOne) {
   EXPECT_NE(ended.err.find("clients.pem' holds a block that is no certificate, number 2"),
             std::string::npos)
       << ended.err;
+}
+
+// Who begins and says no more keeps a descriptor.
+TEST(Certificates, HandshakesThatStandStillAreEnded) {
+  const Folder folder;
+  const MadeCertificate own(folder, "own");
+  const Pair pair(folder);
+  pair.put(own.cert, own.key);
+  std::vector<std::string> flags = pair.flags();
+  flags.insert(flags.end(), {"--keepalive-time-s", "1", "--keepalive-timeout-s", "2"});
+  const ServerProcess server(flags);
+  // The head of a ClientHello whose rest never comes.
+  const std::string half("\x16\x03\x01\x02\x00\x01\x00\x01\xFC\x03\x03", 11);
+  std::vector<std::unique_ptr<faults::RawConnection>> silent;
+  for (int i = 0; i < 20; ++i) {
+    silent.push_back(std::make_unique<faults::RawConnection>(server.address(), "127.0.0.2"));
+    silent.back()->send_bytes(std::string_view(half).substr(0, i % 2 * half.size()));
+  }
+  grpc::SslCredentialsOptions trusting;
+  trusting.pem_root_certs = own.cert;
+  EXPECT_TRUE(call(secure_channel(server.address(), trusting)).status.ok());
+  EXPECT_TRUE(eventually([&] {
+    return std::none_of(silent.begin(), silent.end(),
+                        [](const auto& connection) { return connection->is_open(); });
+  }));
+  EXPECT_TRUE(call(secure_channel(server.address(), trusting)).status.ok());
 }
 
 TEST(Certificates, ExpiryIsAMetric) {

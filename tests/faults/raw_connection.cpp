@@ -52,27 +52,6 @@ bool RawConnection::is_open() const {
 namespace http2 {
 namespace {
 
-constexpr std::uint8_t data_type = 0;
-constexpr std::uint8_t headers_type = 1;
-constexpr std::uint8_t reset_type = 3;
-constexpr std::uint8_t settings_type = 4;
-constexpr std::uint8_t end_headers = 4;
-
-void put(std::string& bytes, std::uint32_t value, int count) {
-  for (int shift = 8 * (count - 1); shift >= 0; shift -= 8)
-    bytes += static_cast<char>(value >> static_cast<unsigned>(shift) & 0xFFU);
-}
-
-std::string frame(std::uint8_t type, std::uint8_t flags, std::uint32_t stream,
-                  std::string_view payload) {
-  std::string bytes;
-  put(bytes, static_cast<std::uint32_t>(payload.size()), 3);
-  put(bytes, type, 1);
-  put(bytes, flags, 1);
-  put(bytes, stream, 4);
-  return bytes.append(payload);
-}
-
 // A header that is not remembered, without Huffman's code.
 std::string literal(std::string_view name, std::string_view value) {
   std::string bytes(1, '\0');
@@ -85,25 +64,50 @@ std::string literal(std::string_view name, std::string_view value) {
 
 }  // namespace
 
-std::string greeting() {
-  return "PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n" + frame(settings_type, 0, 0, "");
+std::string number(std::uint32_t value, int count) {
+  std::string bytes;
+  for (int shift = 8 * (count - 1); shift >= 0; shift -= 8)
+    bytes += static_cast<char>(value >> static_cast<unsigned>(shift) & 0xFFU);
+  return bytes;
+}
+
+std::string frame(std::uint8_t type, std::uint8_t flags, std::uint32_t stream,
+                  std::string_view payload) {
+  return number(static_cast<std::uint32_t>(payload.size()), 3) + number(type, 1) +
+         number(flags, 1) + number(stream, 4) + std::string(payload);
+}
+
+std::string greeting(std::string_view settings_payload) {
+  return "PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n" + frame(settings, 0, 0, settings_payload);
+}
+
+std::string header_block(std::string_view path) {
+  return literal(":method", "POST") + literal(":scheme", "http") + literal(":path", path) +
+         literal(":authority", "localhost") + literal("te", "trailers") +
+         literal("content-type", "application/grpc");
 }
 
 std::string headers(std::uint32_t stream, std::string_view path) {
-  return frame(headers_type, end_headers, stream,
-               literal(":method", "POST") + literal(":scheme", "http") + literal(":path", path) +
-                   literal(":authority", "localhost") + literal("te", "trailers") +
-                   literal("content-type", "application/grpc"));
+  return frame(headers_frame, end_headers, stream, header_block(path));
 }
 
 std::string reset(std::uint32_t stream) {
+  constexpr std::uint8_t reset_frame = 3;
   constexpr std::uint32_t cancel = 8;
-  std::string why;
-  put(why, cancel, 4);
-  return frame(reset_type, 0, stream, why);
+  return frame(reset_frame, 0, stream, number(cancel, 4));
 }
 
-std::string empty_data(std::uint32_t stream) { return frame(data_type, 0, stream, ""); }
+std::string empty_data(std::uint32_t stream) { return frame(data, 0, stream, ""); }
+
+std::string message(std::uint32_t stream, std::string_view payload) {
+  constexpr std::size_t largest = 16384;
+  const std::string whole =
+      '\0' + number(static_cast<std::uint32_t>(payload.size()), 4) + std::string(payload);
+  std::string bytes;
+  for (std::size_t at = 0; at < whole.size(); at += largest)
+    bytes += frame(data, 0, stream, std::string_view(whole).substr(at, largest));
+  return bytes;
+}
 
 }  // namespace http2
 }  // namespace trc::faults

@@ -6,8 +6,10 @@
 #include <unistd.h>
 
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <string>
+#include <thread>
 
 #include "tests/server/calls.h"
 
@@ -29,18 +31,30 @@ class ServiceManager {
   // Whether such a message comes.
   bool hears(const std::string& part) {
     return server::eventually([&] {
-      std::array<char, 512> message{};
-      for (ssize_t size = 0;
-           (size = recv(socket_, message.data(), message.size(), MSG_DONTWAIT)) > 0;)
-        heard_ += std::string(message.data(), static_cast<std::size_t>(size)) + "\n";
+      listen();
       const std::size_t at = heard_.find(part);
       if (at == std::string::npos) return false;
       heard_.erase(0, at + part.size());
       return true;
     });
   }
+  // Whether nothing comes for so long, from now on.
+  bool hears_nothing_for(std::chrono::milliseconds time) {
+    listen();
+    heard_.clear();
+    std::this_thread::sleep_for(time);
+    listen();
+    return heard_.empty();
+  }
 
  private:
+  void listen() {
+    std::array<char, 512> message{};
+    for (ssize_t size = 0;
+         (size = recv(socket_, message.data(), message.size(), MSG_DONTWAIT)) > 0;)
+      heard_ += std::string(message.data(), static_cast<std::size_t>(size)) + "\n";
+  }
+
   int socket_;
   std::string heard_;
 };

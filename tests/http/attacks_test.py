@@ -137,6 +137,13 @@ class Attacks(unittest.TestCase):
         statuses = [part[:3] for part in answer.split(b"HTTP/1.1 ")[1:]]
         self.assertEqual(statuses, [b"200", b"404", b"200", b"404"])
 
+    def test_what_is_no_http_ends_the_connection_behind_a_request_too(self):
+        get = b"GET /v1/info HTTP/1.1\r\nHost: localhost\r\n\r\n"
+        for nonsense in (b"nonsense\r\n\r\n", get[:-2] + b"X: " + b"a" * 40_000):
+            answer = answer_to(self.server, get + nonsense + get)
+            statuses = [part[:3] for part in answer.split(b"HTTP/1.1 ")[1:]]
+            self.assertEqual((statuses[0], len(statuses)), (b"200", 2), statuses)
+
     def test_changed_requests_never_make_the_server_fail(self):
         body = SQUARE.encode()
         path = json.dumps({"setup": {"toolRadius": 5}, "batch": {"blocks": [
@@ -174,6 +181,36 @@ class Attacks(unittest.TestCase):
         for host in (b"127.0.0.1.evil.example", b"127.evil.example", b"localhost.evil.example"):
             request = b"GET /v1/info HTTP/1.1\r\nConnection: close\r\nHost: " + host + b"\r\n\r\n"
             self.assertEqual(status_of(answer_to(self.server, request)), 421, host)
+
+    def test_a_flood_of_parameters_costs_no_more_than_one(self):
+        # The threads that move bytes read them: what takes long there holds up everybody.
+        for query in ("&".join(f"b{i}" for i in range(2500)), "a&" * 7900, "b" * 16000,
+                      "&".join(f"tool_radi{i}=1" for i in range(250))):
+            for path in ("/v1/programs:compensate?", "/v1/info?"):
+                begin = time.monotonic()
+                method = "GET" if path == "/v1/info?" else "POST"
+                status, problem = self.server.ask_json(method, path + query)
+                self.assertLess(time.monotonic() - begin, 1, query[:20])
+                self.assertEqual(status, 400)
+                self.assertLessEqual(len(problem.get("fields", [])), 20)
+
+    def test_json_of_many_small_things_is_refused_before_it_is_read(self):
+        json_type = {"Content-Type": "application/json"}
+        for many in ("{}," * 1_300_000 + "{}", "{" + '"linear":{},' * 300_000 + "}"):
+            body = '{"batch":{"blocks":[' + many + "]}}"
+            begin = time.monotonic()
+            status, problem = self.server.ask_json("POST", "/v1/paths:compensate", body, json_type)
+            self.assertLess(time.monotonic() - begin, 2)
+            self.assertEqual((status, problem["reason"]), (413, "BATCH_TOO_LARGE"))
+            self.assertIn("divide the path", problem["detail"])
+            status, error = self.server.ask_json("POST", "/trc.v1.TrcService/CompensateProgramOnce",
+                                                 body, json_type)
+            self.assertEqual((status, error["code"]), (429, "resource_exhausted"))
+        # Letters in texts count for nothing.
+        body = json.dumps({"setup": {"path": {"toolRadius": 5}}, "text": '; (,{["\n' * 50_000 + SQUARE})
+        status, _ = self.server.ask_json("POST", "/trc.v1.TrcService/CompensateProgramOnce", body,
+                                         json_type)
+        self.assertEqual(status, 200)
 
     def test_a_flood_of_header_is_refused(self):
         self.assertEqual(status_of(answer_to(self.server, HEAD + b"X: " + b"a" * 40000)), 431)
@@ -278,6 +315,18 @@ class Attacks(unittest.TestCase):
             self.assertEqual(self.server.ask("GET", "/v1/info")[0], 200)
         finally:
             for connection in idle:
+                connection.close()
+
+    def test_who_was_refused_holds_no_place(self):
+        refused = [self.server.connect() for _ in range(64)]
+        try:
+            for connection in refused:
+                connection.sendall(b"nonsense\r\n\r\n")
+            for connection in refused:
+                self.assertTrue(connection.recv(1))
+            self.assertEqual(self.server.ask("GET", "/v1/info")[0], 200)
+        finally:
+            for connection in refused:
                 connection.close()
 
     def test_clients_that_go_away_leave_nothing_behind(self):

@@ -303,6 +303,34 @@ class Programs(unittest.TestCase):
             "POST", "/v1/programs:compensate?tool_radius=1e9", SQUARE, TEXT)
         self.assertEqual((status, problem["reason"]), (400, "FIELD_INVALID"))
 
+    def test_a_setting_that_is_no_text_is_named(self):
+        for name in ("client_tag", "language", "axis_names", "tools", "variables"):
+            status, problem = self.server.ask_json(
+                "POST", f"/v1/programs:compensate?tool_radius=5&{name}=%FF", SQUARE, TEXT)
+            self.assertEqual((status, [field["field"] for field in problem["fields"]]),
+                             (400, [name]), problem)
+        # Only called so.
+        status, _, _ = self.server.ask("POST", "/v1/programs:compensate?tool_radius=5&name=%FF",
+                                       SQUARE, TEXT)
+        self.assertEqual(status, 200)
+
+    def test_what_is_too_large_in_a_program_is_its_fault(self):
+        status, problem = self.server.ask_json(
+            "POST", "/v1/programs:compensate?tool_radius=5&wear=5", SQUARE, TEXT)
+        self.assertEqual((status, problem["reason"]), (422, "WEAR_TOO_LARGE"))
+
+    def test_there_are_no_tiles_outside(self):
+        _, view = self.server.ask_json("POST", "/v1/views?tool_radius=5", SQUARE, TEXT)
+        at = f"/v1/views/{view['id']}/tiles"
+        for tile, status in (("0/0/0", 200), ("24/16777215/0", 200), ("25/0/0", 404),
+                             ("16777215/0/0", 404), ("0/0/1", 404), ("3/8/0", 404),
+                             ("18446744073709551616/0/0", 404), ("-1/0/0", 404)):
+            self.assertEqual(self.server.ask("GET", f"{at}/{tile}")[0], status, tile)
+        self.server.ask("DELETE", "/v1/views/" + view["id"])
+
+    def test_this_machine_has_its_name_in_capitals_too(self):
+        self.assertEqual(self.server.ask("GET", "/v1/info", headers={"Host": "LocalHost"})[0], 200)
+
     def test_a_setting_that_is_given_twice_is_refused(self):
         for query, named in (("tool_radius=5&tool_radius=6", "tool_radius"),
                              ("tool_radius=5&tool%5Fradius=5", "tool_radius"),
@@ -590,23 +618,29 @@ class Programs(unittest.TestCase):
             self.assertIn(setting, problem["detail"])
 
     def test_a_path_that_can_never_fit_is_not_asked_for_again(self):
-        def ask(count, headers):
-            blocks = [{"linear": {"end": {"x": i + 0.12345678, "y": 0.12345678}}}
-                      for i in range(count)]
+        def lines(count):
+            return [{"linear": {"end": {"x": i + 0.12345678, "y": 0.12345678}}}
+                    for i in range(count)]
+
+        def ask(blocks, headers):
             body = json.dumps({"batch": {"blocks": blocks}})
             status, answered, problem = self.server.ask("POST", "/v1/paths:compensate", body,
                                                         {**JSON, **headers})
             self.assertEqual((status, answered["Retry-After"]), (413, None))
             return json.loads(problem)
 
-        problem = ask(50_000, {})
+        problem = ask([{"passthrough": {"text": "M8 " * 3000}}] * 200, {})
         self.assertEqual(problem["reason"], "MESSAGE_TOO_LARGE")
         self.assertIn("max-message-bytes", problem["detail"])
-        problem = ask(4500, {})
+        # So many are refused before they are read.
+        problem = ask(lines(50_000), {})
+        self.assertEqual(problem["reason"], "BATCH_TOO_LARGE")
+        problem = ask(lines(4500), {})
         self.assertEqual(problem["reason"], "BATCH_TOO_LARGE")
         self.assertIn("divide the path", problem["detail"])
         self.assertNotIn("smaller batches", problem["detail"])
-        self.assertRegex(ask(4500, {"Accept-Language": "de"})["detail"], "^sie hat 4500 Sätze")
+        self.assertRegex(ask(lines(4500), {"Accept-Language": "de"})["detail"],
+                         "^sie hat 4500 Sätze")
 
     def test_every_problem_is_in_the_language_that_is_preferred(self):
         german = {"Accept-Language": "de-AT, en;q=0.5"}
@@ -785,7 +819,7 @@ class Programs(unittest.TestCase):
     @staticmethod
     def segments_of(tile):
         """Line, style with flags and radius of the tool of each segment."""
-        return [struct.unpack_from("<IIf", tile, at + 20) for at in range(16, len(tile), 32)]
+        return [struct.unpack_from("<IIf", tile, at + 20) for at in range(16, len(tile), 36)]
 
     def styles_in(self, view, level, point):
         """How many segments of each style the tile around a point has."""
@@ -825,6 +859,16 @@ class Programs(unittest.TestCase):
         self.assertEqual((styles[contour], styles[beside]), (4, 2))
         self.server.ask("DELETE", "/v1/views/" + view["id"])
 
+    def test_a_notch_that_kerf_masking_fills_is_not_travelled(self):
+        text = ("G00 X-60 Y0 F1000\n#TRC[KERF_MASKING=1]\nG26 G41 G01 X-40\nX-5\nX0 Y-20\nX5 Y0\n"
+                "X40\nG40 X60\nM30\n")
+        _, view = self.server.ask_json("POST", "/v1/views?tool_radius=10", text, TEXT)
+        _, _, tile = self.server.ask("GET", f"/v1/views/{view['id']}/tiles/0/0/0")
+        self.server.ask("DELETE", "/v1/views/" + view["id"])
+        masked = 1
+        lines = {line for line, word, _ in self.segments_of(tile) if word & 0x2ff == masked}
+        self.assertEqual(lines, {5, 6})
+
     def test_an_arc_that_leads_to_a_wall_is_none(self):
         # A hole of 40 mm with a quarter in and a quarter out.
         hole = ("G0 X0 Y0\nG41 G1 X10 Y-10 F600\nG3 X20 Y0 I0 J10\nG3 I-20 J0\n"
@@ -840,6 +884,42 @@ class Programs(unittest.TestCase):
         self.assertEqual(contour(""), {2: 5, 3: 4, 4: 0, 5: 4, 6: 5})
         # The settings say otherwise.
         self.assertEqual(contour("&leads=none"), {2: 5, 3: 0, 4: 0, 5: 0, 6: 5})
+
+    def test_an_arc_stays_one_where_it_is_seen(self):
+        hole = ("G0 X0 Y0\nG41 G1 X10 Y-10 F600\nG3 X20 Y0 I0 J10\nG3 I-20 J0\n"
+                "G3 X10 Y10 I-10 J0\nG40 G1 X0 Y0\nG0 X%d\nM30\n")
+
+        def wall(text, level):
+            """Side of the tile around X20 Y0, and of the wall in it: ends, centres, sweeps."""
+            _, view = self.server.ask_json("POST", "/v1/views?tool_radius=6", text, TEXT)
+            side = view["tileSize"] / 2 ** level
+            low = [view["tileLow"].get(axis, 0) for axis in "xy"]
+            at = [int((value - least) / side) for value, least in zip((20, 0), low)]
+            low = [least + side * n for least, n in zip(low, at)]
+            _, _, tile = self.server.ask("GET", f"/v1/views/{view['id']}/tiles/{level}/{at[0]}/{at[1]}")
+            self.server.ask("DELETE", "/v1/views/" + view["id"])
+            parts = []
+            for begin in range(16, len(tile), 36):
+                ax, ay, bx, by, _, line, word, _, sweep = struct.unpack_from("<4f3I2f", tile, begin)
+                if line != 4 or word & 1 << 9:
+                    continue
+                across = 0.5 / math.tan(sweep / 2) if sweep else 0
+                parts.append(((ax, ay, bx, by), ((ax + bx) / 2 - across * (by - ay) + low[0],
+                                                 (ay + by) / 2 + across * (bx - ax) + low[1]), sweep))
+            return side, parts
+
+        _, whole = wall(hole % 0, 0)
+        self.assertAlmostEqual(sum(sweep for _, _, sweep in whole), 2 * math.pi, places=4)
+        side, near = wall(hole % 0, 6)
+        self.assertTrue(near)
+        for ends, _, _ in near:
+            self.assertTrue(all(-side / 100 <= value <= side * 1.01 for value in ends), ends)
+        for _, (x, y), sweep in whole + [part for part in near if part[2]]:  # a dot is a line
+            self.assertLess(math.hypot(x, y), 1e-3)
+            self.assertTrue(0 < sweep <= math.pi, sweep)
+        # Less than a pixel there.
+        _, far = wall(hole % 200_000, 0)
+        self.assertTrue(far and all(sweep == 0 for _, _, sweep in far), far)
 
     def test_a_contour_of_many_blocks_is_none_of_what_leads_to_it(self):
         for blocks in (3000, 300_000):
@@ -915,12 +995,16 @@ class Programs(unittest.TestCase):
         self.assertNotIn("measuring", view)
         self.assertAlmostEqual(view["summary"]["path"]["minClearance"]["distance"], 0.5, places=4)
         self.server.ask("DELETE", at)
-        # Where it is asked for, the first answer says it.
-        _, view = self.server.ask_json("POST", "/v1/views?tool_radius=0.5&verify=report", text,
-                                       TEXT)
-        self.assertNotIn("measuring", view)
-        self.assertAlmostEqual(view["summary"]["path"]["minClearance"]["distance"], 0.5, places=4)
-        self.server.ask("DELETE", "/v1/views/" + view["id"])
+        # Where it is asked for, the first answer says it, and nothing else than what came later.
+        _, whole = self.server.ask_json("POST", "/v1/views?tool_radius=0.5&verify=report", text,
+                                        TEXT)
+        self.assertNotIn("measuring", whole)
+        for told in (view, whole):
+            for name in ("wallTimeSeconds", "cpuTimeSeconds"):
+                told["summary"]["path"].pop(name)
+        self.assertEqual(view["summary"], whole["summary"])
+        self.assertEqual(view.get("diagnostics"), whole.get("diagnostics"))
+        self.server.ask("DELETE", "/v1/views/" + whole["id"])
 
     def test_a_view_tells_what_the_command_line_tells(self):
         status, view = self.server.ask_json("POST", "/v1/views?tool_radius=5&name=s.nc", SQUARE,
@@ -931,7 +1015,7 @@ class Programs(unittest.TestCase):
         at = f"/v1/views/{view['id']}"
         _, _, tile = self.server.ask("GET", at + "/tiles/0/0/0")
         magic, count = struct.unpack("<4sI", tile[:8])
-        self.assertEqual((magic, len(tile)), (b"TRCT", 16 + 32 * count))
+        self.assertEqual((magic, len(tile)), (b"TRCT", 16 + 36 * count))
         self.assertGreaterEqual(count, 10)
         _, view_of_many = self.server.ask_json("POST", "/v1/views?tool_radius=0.1",
                                                program_of(5000), TEXT)

@@ -391,6 +391,52 @@ const tests = {
     assert.deepEqual([await colourAt(page, 25.1, 50.1), await colourAt(page, 25.1, 49.9)], [sweptColour, emptyColour]);
   },
 
+  async 'an arc is round, on its own and as a part of what the tool sweeps'(page) {
+    // A hole of 40 mm, with a path of 30 mm in diameter.
+    const path = file('hole.nc', 'G0 X0 Y0\nG41 G1 X10 Y-10 F600\nG3 X20 Y0 I0 J10\nG3 I-20 J0\nG3 X10 Y10 I-10 J0\nG40 G1 X0 Y0\nM30\n');
+    const written = join(folder, 'hole.html');
+    await show(page, path);
+    await page.uncheck('#layers label:has([data-text=layerArrows]) input');
+    await page.check('#layers label:has([data-text=layerBand]) input');
+    await page.waitForSelector('body[data-complete=true]');
+    for (const angle of [1.2, 2, 2.6, 3.5, 4.4, 5]) {
+      const at = radius => colourAt(page, radius * Math.cos(angle), radius * Math.sin(angle));
+      assert.deepEqual([await at(15), await at(17.5), await at(20.7)], ['#0072b2', sweptColour, emptyColour], `${angle}`);
+      // The contour is hardly wider than a pixel.
+      assert.match(await at(20), /^#[0-9]/, `${angle}`);
+    }
+    // Saved it is one too, also where no server draws it.
+    const saved = async () => {
+      const [svg] = await Promise.all([page.waitForEvent('download'), page.click('#save-svg')]);
+      return readFileSync(await svg.path(), 'utf8').match(/A([\d.]+) \1 0 0 [01] /g).length;
+    };
+    assert.ok(await saved() > 10);
+    trc('plot', path, '-o', written, '--radius', '5');
+    await page.goto(`file://${written}`);
+    await page.waitForSelector('body[data-complete=true]');
+    assert.ok(await saved() > 10);
+  },
+
+  async 'a graphics processor that comes back draws all again'(page) {
+    await show(page, file('square.nc', notch.replace(/N40[^]*N70/, 'N70')));
+    await page.uncheck('#layers label:has([data-text=layerArrows]) input');
+    await page.waitForSelector('body[data-complete=true]');
+    assert.equal(await colourAt(page, 30, -5), '#0072b2');
+    await page.evaluate(async () => {
+      const lose = document.getElementById('lines').getContext('webgl2').getExtension('WEBGL_lose_context');
+      const once = name => new Promise(resolve => document.getElementById('lines').addEventListener(name, resolve, {once: true}));
+      const lost = once('webglcontextlost');
+      lose.loseContext();
+      await lost;
+      await new Promise(resolve => setTimeout(resolve));
+      const restored = once('webglcontextrestored');
+      lose.restoreContext();
+      await restored;
+    });
+    await page.waitForSelector('body[data-complete=true]');
+    assert.equal(await colourAt(page, 30, -5), '#0072b2');
+  },
+
   async 'a result stands only for the settings it was made with'(page) {
     const path = file('square.nc', notch.replace(/N40[^]*N70/, 'N70'));
     await show(page, path);
@@ -702,10 +748,11 @@ try {
   // axe comes from outside of the page, which its policy forbids.
   for (const [name, test] of Object.entries(tests))
     await run(name, test, {bypassCSP: name.startsWith('everybody')});
-  await run('without a graphics processor: ' + Object.keys(tests)[0], async page => {
-    assert.equal(await page.evaluate(() => document.body.dataset.renderer), 'Canvas2d');
-    await Object.values(tests)[0](page);
-  }, {no2: true});
+  for (const name of [Object.keys(tests)[0], ...Object.keys(tests).filter(name => name.startsWith('an arc is round'))])
+    await run(`without a graphics processor: ${name}`, async page => {
+      assert.equal(await page.evaluate(() => document.body.dataset.renderer), 'Canvas2d');
+      await tests[name](page);
+    }, {no2: true});
   if (screenshots) {
     const page = await open();
     const programs = ['d16_notch_masked', 'circular_transitions', 'd09_keyway_in_a_bore', 'd12_violation_ignored',

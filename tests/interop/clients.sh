@@ -69,14 +69,18 @@ LIST
     fi
     client=("$work/outside/build/compensate") ;;
   python)
-    # The package from its wheel, in an environment that has nothing of it.
+    # The package from its wheel and from its sdist, in environments that have nothing of it.
     cp -r client/python "$work/python" && mkdir "$work/proto" && cp -r proto/trc "$work/proto/"
     mkdir -p "$work/client" && mv "$work/python" "$work/client/python"
     (cd "$work/client/python" && /usr/bin/python3 -m build --no-isolation --outdir "$work/dist" .) \
       >"$work/build.log" 2>&1 || { cat "$work/build.log" >&2; exit 1; }
     /usr/bin/python3 -m venv --system-site-packages "$work/venv"
     "$work/venv/bin/pip" install --no-index --no-deps -q "$work"/dist/*.whl
-    for test in client hostile; do
+    /usr/bin/python3 -m venv --system-site-packages "$work/other"
+    "$work/other/bin/pip" install --no-index --no-deps --no-build-isolation -q "$work"/dist/*.tar.gz
+    diff -r -x __pycache__ "$work"/{venv,other}/lib/python3*/site-packages/trc
+    "$work/other/bin/python" client/python/tests/test_first_batch.py
+    for test in client first_batch hostile; do
       TRC_PYTHON_README=$top/client/python/README.md TRC_TRCD=$build/bin/trcd TRC_CLI=$build/bin/trc \
         "$work/venv/bin/python" client/python/tests/test_$test.py
     done

@@ -40,6 +40,7 @@ inline ProgramSessionSetup computing_setup(DialectName name, double tool_radius 
   ProgramSessionSetup setup;
   const Dialect& dialect = dialect_of(name);
   setup.session.program.dialect = name;
+  setup.session.program.decimals = 8;
   dialect.begin(setup.session.program.mode);
   setup.session.program.mode.tool_radius = tool_radius;
   setup.session.compensator.limits.passive_blocks = 10'000;

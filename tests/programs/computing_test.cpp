@@ -102,6 +102,51 @@ TEST(AProgramThatComputes, ComesOutInPieces) {
   EXPECT_LT(most, 16'384u);
 }
 
+// What a control reads has no more decimals than the output; what comes from it has all.
+TEST(AProgramThatComputes, WritesPlacesOutsideOfContoursInTheDecimalsOfTheOutput) {
+  ProgramSessionSetup setup = computing_setup(DialectName::fanuc, 0);
+  setup.session.program.decimals = 4;
+  EXPECT_EQ(flat_of("G21 G17 G90\n"
+                    "#1=10/3\n"
+                    "G0 X#1 Y[2*#1] F#1\n"
+                    "G81 X[3.7*#1] Z-#1 R[#1/7] F100.\n"
+                    "G80\n"
+                    "G0 X0. Y0.\n"
+                    "G2 X#1 Y0. R[#1/2]\n"
+                    "G91 G1 X#1 F100.\n"
+                    "X#1\n"
+                    "G90 G0 X#1\n"
+                    "M30\n",
+                    setup),
+            "G21 G17 G90\n"
+            "G0 X3.3333 Y6.6667 F3.33333333\n"
+            "G81 X12.3333 Z-3.3333 R0.4762 F100.\n"
+            "G80\n"
+            "G0 X0. Y0.\n"
+            "G2 X3.33333333 Y0. R1.66666667\n"
+            "G91 G1 X3.33333333 F100.\n"
+            "X3.33333333\n"
+            "G90 G0 X3.33333333\n"
+            "M30\n");
+}
+
+TEST(AProgramThatComputes, IsCompensatedWithAllDecimalsOfItsContour) {
+  constexpr std::string_view part =
+      "G21 G17 G90\n#1=10/3\nG0 X-20. Y-20.\nG41 D1 G1 X#1 Y-5. F100.\nY[9*#1]\nX[6*#1]\n"
+      "G40 X60.\nG0 Y3.\nM30\n";
+  ProgramSessionSetup fine = computing_setup(DialectName::fanuc);
+  ProgramSessionSetup coarse = fine;
+  coarse.session.program.decimals = 1;
+  const Ran wanted = run_computing(std::string(part), fine, Output::blocks);
+  const Ran got = run_computing(std::string(part), coarse, Output::blocks);
+  ASSERT_FALSE(wanted.stopped) << wanted.report();
+  ASSERT_EQ(got.blocks.size(), wanted.blocks.size()) << got.report();
+  for (std::size_t block = 0; block < wanted.blocks.size(); ++block) {
+    if (wanted.blocks[block].origin == Origin::uncompensated) continue;
+    EXPECT_EQ(end_of(got.blocks[block].path), end_of(wanted.blocks[block].path)) << block;
+  }
+}
+
 TEST(AProgramThatComputes, StopsWithAllThatCannotBeReadInIt) {
   const Ran ran =
       run_computing("G0 X0\n#1=3\nG66 P5\nY#1\nG46 X1.\n#2=1/0\nM30\n", fanuc(), Output::nc_text);

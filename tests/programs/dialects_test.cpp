@@ -340,7 +340,7 @@ TEST_P(OfADialect, IsTheSamePathInAnotherDialectOrRefused) {
   const ProgramSetup& setup = program.setup.session.program;
   for (const Dialect& other : all_dialects()) {
     if (other.name == setup.dialect) continue;
-    const ConvertedProgram converted = convert_program(written.text, setup, other.name, 4);
+    const ConvertedProgram converted = convert_program(written.text, setup, other.name);
     if (!converted.faults.empty()) continue;
     ProgramSessionSetup read;
     read.session.program.dialect = other.name;
@@ -529,7 +529,8 @@ std::string told(const ConvertedProgram& converted) {
 ConvertedProgram converted(const std::string& text, DialectName from, DialectName to) {
   ProgramSetup setup;
   setup.dialect = from;
-  return convert_program(text, setup, to, 3);
+  setup.decimals = 3;
+  return convert_program(text, setup, to);
 }
 
 TEST(Conversion, SaysMotionsFeedsAndToolsInTheWordsOfTheOther) {
@@ -645,8 +646,8 @@ TEST(Conversion, OfEveryPairOfDialectsIsTheSamePathTo1e6) {
     for (const Dialect& from : all_dialects()) {
       const std::string text = PlateProgram(from.name, width, height, corner).text();
       ProgramSessionSetup setup;
-      setup.decimals = 7;
       ProgramSetup& program = setup.session.program;
+      program.decimals = 7;
       program.dialect = from.name;
       program.mode.selection = Selection::direct;
       program.mode.transition = Transition::circular;
@@ -658,7 +659,7 @@ TEST(Conversion, OfEveryPairOfDialectsIsTheSamePathTo1e6) {
       expect_same(path, first, text);
       for (const Dialect& to : all_dialects()) {
         if (to.name == from.name) continue;
-        const ConvertedProgram converted = convert_program(written.text, program, to.name, 7);
+        const ConvertedProgram converted = convert_program(written.text, program, to.name);
         ASSERT_EQ(told(converted), "") << from.spelling << " to " << to.spelling << '\n'
                                        << written.text;
         ProgramSessionSetup read;
@@ -723,13 +724,14 @@ TEST(Conversion, OfProgramsInAllPlanesIsTheSamePathTo1e6) {
     const DialectName from = dialects[static_cast<std::size_t>(round) % dialects.size()];
     ProgramSessionSetup setup;
     setup.session.program.dialect = from;
+    setup.session.program.decimals = 7;
     setup.session.program.tracking_axes = {"A"};
     const std::string text = program_in_space(from, random);
     const Written read = run(text, setup, false);
     ASSERT_FALSE(read.stopped) << read.report() << text;
     const auto wanted = moving(read.blocks, 1e-6);
     for (const DialectName to : dialects) {
-      const ConvertedProgram converted = convert_program(text, setup.session.program, to, 7);
+      const ConvertedProgram converted = convert_program(text, setup.session.program, to);
       ASSERT_EQ(told(converted), "") << text;
       ProgramSessionSetup other = setup;
       other.session.program.dialect = to;
@@ -755,8 +757,9 @@ TEST(Conversion, KeepsTheFirstWordOfAnAxisAlsoWhereItIsZero) {
                                DialectName::sinumerik, DialectName::heidenhain}) {
     ProgramSetup setup;
     setup.dialect = DialectName::fanuc;
+    setup.decimals = 3;
     const std::string written =
-        convert_program("T1 M6\nG0 A0\nG0 X0 Y0 Z5 B0 C90.\nM30\n", setup, to, 3).text;
+        convert_program("T1 M6\nG0 A0\nG0 X0 Y0 Z5 B0 C90.\nM30\n", setup, to).text;
     for (const char* word : {"A[+]?0", "B[+]?0", "C[+]?90"})
       EXPECT_TRUE(std::regex_search(written, std::regex(std::string(" ") + word))) << written;
   }
@@ -799,7 +802,7 @@ TEST(Conversion, SaysToolsSpeedsAndSwitchesAsTheyAreMeant) {
     setup.dialect = DialectName::fanuc;
     setup.block_skip = skip;
     const ConvertedProgram written =
-        convert_program("G0 X5\n/M8\nG0 X6\nM30\n", setup, DialectName::isg, 3);
+        convert_program("G0 X5\n/M8\nG0 X6\nM30\n", setup, DialectName::isg);
     EXPECT_EQ(told(written), "");
     EXPECT_EQ(written.text.find("\nM8\n") != std::string::npos, word) << written.text;
   }
@@ -855,7 +858,7 @@ TEST(Conversion, LeavesOutTheRegisterOfTheRadiusAlone) {
     setup.dialect = from;
     setup.tools = {{1, 1.0}, {3, 1.0}, {21, 1.0}};
     const ConvertedProgram written =
-        convert_program("T1 M6\nG0 X1 " + word + "\nM30\n", setup, DialectName::linuxcnc, 3);
+        convert_program("T1 M6\nG0 X1 " + word + "\nM30\n", setup, DialectName::linuxcnc);
     EXPECT_EQ(written.text.find('D'), std::string::npos) << written.text;
     EXPECT_EQ(told(written), goes_on ? "" : word + " 2\n");
   }

@@ -33,7 +33,23 @@ TEST(MachineCalls, OfFanucPassWithTheirValues) {
   written.replace(written.find("[1+2]"), 5, "3.");
   EXPECT_EQ(flat(probing, fanuc), written);
   EXPECT_EQ(flat("G90 G0 X0 Y0 M98 P9001\nN7 #1=9001\nN8 M98 P#1 L2 (A)\nM30\n", fanuc),
-            "G90 G0 X0 Y0\nM98 P9001\nN8 M98 P9001 L2\nM30\n");
+            "G90 G0 X0 Y0\nM98 P9001\n#1=9001.\nN8 M98 P9001 L2\nM30\n");
+}
+
+// What the program has set they may read: it is set in front of them, and once only.
+TEST(MachineCalls, OfFanucFindTheVariablesOfTheProgram) {  // D-95
+  EXPECT_EQ(flat("G90 G0 X0 Y0\n#1=2\n#501=25/2 (LENGTH)\n#502=-#501\n#503=#0\nM98 P9100 (READS)\n"
+                 "G65 P9101 A2.\n#502=7\nG65 P9102\nM30\n",
+                 fanuc),
+            "G90 G0 X0 Y0\n(LENGTH)\n#1=2.\n#501=12.5\n#502=-12.5\n#503=#0\nM98 P9100 (READS)\n"
+            "G65 P9101 A2.\n#502=7.\nG65 P9102\nM30\n");
+  EXPECT_EQ(flat("G90 G0 X0 Y0\nG66 P9100\n#501=3\nX1.\nY1.\nG67\nM30\n", fanuc),
+            "G90 G0 X0 Y0\nG66 P9100\n#501=3.\nX1.\nY1.\nG67\nM30\n");
+}
+
+TEST(MachineCalls, OfSinumerikKeepTheirDeclaration) {  // D-95
+  EXPECT_EQ(flat("EXTERN TASCHE(REAL)\nG90 G0 X0 Y0\nR1=80\nTASCHE(R1)\nM30\n", sinumerik),
+            "EXTERN TASCHE(REAL)\nG90 G0 X0 Y0\nTASCHE(80)\nM30\n");
 }
 
 TEST(MachineCalls, AreNoCallsOfPrograms) {
@@ -100,7 +116,7 @@ TEST(MachineCalls, ForgetWhatTheyMaySet) {
             std::pair(900303, 5U));
   EXPECT_EQ(refused("#1=5\nM98 P9810\nG90 G0 X#1\nM30\n", fanuc), std::pair(900303, 3U));
   EXPECT_EQ(flat("#1=5\nM98 P9810\n#1=6\n#100=7\nG90 G0 X#1 Y#100\nM30\n", fanuc),
-            "M98 P9810\nG90 G0 X6. Y7.\nM30\n");
+            "#1=5.\nM98 P9810\nG90 G0 X6. Y7.\nM30\n");
   EXPECT_EQ(refused("M98 P9810\nIF [#135 GT 0.1] GOTO 5\nN5 M30\n", fanuc), std::pair(900303, 2U));
 }
 

@@ -84,7 +84,7 @@ Outcome run(const std::string& text, ProgramSessionSetup setup, std::size_t piec
 
 std::string resolved_text(const std::string& text, ProgramSessionSetup setup) {
   setup.nc_text = true;
-  setup.decimals = 6;
+  setup.session.program.decimals = 6;
   ProgramSession session(setup);
   Answers answers;
   if (session.feed(text, answers)) session.finish(answers);
@@ -160,7 +160,10 @@ TEST_P(GoodProgram, ReadsBackAsTheSamePathWithoutCompensation) {
   ASSERT_EQ(path.size(), wanted.size()) << resolved;
   for (std::size_t k = 0; k < path.size(); ++k) {
     EXPECT_EQ(path[k].origin, Origin::uncompensated);
-    ASSERT_EQ(is_arc(path[k].path), is_arc(wanted[k].path)) << resolved;
+    // A control with three decimals would make a full circle of an arc as short as that (D-97).
+    constexpr double shortest_arc = 1.5e-3;
+    const bool is_long = (end_of(path[k].path) - start_of(path[k].path)).norm() >= shortest_arc;
+    ASSERT_TRUE(!is_long || is_arc(path[k].path) == is_arc(wanted[k].path)) << resolved;
     for (const double t : {0.0, 0.5, 1.0})
       EXPECT_LT((point_at(path[k].path, t) - point_at(wanted[k].path, t)).norm(), 1e-5)
           << text_of(wanted[k]) << '\n'

@@ -11,6 +11,7 @@
 #include <new>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "core/base/pages.h"
@@ -189,6 +190,48 @@ TEST(MemoryWatch, EndsTheLargestWhileItIsCritical) {
   resident = 100 * mib;
   EXPECT_TRUE(is(MemoryWatch::State::ample));
   EXPECT_EQ(ended, 3);
+}
+
+// What one holds is not free at once: nobody else goes for it meanwhile.
+TEST(MemoryWatch, EndsOneAfterTheOther) {
+  std::atomic<int> ended = 0;
+  std::atomic<int> asked_until_the_second = 0;
+  int asked = 0;
+  constexpr int rounds = 20;
+  const MemoryWatch watch({.limit_bytes = 1000 * mib,
+                           .end_largest =
+                               [&] {
+                                 if (ended == 1) asked_until_the_second = asked;
+                                 ++ended;
+                               },
+                           .is_one_ending = [&] { return ended == 1 && ++asked < rounds; },
+                           .counted_bytes = [] { return std::uint64_t{0}; },
+                           .resident_bytes = [] { return 960 * mib; }});
+  EXPECT_TRUE(eventually([&] { return ended >= 2; }));
+  EXPECT_EQ(asked_until_the_second, rounds);
+}
+
+// And what can be given back is, before anybody has to go for it.
+TEST(MemoryWatch, EndsNobodyForWhatIsOnlyNotGivenBack) {
+  std::atomic<bool> is_full = false;
+  std::atomic<int> rounds = 0;
+  std::atomic<int> ended = 0;
+  bool is_first = false;  // measure of a round
+  const MemoryWatch watch(
+      {.limit_bytes = 1000 * mib,
+       .end_largest = [&] { ++ended; },
+       .is_one_ending =
+           [&] {
+             is_first = is_full;
+             if (is_full) ++rounds;
+             return false;
+           },
+       .counted_bytes = [] { return std::uint64_t{0}; },
+       .resident_bytes = [&] { return (std::exchange(is_first, false) ? 960 : 870) * mib; }});
+  ASSERT_TRUE(eventually([&] { return watch.state() == MemoryWatch::State::scarce; }));
+  is_full = true;
+  ASSERT_TRUE(eventually([&] { return rounds > 5; }));
+  EXPECT_EQ(ended, 0);
 }
 
 TEST(MemoryWatch, GoesOnWhereARoundFindsNoMemory) {

@@ -102,7 +102,10 @@ TEST(OpenStreams, EvictsTheLargest) {
   EXPECT_TRUE(streams.evict_largest());
   EXPECT_TRUE(large->evicted);
   EXPECT_FALSE(small->evicted);
-  small->holds = large->holds = 0;
+  EXPECT_TRUE(streams.is_evicting());
+  large->holds = 0;
+  EXPECT_FALSE(streams.is_evicting());
+  small->holds = 0;
   EXPECT_FALSE(streams.evict_largest());
 }
 

@@ -116,5 +116,29 @@ TEST(Protocol, SelectionBeyondTheLimitIsALimitAndNoFaultOfTheProgram) {
   EXPECT_EQ(answer.summaries, 0);
 }
 
+// gRPC's own refusal says no reason.
+TEST(Protocol, RequestThatIsTooLargeIsToldWithItsLimit) {
+  Config config = InProcessServer::quiet();
+  config.max_message_bytes = 4096;
+  const InProcessServer server(config);
+  const std::string large(5000, ' ');
+  const Answer program = call_program(
+      server.channel(), {setup_request(v1::ProgramSetup()), text_request(0, large, true)});
+  EXPECT_EQ(program.status.error_code(), grpc::RESOURCE_EXHAUSTED);
+  EXPECT_EQ(program.reason(), "MESSAGE_TOO_LARGE");
+  EXPECT_EQ(program.metadata("max_message_bytes"), "4096");
+  EXPECT_GT(std::stoul(program.metadata("message_bytes")), 5000U);
+  EXPECT_NE(program.status.error_message().find("max-message-bytes"), std::string::npos);
+  EXPECT_EQ(program.accepted, 1);
+  EXPECT_EQ(program.summaries, 0);
+
+  v1::PathSetup tagged;
+  tagged.set_client_tag(large);
+  EXPECT_EQ(call_path(server.channel(), {setup_request(tagged)}).reason(), "MESSAGE_TOO_LARGE");
+  v1::PreviewPathRequest preview;
+  *preview.mutable_setup() = tagged;
+  EXPECT_EQ(call_preview(server.channel(), preview).reason(), "MESSAGE_TOO_LARGE");
+}
+
 }  // namespace
 }  // namespace trc::server

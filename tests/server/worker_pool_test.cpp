@@ -10,6 +10,7 @@
 #include <deque>
 #include <functional>
 #include <future>
+#include <list>
 #include <mutex>
 #include <string>
 #include <system_error>
@@ -249,7 +250,7 @@ TEST(WorkerPool, GroupsTakeTurnsHoweverManyJobsTheyHave) {
     EXPECT_EQ(served.get_future().wait_for(most), std::future_status::ready);
   }
   // The threads that many keep are bounded.
-  EXPECT_LE(pool.thread_count(), TurnQueue::most_standing_of_group + 2 * 2U + 1);
+  EXPECT_LE(pool.thread_count(), TurnQueue::most_standing_of_one_group + 2 * 2U + 1);
   done = true;
 }
 
@@ -268,6 +269,39 @@ TEST(TurnQueue, GroupsComeRoundWhateverWaitsInThem) {
   while (!queue.empty()) order.push_back(queue.pop().job);
   EXPECT_EQ(order,
             (std::vector<TurnQueue::Job*>{&jobs[0], &jobs[4], &jobs[1], &jobs[2], &jobs[3]}));
+}
+
+// Groups of which each has more long turns than may stand still leave room for those to come.
+TEST(TurnQueue, NoNumberOfGreedyGroupsKeepsOthersFromBeginning) {
+  class Long final : public TurnQueue::Job {
+   public:
+    void turn() noexcept override {}
+  };
+  constexpr std::size_t jobs_of_group = 300;
+  Long job;
+  std::array<TurnQueue::Group, 30> greedy;
+  std::list<TurnQueue::Standing> standing;
+  TurnQueue queue;
+  // Whoever has a turn gives way at once. Whether it was the other one's.
+  Long other;
+  const auto give_turn = [&] {
+    TurnQueue::Waiting next = queue.pop();
+    if (next.job == &other) return true;
+    if (next.standing == nullptr) next.standing = &standing.emplace_back();
+    next.job = nullptr;
+    queue.push(next);
+    return false;
+  };
+  for (TurnQueue::Group& group : greedy) {
+    for (std::size_t i = 0; i < jobs_of_group; ++i) queue.push({.group = &group, .job = &job});
+    for (std::size_t i = 0; i < 10 * jobs_of_group; ++i) give_turn();
+  }
+  EXPECT_LE(standing.size(), TurnQueue::most_standing);
+  TurnQueue::Group modest;
+  queue.push({.group = &modest, .job = &other});
+  std::size_t before = 0;
+  while (!give_turn() && before <= greedy.size()) ++before;
+  EXPECT_LE(before, greedy.size());
 }
 
 TEST(WorkerPool, AThreadOfSomebodyElseDoesNotGiveWay) {

@@ -127,6 +127,35 @@ TEST(Stream, OfSmallSelectionsWithLoopsTakesNothingFromTheHeapOnItsWay) {
   EXPECT_LE(taken, 8U);
 }
 
+// A plate that the tool reaches all of.
+TEST(Stream, OfSmallSelectionsWithoutLoopsTakesTheirModesAloneFromTheHeap) {
+  SessionSetup removing = setup();
+  removing.program.mode.masking = Masking::on;
+  removing.program.mode.options.remove_masked_blocks = true;
+  removing.program.start = {-10, -10, 0};
+  PathSession session(removing);
+  Answers out([](const Answer& /*part*/) { return true; });
+  const auto move = [&](double x, double y) {
+    MoveRequest request{.feed = 1000};
+    request.end = {x, y, std::nullopt};
+    ASSERT_TRUE(session.program().move(request) && session.advance(out));
+  };
+  std::size_t taken = 0;
+  for (int round = 0; round < 20; ++round) {
+    const std::size_t before = allocations;
+    ASSERT_TRUE(session.program().select(Side::right, {}));
+    move(0, 0);
+    move(40, 0);
+    move(40, 20);
+    move(0, 20);
+    move(0, 0);
+    ASSERT_TRUE(session.program().deselect({}));
+    move(-10, -10);
+    taken = allocations - before;
+  }
+  EXPECT_LE(taken, 2U);
+}
+
 std::string text_of_lap() {
   std::string text;
   for (const MoveRequest& move : lap()) {

@@ -56,6 +56,27 @@ TEST(DiagnosticUnit, IsThatOfTheSetupBeforeTheProgramSays) {
   EXPECT_EQ(found[0].code, Code::circle_center_misfit);
   EXPECT_NE(message_of(found[0]).find("start radius 2.0100 in"), std::string::npos)
       << message_of(found[0]);
+  EXPECT_EQ(found[0].detail, "I0.2 J2, X0 Y0 → X1 Y0");
+}
+
+// A circle whose words do not fit together is told with them.
+TEST(DiagnosticWords, AreThoseOfTheCircle) {
+  const auto detail_of = [](const std::string& text, DialectName dialect) {
+    ProgramSessionSetup setup;
+    setup.session.program.dialect = dialect;
+    const auto found = diagnostics_of(text, setup);
+    return found.empty() ? std::string() : found[0].detail;
+  };
+  using enum DialectName;
+  EXPECT_EQ(detail_of("N10 G0 X0 Y20\nN20 G2 X20 Y40 I25 J0 F9\nM30\n", isg),
+            "I25 J0, X0 Y20 → X20 Y40");
+  EXPECT_EQ(detail_of("N10 G18 G0 X0 Z20\nN20 G2 X20 Z40 I25 K0 F9\nM30\n", isg),
+            "K0 I25, Z20 X0 → Z40 X20");
+  EXPECT_EQ(detail_of("G0 X0 Y20\nG2 X20 Y40 R5 F9\nM30\n", fanuc), "X0 Y20 → X20 Y40");
+  EXPECT_EQ(detail_of("0 BEGIN PGM A MM\n1 L X+0 Y+20 F9\n2 CC X+25 Y+20\n3 C X+20 Y+40 DR-\n"
+                      "4 END PGM A MM\n",
+                      heidenhain),
+            "CC X25 Y20, X0 Y20 → X20 Y40");
 }
 
 TEST(DiagnosticUnit, IsInchUnderG20OfFanucFromItsLineOn) {

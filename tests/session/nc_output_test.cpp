@@ -8,7 +8,7 @@ namespace trc::testing {
 namespace {
 
 std::string output(std::string_view program, int decimals = 4) {
-  const ProgramRun run = to_text(program, {.decimals = decimals});
+  const ProgramRun run = to_text(program, with_decimals(decimals));
   EXPECT_TRUE(run.completed) << run.reports();
   return run.text;
 }
@@ -313,7 +313,7 @@ TEST(Refusals, OrderOfDiagnosticsIsThatOfTheProgram) {
 
 TEST(Refusals, DecimalsOutOfRange) {
   for (const int decimals : {-1, 9}) {
-    const ProgramRun run = to_text("G0 X1\n", {.decimals = decimals});
+    const ProgramRun run = to_text("G0 X1\n", with_decimals(decimals));
     EXPECT_FALSE(run.completed);
     EXPECT_EQ(run.text, "");
     ASSERT_EQ(run.diagnostics.size(), 1U);

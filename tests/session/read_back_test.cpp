@@ -131,7 +131,7 @@ TEST(ReadBack, TextIsThePathToHalfAUnit) {
     const ProgramRun path = to_blocks(program);
     if (!path.completed) continue;
     ++compensated;
-    const ProgramRun text = to_text(program, {.decimals = decimals});
+    const ProgramRun text = to_text(program, with_decimals(decimals));
     ASSERT_TRUE(text.completed) << text.reports() << "\n" << program;
     const ProgramRun read = to_blocks(text.text);
     ASSERT_TRUE(read.completed) << read.reports() << "\n" << program << "\n->\n" << text.text;

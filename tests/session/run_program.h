@@ -9,6 +9,13 @@
 
 namespace trc::testing {
 
+// A setup whose NC text has coordinates of so many decimals.
+[[nodiscard]] inline ProgramSessionSetup with_decimals(int decimals) {
+  ProgramSessionSetup setup;
+  setup.session.program.decimals = decimals;
+  return setup;
+}
+
 // What a program session made of a whole program.
 struct ProgramRun {
   std::string text{};

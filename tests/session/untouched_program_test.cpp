@@ -95,7 +95,7 @@ TEST(ProgramWithoutCompensation, ComesOutByteForByteHoweverItIsSpelt) {
 // Decimals of the output concern only what is written anew.
 TEST(ProgramWithoutCompensation, KeepsItsDigitsWithFewDecimals) {
   ProgramSessionSetup setup;
-  setup.decimals = 1;
+  setup.session.program.decimals = 1;
   for (std::uint64_t seed = 1; seed <= spellings / 10; ++seed) {
     const std::string program = Speller(seed).spell(random_program(seed, false));
     ASSERT_EQ(to_text(program, setup).text, program) << "seed " << seed;

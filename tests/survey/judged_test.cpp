@@ -75,7 +75,10 @@ Single single_run(const Contour& contour, const TrcMode& mode, double radius) {
   Answers out;
   if (run.advance(out)) run.finish({.index = contour.blocks.size() + 2}, out);
   Single result{.summary = run.summary(), .clearance = *run.clearance()};
-  for (const Diagnostic& told : out.take().diagnostics) {
+  const Answer answer = out.take();
+  for (const CompensatedBlock& block : answer.blocks)
+    result.leaves_out |= block.origin == Origin::kerf;
+  for (const Diagnostic& told : answer.diagnostics) {
     if (told.severity == Severity::error && !result.refusal) result.refusal = told;
     for (const DiagnosticValue& value : told.values)
       if (told.code == Code::blocks_masked && value.name == "left_out_length")

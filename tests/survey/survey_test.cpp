@@ -289,6 +289,29 @@ TEST(Survey, TellsWhatIsLeftInCorners) {
   EXPECT_NEAR(found.wall_length, 88, 1e-6);
 }
 
+// Half as wide as deep: a tool that does not get in leaves it out, as is asked for.
+TEST(Survey, ANotchThatKerfMaskingFillsIsNotReached) {
+  Survey survey = survey_of(
+      "N10 G00 X-60 Y0 F1000\n"
+      "N30 #TRC[KERF_MASKING=1]\n"
+      "N40 G26 G41 G01 X-40\n"
+      "N50 X-5\n"
+      "N60 X0 Y-20\n"
+      "N70 X5 Y0\n"
+      "N80 X40\n"
+      "N90 G40 X60\n"
+      "N100 M30\n");
+  EXPECT_TRUE(survey.run(1).reaches_all);
+  const Surveyed found = survey.run(10);
+  EXPECT_TRUE(found.accepted());
+  EXPECT_FALSE(found.reaches_all);
+  EXPECT_EQ(lines_of(found.limits), (std::vector<std::uint32_t>{5, 6}));
+  const Largest largest = survey.largest();
+  EXPECT_TRUE(largest.is_limited);
+  EXPECT_GT(largest.radius, 1);
+  EXPECT_LT(largest.radius, 10);
+}
+
 TEST(Survey, TellsWhatARefusedRadiusCouldNotReach) {
   Survey survey = survey_of(pocket, {.uncut = true});
   const Surveyed found = survey.run(6);

@@ -184,6 +184,60 @@ TEST(ClosingPrograms, ChordsBelowTheResolutionAreNotTold) {
   EXPECT_FALSE(fine.tells(Code::blocks_masked));
 }
 
+// Where the last wall is deeper than the first one, or less deep, an arc or a line that leads out
+// or in crosses a wall: the contour does not close there, and that is told.
+TEST(ClosingPrograms, AStepBetweenTheLastWallAndTheFirstIsTold) {  // D-38
+  for (const double step : {0.02, 0.1, 0.5, 0.9, 1.0, -0.02, -0.1, -0.5, -0.9}) {
+    for (const bool arcs : {true, false}) {
+      const std::string y = std::to_string(-step);
+      const std::string out = std::to_string(2 - step);
+      const std::string contour =
+          std::string("N1 G162 G0 X-1 Y3 F800\nN2 G138 G26 G41 G1 X-2 Y2\n") +
+          (arcs ? "N3 G3 X0 Y0 I2 J0\n" : "N3 X0 Y0\n") + "N4 G1 X6\nN5 Y12\nN6 X-6\nN7 Y" + y +
+          "\nN8 X0\nN9 " + (arcs ? "G3 X2 Y" + out + " I0 J2\n" : "X2 Y" + out + "\n") +
+          "N10 G40 G1 X1 Y3\n";
+      const Result outcome = run(removing, 1, contour);
+      const bool is_told = std::ranges::any_of(outcome.diagnostics, [](const Diagnostic& told) {
+        return told.severity != Severity::note;
+      });
+      EXPECT_TRUE(!outcome.whole || is_told) << "step " << step << (arcs ? ", arcs" : ", lines");
+    }
+  }
+}
+
+// Hand-written programs begin beyond a corner and go on beyond it: they close where both cross.
+TEST(ClosingPrograms, LinesThatGoOnBeyondACornerCloseThere) {  // D-38
+  const std::string contour =
+      "N1 G0 X-20 Y0 F800\nN2 G138 G26 G42 G1 X-12 Y-8\nN3 X-8 Y0\nN4 X15\nN5 Y15\nN6 X0\n"
+      "N7 Y-6\nN8 G40 X-10 Y-10\n";
+  const Result outcome = run(removing, 5, contour);
+  ASSERT_TRUE(outcome.whole);
+  EXPECT_TRUE(outcome.diagnostics.empty());
+}
+
+// CAM systems write the arc that leads in as chords, the last of which are nearly on the wall.
+TEST(ClosingPrograms, ALeadOfChordsEndsWhereTheWallBegins) {  // D-38
+  for (const double radius : {0.1, 0.5, 1.0, 2.0, 5.0})
+    for (const int chords : {8, 20, 40, 90}) {
+      const double size = 12 * radius;
+      std::string contour =
+          "N1 G162 G0 X0 Y" + std::to_string(size / 2) + " F800\nN2 G138 G26 G41 G1";
+      for (int chord = 0; chord <= chords; ++chord) {
+        const double angle = std::numbers::pi / 2 * (1 - static_cast<double>(chord) / chords);
+        std::array<char, 80> line{};
+        std::snprintf(line.data(), line.size(), "%s X%.3f Y%.3f\n", chord == 0 ? "" : "G1",
+                      -2 * radius * std::sin(angle), 2 * radius * (1 - std::cos(angle)));
+        contour += line.data();
+      }
+      const std::string right = std::to_string(size / 2);
+      contour += "G1 X" + right + "\nY" + std::to_string(size) + "\nX-" + right + "\nY0\nX0\n" +
+                 "G3 X" + std::to_string(2 * radius) + " Y" + std::to_string(2 * radius) + " I0 J" +
+                 std::to_string(2 * radius) + "\nG40 G1 X0 Y" + right + "\n";
+      const Result outcome = run(removing, radius, contour);
+      EXPECT_TRUE(outcome.whole) << "R " << radius << ", " << chords << " chords";
+    }
+}
+
 // A pocket of chords, entered and left at one of its corners: what the kink there costs is below
 // the resolution of the input.
 // A line that is hardly there takes as much of the one before it as the corner behind needs: not

@@ -58,6 +58,7 @@ PathSettings every_setting() {
   compensator.smallest_feed_factor = 0.5;
   compensator.tolerances.input_resolution = 0.01;
   compensator.inverse_path = true;
+  settings.session.program.decimals = 6;
   settings.response_layout = Layout::columns;
   settings.want_resume_tokens = true;
   settings.client_tag = "cell 4";
@@ -68,13 +69,12 @@ PathSettings every_setting() {
 TEST(Setup, ReadsBackEveryField) {
   const PathSettings sent = every_setting();
   v1::ProgramSetup message;
-  to_proto(ProgramSettings{.path = sent, .nc_text = false, .decimals = 6, .file_name = "a.nc"},
-           message);
+  to_proto(ProgramSettings{.path = sent, .nc_text = false, .file_name = "a.nc"}, message);
   FieldFaults faults;
   const ProgramSettings read = from_proto(message, FieldPath("setup"), faults);
   ASSERT_TRUE(faults.empty()) << faults.listed()[0].field;
   EXPECT_FALSE(read.nc_text);
-  EXPECT_EQ(read.decimals, 6);
+  EXPECT_EQ(read.path.session.program.decimals, 6);
   EXPECT_EQ(read.file_name, "a.nc");
 
   const ProgramSetup& program = read.path.session.program;
@@ -150,7 +150,7 @@ TEST(Setup, EmptyMessageMeansTheInitialState) {
   EXPECT_EQ(read.path.session.compensator.limits.passive_blocks, Limits{}.passive_blocks);
   EXPECT_EQ(read.path.response_layout, Layout::blocks);
   EXPECT_TRUE(read.nc_text);
-  EXPECT_EQ(read.decimals, 4);
+  EXPECT_EQ(read.path.session.program.decimals, 4);
 }
 
 // What a dialect begins with is left out of the message, and nothing else.

@@ -116,8 +116,31 @@ export class ProgramExchange extends Exchange {
     return { text: this.#decoder.write(Buffer.concat(parts)) };
   }
 
+  /** The same program with the same setup once more, for its blocks. */
+  forBlocks() {
+    return new ProgramBlocksExchange(this.text, this.setup);
+  }
+
   atEnd() {
     return { record: this.record };
+  }
+}
+
+/** NC text to compensated blocks: those whose text ProgramExchange has. */
+export class ProgramBlocksExchange extends ProgramExchange {
+  constructor(text, { record, ...setup }) {
+    super(text, {
+      ...setup, output: "PROGRAM_OUTPUT_BLOCKS",
+      path: { ...setup.path, responseLayout: "RESPONSE_LAYOUT_BLOCKS" },
+    });
+  }
+
+  absorb(response) {
+    this.absorbPart(response.batch?.blocks, response, Number(response.consumedBytes ?? 0));
+  }
+
+  joined(parts) {
+    return { blocks: parts.flat() };
   }
 }
 

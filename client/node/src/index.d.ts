@@ -44,6 +44,12 @@ export interface ProgramSettings extends PathSettings {
   record?: boolean;
 }
 
+/** What the result of a program is to have besides its text. */
+export interface Wanted {
+  /** The compensated blocks, for which the program is sent once more. None: false. */
+  blocks?: boolean;
+}
+
 /** A place in a program. */
 export interface ProgramPlace {
   /** 1-based line of the NC text. */
@@ -110,6 +116,8 @@ export interface ProgramResult {
   summary: object;
   /** With `record`: the record of the job as JSON, to be filed as it is. */
   record?: string;
+  /** With `blocks`: the path of the text, CompensatedBlock messages. */
+  blocks?: object[];
 }
 
 export interface PathResult {
@@ -258,7 +266,7 @@ export class Client {
    * is refused, ServerError where there is no answer, TypeError or RangeError where an argument is
    * wrong by itself. */
   compensate(text: string | Uint8Array,
-    settings?: ProgramSettings & Abortable): Promise<ProgramResult>;
+    settings?: ProgramSettings & Wanted & Abortable): Promise<ProgramResult>;
   /** `blocks`: Block messages of the protocol, as { linear: { end: { x: 10 } } }. */
   compensatePath(blocks: object[], settings?: PathSettings & Abortable): Promise<PathResult>;
   /** As compensate(), in parts as they become certain, for `for await`; the last one has the
@@ -280,7 +288,7 @@ export class Client {
 
 /** Client.compensate() over a connection of its own. */
 export function compensate(text: string | Uint8Array,
-  options?: Connection & ProgramSettings & Abortable): Promise<ProgramResult>;
+  options?: Connection & ProgramSettings & Wanted & Abortable): Promise<ProgramResult>;
 
 /** Client.compensatePath() over a connection of its own. */
 export function compensatePath(blocks: object[],

@@ -46,8 +46,12 @@ export class Client {
     this.#stub?.close();
   }
 
-  async compensate(text, { signal, ...setup } = {}) {
-    return this.#run(programExchange(text, setup), signal);
+  async compensate(text, { signal, blocks = false, ...setup } = {}) {
+    const exchange = programExchange(text, setup);
+    const ofBlocks = blocks ? exchange.forBlocks() : undefined;
+    const result = await this.#run(exchange, signal);
+    if (ofBlocks) result.blocks = (await this.#run(ofBlocks, signal)).blocks;
+    return result;
   }
 
   async compensatePath(blocks, { signal, ...setup } = {}) {

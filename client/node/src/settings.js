@@ -38,6 +38,11 @@ export class Settings {
   }
 
   programSetup({ tools, ...given }) {
+    for (const name of ["output", "responseLayout"]) {
+      if (given[name] !== undefined)
+        throw new TypeError(`${name} is no setting here: text comes out, and with blocks: true of ` +
+          "compensate() the blocks too");
+    }
     const own = this.#schema.fieldsOf("ProgramSetup");
     const setup = {};
     const path = {};

@@ -82,6 +82,17 @@ test("no server there", async () => {
   await assert.rejects(compensate(pocket, { server: "127.0.0.1:1", timeout: 2 }), ServerError);
 });
 
+test("blocks of a program are the path of its text", async () => {
+  const { text, blocks } = await compensate(pocket, { radius: 5, blocks: true });
+  assert.equal(text, (await compensate(pocket, { radius: 5 })).text);
+  assert.deepEqual(blocks.map(({ origin }) => origin), ["UNCOMPENSATED", "APPROACH", "PROGRAMMED",
+    "PASSTHROUGH", "PROGRAMMED", "RETRACT", "PASSTHROUGH"]);
+  assert.deepEqual(blocks.slice(1, 3).map(({ line }) => [line.end.x, line.end.y]),
+    [[10, 5], [45, 5]]);
+  assert.equal((await compensate(pocket, { radius: 5 })).blocks, undefined);
+  await assert.rejects(compensate(pocket, { radius: 5, output: "BLOCKS" }), /blocks: true/);
+});
+
 test("a path of blocks", async () => {
   const blocks = [
     { command: { side: "COMPENSATION_SIDE_LEFT" } },

@@ -210,6 +210,23 @@ class Compensate(unittest.TestCase):
         for radius, result in zip((1, 2, 5), asyncio.run(all_of_them())):
             self.assertEqual(result.text, trc.compensate(POCKET, radius=radius).text)
 
+    def test_blocks_are_the_path_of_the_text(self):
+        async def awaited():
+            async with trc.aio.Client() as client:
+                return await client.compensate(POCKET, radius=5, blocks=True)
+
+        for result in (trc.compensate(POCKET, radius=5, blocks=True), asyncio.run(awaited())):
+            self.assertEqual(result.text, trc.compensate(POCKET, radius=5).text)
+            self.assertEqual([(block.kind, block.origin) for block in result.blocks],
+                             [("rapid", "UNCOMPENSATED"), ("linear", "APPROACH"),
+                              ("linear", "PROGRAMMED"), ("text", "PASSTHROUGH"),
+                              ("linear", "PROGRAMMED"), ("linear", "RETRACT"),
+                              ("text", "PASSTHROUGH")])
+            np.testing.assert_allclose(result.blocks.end[1:3, :2], [[10, 5], [45, 5]], atol=1e-9)
+        self.assertIsNone(trc.compensate(POCKET, radius=5).blocks)
+        with self.assertRaisesRegex(TypeError, "blocks=True"):
+            trc.compensate(POCKET, radius=5, output="BLOCKS")
+
 
 class Paths(unittest.TestCase):
     def test_corner_inside_left_of_the_contour(self):

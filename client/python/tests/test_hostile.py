@@ -366,6 +366,18 @@ class Servers(unittest.TestCase):
             self.assertTrue(is_gone(local._running._process.pid))
             self.assertEqual(client.compensate(POCKET, radius=5).text, before)
 
+    def test_of_this_machine_that_was_killed_is_started_again_for_asyncio(self):
+        async def twice():
+            async with trc.aio.Client() as client:
+                before = await client.compensate(POCKET, radius=5)
+                os.kill(local._running._process.pid, signal.SIGKILL)
+                self.assertTrue(is_gone(local._running._process.pid))
+                return before, await client.compensate(POCKET, radius=5), await client.info()
+
+        before, behind, info = asyncio.run(twice())
+        self.assertEqual(behind.text, before.text)
+        self.assertEqual(info.version, trc.__version__)
+
     def test_deadline(self):
         with self.assertRaises(trc.ServerError) as caught:
             trc.compensate(wave(300_000), radius=0.2, timeout=0.05)

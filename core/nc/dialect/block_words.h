@@ -65,6 +65,10 @@ struct Interpreter::BlockWords {
     return functions[static_cast<std::size_t>(group)];
   }
   [[nodiscard]] bool has(GGroup group) const { return of(group).function != nullptr; }
+  void set(const GFunction& function, std::uint32_t begin) {
+    functions[static_cast<std::size_t>(function.group)] = {.function = &function, .begin = begin};
+  }
+  void clear(GGroup group) { functions[static_cast<std::size_t>(group)] = {}; }
 
   std::array<Function, g_group_count> functions{};
   MoveRequest move{};                     // in the unit of the program

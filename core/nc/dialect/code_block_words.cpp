@@ -46,20 +46,19 @@ bool prints_text(std::string_view line, std::size_t begin) {
   return word == "POPEN" || word == "PCLOS" || word == "DPRNT" || word == "BPRNT";
 }
 
-// #3003=1: switches of the machine, which move nothing: clocks, single block and feed hold,
-// counters.
-bool sets_switch(std::string_view line, std::size_t begin) {
-  constexpr auto switches =
-      std::to_array<std::string_view>({"#3001", "#3002", "#3003", "#3004", "#3901", "#3902"});
-  const std::string_view rest = line.substr(begin);
-  constexpr std::size_t length = 5;
-  if (std::ranges::find(switches, rest.substr(0, length)) == switches.end()) return false;
-  std::string_view behind = without_blanks_in_front(rest.substr(length));
-  if (!behind.starts_with('=')) return false;
-  behind = without_blanks_in_front(behind.substr(1));
+// #3003=1; #501=12.5 and #502=#0 in front of a macro that only the machine has.
+bool sets_variable(std::string_view line, std::size_t begin) {
+  if (line[begin] != '#') return false;
+  std::string_view behind = line.substr(begin + 1);
   double value = 0;
   bool whole = false;
-  const std::size_t digits = read_number(behind, value, whole);
+  std::size_t digits = read_number(behind, value, whole);
+  if (digits == 0 || !whole) return false;
+  behind = without_blanks_in_front(behind.substr(digits));
+  if (!behind.starts_with('=')) return false;
+  behind = without_blanks_in_front(behind.substr(1));
+  constexpr std::string_view vacant = "#0";
+  digits = behind.starts_with(vacant) ? vacant.size() : read_number(behind, value, whole);
   behind = without_blanks_in_front(behind.substr(digits));
   if (digits == 0) return false;
   return behind.empty() || behind.front() == '(' || behind.front() == ';';
@@ -155,7 +154,7 @@ bool Interpreter::read_code_words(ProgramLine& line, BlockWords& block) {
 // A name that nobody knows here and that has nothing to do with the path.
 bool Interpreter::names_what_passes(std::string_view line, std::uint32_t begin) const {
   const bool fanuc = dialect_.name == DialectName::fanuc;
-  if (fanuc && sets_switch(line, begin)) return true;
+  if (fanuc && sets_variable(line, begin)) return true;
   return is_name_alone(line, begin) &&
          (passes_word(state_.setup(), line, begin) || (fanuc && prints_text(line, begin)));
 }
@@ -284,36 +283,14 @@ bool Interpreter::read_code_address(const CodeWord& word, ProgramLine& line, Blo
   const BlockWords::Value value{.value = word.value, .begin = word.begin};
   if (word.comma) return read_comma_word(word, line, block);
   const char letter = word.letter;
-  if (letter == '$') {
-    if (dialect_.name != DialectName::linuxcnc) return refuse_code(line, word, Code::nc_syntax);
-    add(line, word, WordRole::technology);
-    return true;
-  }
-  if (letter == '@') {
-    if (dialect_.name != DialectName::linuxcnc || trc_active())
-      return refuse_code(line, word, Code::nc_unsupported, "polar coordinates");
-    block.unfollowed_word = word.begin;
-    add(line, word, WordRole::technology);
-    return true;
-  }
+  if (letter == '$' || letter == '@') return read_code_sign(word, line, block);
   if (letter <= 'C' || letter >= 'U') return read_code_axis(word, line, block);
   switch (letter) {
     case 'I':
     case 'J':
     case 'K':
-    case 'R': {
-      auto& target = letter == 'R' ? block.move.radius
-                                   : block.move.center[static_cast<std::size_t>(letter - 'I')];
-      if (target) return twice();
-      target = word.value;
-      see_whole(word,
-                letter == 'R' ? WholeWord::radius
-                              : WholeWord::center + static_cast<std::size_t>(letter - 'I'),
-                block);
-      if (!block.center) block.center = word.begin;
-      add(line, word, WordRole::coordinate);
-      return true;
-    }
+    case 'R':
+      return read_code_center(word, line, block);
     case 'F':
       if (block.feed) return twice();
       if (word.value < 0) return refuse_code(line, word, Code::nc_number);
@@ -327,14 +304,7 @@ bool Interpreter::read_code_address(const CodeWord& word, ProgramLine& line, Blo
       block.tool = value;
       break;
     case 'T':
-      if (block.later_tool || (block.tool_number && dialect_.name != DialectName::fanuc))
-        return twice();
-      if (!is_number_of_tool(std::floor(word.value)))
-        return refuse_code(line, word, Code::nc_number);
-      (block.tool_number ? block.later_tool : block.tool_number) = {.value = std::floor(word.value),
-                                                                    .begin = word.begin};
-      code_.turning |= is_turning_tool(line.word({.begin = word.begin, .end = word.end}));
-      break;
+      return read_code_tool(word, line, block);
     case 'M':
       return read_code_machine_function(word, line, block);
     case 'L':
@@ -355,6 +325,45 @@ bool Interpreter::read_code_address(const CodeWord& word, ProgramLine& line, Blo
     default:  // E
       break;
   }
+  add(line, word, WordRole::technology);
+  return true;
+}
+
+// Of LinuxCNC: $ is a spindle, @ a polar radius.
+bool Interpreter::read_code_sign(const CodeWord& word, ProgramLine& line, BlockWords& block) {
+  const bool linuxcnc = dialect_.name == DialectName::linuxcnc;
+  if (word.letter == '$') {
+    if (!linuxcnc) return refuse_code(line, word, Code::nc_syntax);
+  } else {
+    if (!linuxcnc || trc_active())
+      return refuse_code(line, word, Code::nc_unsupported, "polar coordinates");
+    block.unfollowed_word = word.begin;
+  }
+  add(line, word, WordRole::technology);
+  return true;
+}
+
+// I, J, K and R.
+bool Interpreter::read_code_center(const CodeWord& word, ProgramLine& line, BlockWords& block) {
+  const bool is_radius = word.letter == 'R';
+  const auto axis = is_radius ? 0 : static_cast<std::size_t>(word.letter - 'I');
+  auto& target = is_radius ? block.move.radius : block.move.center[axis];
+  if (target) return refuse_code(line, word, Code::nc_word_twice);
+  target = word.value;
+  see_whole(word, is_radius ? WholeWord::radius : WholeWord::center + axis, block);
+  if (!block.center) block.center = word.begin;
+  add(line, word, WordRole::coordinate);
+  return true;
+}
+
+// T of FANUC may have the number of an offset behind a point, and stand twice.
+bool Interpreter::read_code_tool(const CodeWord& word, ProgramLine& line, BlockWords& block) {
+  if (block.later_tool || (block.tool_number && dialect_.name != DialectName::fanuc))
+    return refuse_code(line, word, Code::nc_word_twice);
+  if (!is_number_of_tool(std::floor(word.value))) return refuse_code(line, word, Code::nc_number);
+  (block.tool_number ? block.later_tool : block.tool_number) = {.value = std::floor(word.value),
+                                                                .begin = word.begin};
+  code_.turning |= is_turning_tool(line.word({.begin = word.begin, .end = word.end}));
   add(line, word, WordRole::technology);
   return true;
 }

@@ -79,70 +79,17 @@ bool Interpreter::check_what_may_be_skipped(const ProgramLine& line, const Block
 // What G41 and G42 need, and D words.
 bool Interpreter::check_code_selection(ProgramLine& line, BlockWords& block) {
   const bool selects = block.has(side) && !block.of(side).is(40);
-  const auto wrong = [&](Code code, std::string detail) {
-    return refuse(
-        line, TextFault{.code = code, .begin = block.of(side).begin, .detail = std::move(detail)});
-  };
   if (!check_what_may_be_skipped(line, block)) return false;
   if (selects && code_.unfollowed >= 0)
-    return wrong(Code::nc_unsupported, "TRC under " + code_.unfollowed_meaning + ", in line " +
-                                           std::to_string(code_.unfollowed_line));
+    return refuse_selection(line, block, Code::nc_unsupported,
+                            "TRC under " + code_.unfollowed_meaning + ", in line " +
+                                std::to_string(code_.unfollowed_line));
   if (dialect_.name == DialectName::sinumerik && !choose_tool_of_edge(line, block)) return false;
-  // Only lathes work without Y.
-  const bool turns = code_.turning && !code_.y_seen;
-  if (selects && turns) return wrong(Code::turning, "G41, G42 of a lathe");
-  if (trc_active() && !code_.y_seen && state_.mode().plane == Plane::xy && block.move.end[0] &&
-      block.move.end[2])
-    return refuse(line, TextFault{.code = Code::turning,
-                                  .begin = *block.axis,
-                                  .detail = "a contour of X and Z in the plane X Y"});
-  if (block.own_feed && (selects || trc_active()))
-    return refuse(line, TextFault{.code = Code::nc_unsupported,
-                                  .begin = *block.own_feed,
-                                  .detail = "FB=, a feed of one block, while TRC is active"});
-  // The corner in front of it still has the feed before.
-  if (block.tooth_feed && trc_active())
-    return refuse(line, TextFault{.code = Code::nc_unsupported,
-                                  .begin = *block.tooth_feed,
-                                  .detail = "FZ=, no feed per minute, while TRC is active"});
-  const bool fanuc = dialect_.name == DialectName::fanuc;
-  if (fanuc && selects && block.tool_data_number)
-    return wrong(Code::nc_unsupported, "G41, G42 with a radius in P");
-  const bool linuxcnc = dialect_.name == DialectName::linuxcnc;
-  if (linuxcnc && selects && block.tool_data_number)
-    return refuse(line, TextFault{.code = Code::nc_unsupported,
-                                  .begin = block.tool_data_number->begin,
-                                  .detail = "P, which no function of the line takes"});
-  if (linuxcnc && (selects || trc_active()) && block.tool_data && !block.has(tool_data) &&
-      (block.axis || block.center))
-    return refuse(line, TextFault{.code = Code::nc_unsupported,
-                                  .begin = block.tool_data->begin,
-                                  .detail = "L, which no function of the line takes"});
+  if (!check_turning(line, block) || !check_words_beside_contour(line, block)) return false;
   if (block.constant_speed) block.tool.reset();
-  // Older controls have one table for lengths and radii, with H words for both. Without G41 beside
-  // it H would change the length.
-  const bool by_offset =
-      fanuc && selects && !block.tool && block.offset && !has_length_offset(line);
-  if (by_offset) block.tool = block.offset;
-  // D0 of LinuxCNC is the tool in the spindle, unless the table has a tool 0.
-  const bool is_spindle_by_number = linuxcnc && selects && block.tool && block.tool->value == 0 &&
-                                    block.of(side).function->tenth == 0 &&
-                                    !state_.setup().tools.contains(0);
-  if (is_spindle_by_number) {
-    for (WordRange& word : line.words)
-      if (upper(line.text[word.begin]) == 'D') word.role = WordRole::trc;
-    block.tool.reset();
-  }
-  const bool by_spindle = selects && block.of(side).function->tenth == 0 &&
-                          dialect_.tool_of_spindle && !block.tool &&
-                          (code_.spindle_tool != 0 || code_.spindle_empty);
-  if (selects && block.of(side).function->tenth != 0) {
-    if (!block.tool) return wrong(Code::nc_number, "G41.1, G42.1 without D, the diameter");
-    block.tool_radius = {.value = block.tool->value / 2, .begin = block.tool->begin};
-    block.tool.reset();
-  } else if (by_spindle) {
-    block.tool = {.value = static_cast<double>(code_.spindle_tool), .begin = block.of(side).begin};
-  }
+  const std::optional<ToolSaid> said =
+      selects ? take_tool_of_selection(line, block) : ToolSaid::by_d;
+  if (!said) return false;
   if (selects && !block.tool && !block.tool_radius && code_.missing_tool >= 0)
     return take_only_register(line, block, code_.missing_tool) ||
            refuse_at(code_.edge_place, Code::tool_unknown,
@@ -150,23 +97,107 @@ bool Interpreter::check_code_selection(ProgramLine& line, BlockWords& block) {
   if (!block.tool && !block.tool_radius) return !selects || take_only_spindle_tool();
   if ((selects || trc_active()) && dialect_.name != DialectName::sinumerik)
     for (WordRange& word : line.words)
-      if (upper(line.text[word.begin]) == (by_offset ? 'H' : 'D')) word.role = WordRole::trc;
-  if (!block.tool) return true;
+      if (upper(line.text[word.begin]) == (said == ToolSaid::by_h ? 'H' : 'D'))
+        word.role = WordRole::trc;
+  return !block.tool || check_tool_of_table(line, block, *said);
+}
+
+bool Interpreter::refuse_selection(const ProgramLine& line, const BlockWords& block, Code code,
+                                   std::string detail) {
+  return refuse(
+      line, TextFault{.code = code, .begin = block.of(side).begin, .detail = std::move(detail)});
+}
+
+// Only lathes work without Y.
+bool Interpreter::check_turning(const ProgramLine& line, const BlockWords& block) {
+  const bool selects = block.has(side) && !block.of(side).is(40);
+  if (selects && code_.turning && !code_.y_seen)
+    return refuse_selection(line, block, Code::turning, "G41, G42 of a lathe");
+  if (trc_active() && !code_.y_seen && state_.mode().plane == Plane::xy && block.move.end[0] &&
+      block.move.end[2])
+    return refuse(line, TextFault{.code = Code::turning,
+                                  .begin = *block.axis,
+                                  .detail = "a contour of X and Z in the plane X Y"});
+  return true;
+}
+
+// Words that say nothing to a contour, or something that is not followed.
+bool Interpreter::check_words_beside_contour(const ProgramLine& line, const BlockWords& block) {
+  const bool selects = block.has(side) && !block.of(side).is(40);
+  const auto unsupported = [&](std::uint32_t begin, std::string detail) {
+    return refuse(
+        line, TextFault{.code = Code::nc_unsupported, .begin = begin, .detail = std::move(detail)});
+  };
+  if (block.own_feed && (selects || trc_active()))
+    return unsupported(*block.own_feed, "FB=, a feed of one block, while TRC is active");
+  // The corner in front of it still has the feed before.
+  if (block.tooth_feed && trc_active())
+    return unsupported(*block.tooth_feed, "FZ=, no feed per minute, while TRC is active");
+  if (dialect_.name == DialectName::fanuc && selects && block.tool_data_number)
+    return unsupported(block.of(side).begin, "G41, G42 with a radius in P");
+  if (dialect_.name != DialectName::linuxcnc) return true;
+  if (selects && block.tool_data_number)
+    return unsupported(block.tool_data_number->begin, "P, which no function of the line takes");
+  if ((selects || trc_active()) && block.tool_data && !block.has(tool_data) &&
+      (block.axis || block.center))
+    return unsupported(block.tool_data->begin, "L, which no function of the line takes");
+  return true;
+}
+
+// Which tool G41 or G42 of the line has, where the line or the spindle says. Empty: an error.
+std::optional<Interpreter::ToolSaid> Interpreter::take_tool_of_selection(ProgramLine& line,
+                                                                         BlockWords& block) {
+  ToolSaid said = ToolSaid::by_d;
+  // Older controls have one table for lengths and radii, with H words for both. Without G41 beside
+  // it H would change the length.
+  if (dialect_.name == DialectName::fanuc && !block.tool && block.offset &&
+      !has_length_offset(line)) {
+    block.tool = block.offset;
+    said = ToolSaid::by_h;
+  }
+  const bool gives_diameter = block.of(side).function->tenth != 0;
+  if (gives_diameter && !block.tool) {
+    refuse_selection(line, block, Code::nc_number, "G41.1, G42.1 without D, the diameter");
+    return std::nullopt;
+  }
+  if (gives_diameter) {
+    block.tool_radius = {.value = block.tool->value / 2, .begin = block.tool->begin};
+    block.tool.reset();
+    return said;
+  }
+  // D0 of LinuxCNC is the tool in the spindle, unless the table has a tool 0.
+  const bool is_spindle_by_number = dialect_.name == DialectName::linuxcnc && block.tool &&
+                                    block.tool->value == 0 && !state_.setup().tools.contains(0);
+  if (is_spindle_by_number) {
+    for (WordRange& word : line.words)
+      if (upper(line.text[word.begin]) == 'D') word.role = WordRole::trc;
+    block.tool.reset();
+  }
+  if (dialect_.tool_of_spindle && !block.tool && (code_.spindle_tool != 0 || code_.spindle_empty)) {
+    block.tool = {.value = static_cast<double>(code_.spindle_tool), .begin = block.of(side).begin};
+    said = ToolSaid::by_spindle;
+  }
+  return said;
+}
+
+// Whether the table has the tool of the line, or the radius of the setup stands for it.
+bool Interpreter::check_tool_of_table(const ProgramLine& line, BlockWords& block, ToolSaid said) {
+  const bool matters = trc_active() || (block.has(side) && !block.of(side).is(40));
   const std::int64_t number = whole_number(block.tool->value);
   code_.missing_tool = -1;
   if (!is_whole(block.tool->value))
     return refuse(line,
                   TextFault{.code = Code::nc_number, .begin = block.tool->begin, .detail = "D"});
   if (state_.tool().has_tool(number)) return true;
-  if ((selects || trc_active()) && take_only_register(line, block, number)) return true;
-  if (!selects && !trc_active()) {
+  if (matters && take_only_register(line, block, number)) return true;
+  if (!matters) {
     // H and D stand side by side in many programs: it matters only where G41 has no D of its own.
     code_.missing_tool = number;
     code_.edge_place = place_of_word(line, block.tool->begin);
     block.tool.reset();
     return true;
   }
-  if (by_spindle)
+  if (said == ToolSaid::by_spindle)
     return refuse_at(code_.spindle_tool_place, Code::tool_unknown, "T" + std::to_string(number));
   if (dialect_.name == DialectName::sinumerik && code_.only_register)
     return refuse_second_edge(number);

@@ -11,21 +11,7 @@
 namespace trc {
 namespace {
 
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-constexpr std::size_t spare_lines = 2048;  // as many as a message of 64 KiB holds
-constexpr std::size_t longest_spare_line = 256;
-constexpr std::size_t usual_words = 8;
-
 constexpr std::string_view center_letters = "IJKR";
-
-void forget_words(ProgramLine& line) {
-  line.words.clear();
-  line.roles = 0;
-  line.names_other_axes = false;
-  line.main_axes = 0;
-  line.ends_program = line.calls_the_machine = false;
-  line.feed_it_takes = 0;
-}
 
 // Enters which roles and axes there are.
 void sum_up_words(ProgramLine& line) {
@@ -46,16 +32,6 @@ void sum_up_words(ProgramLine& line) {
       line.names_other_axes = true;
     }
   }
-}
-
-// Few lines get past this.
-bool may_be_continued(std::string_view line) {
-  return !line.empty() && std::string_view("\\ \t\xA0").find(line.back()) != std::string_view::npos;
-}
-
-std::string_view last_line_of(std::string_view text) {
-  const std::size_t line_end = text.find_last_of("\r\n");
-  return line_end == std::string_view::npos ? text : text.substr(line_end + 1);
 }
 
 // Where G41 or G42 stands in a line that is not read, outside of comments; npos: nowhere.
@@ -108,63 +84,6 @@ Interpreter::Interpreter(const ReaderLimits& limits, ProgramState& state, Diagno
   }
 }
 
-bool Interpreter::feed(std::string_view text, std::vector<LinePointer>& lines) {
-  if (diagnostics_.stopped()) return false;
-  if (carriage_return_ && !text.empty()) {
-    carriage_return_ = false;
-    const bool line_feed = text.front() == '\n';
-    if (line_feed) text.remove_prefix(1);
-    if (!take_line({}, line_feed ? "\r\n" : "\r", lines)) return false;
-  }
-  // Each sign is looked for once, not once for every one of the other.
-  std::size_t line_feed = 0;
-  std::size_t carriage_return = 0;
-  const auto find_from = [&](char sign, std::size_t at, std::size_t& found) {
-    if (found < at || at == 0) found = std::min(text.find(sign, at), text.size());
-  };
-  std::size_t at = 0;
-  while (at < text.size()) {
-    find_from('\n', at, line_feed);
-    find_from('\r', at, carriage_return);
-    const std::size_t end = std::min(line_feed, carriage_return);
-    const std::string_view part = text.substr(at, end - at);
-    if (partial_.size() + part.size() > limits_.longest_line) return refuse_long_line();
-    if (end == text.size()) {
-      partial_.append(part);
-      return true;
-    }
-    std::string_view line_end = "\n";
-    if (text[end] == '\r') {
-      if (end + 1 == text.size()) {
-        partial_.append(part);
-        carriage_return_ = true;
-        return true;
-      }
-      line_end = text[end + 1] == '\n' ? "\r\n" : "\r";
-    }
-    at = end + line_end.size();
-    if (!take_line(part, line_end, lines)) return false;
-  }
-  return true;
-}
-
-bool Interpreter::read(const FlatLine& line, std::vector<LinePointer>& lines) {
-  if (diagnostics_.stopped()) return false;
-  if (std::exchange(carriage_return_, false) && !take_line({}, "\r", lines)) return false;
-  lines_read_ = line.number - 1 - continued_;
-  knows_columns_ = line.is_as_written;
-  // The text may be gone before the line is.
-  const std::string_view line_end = line.line_end == "\n"     ? "\n"
-                                    : line.line_end == "\r\n" ? "\r\n"
-                                    : line.line_end == "\r"   ? "\r"
-                                                              : "";
-  calls_the_machine_ = line.calls_the_machine;
-  machine_follows_ = line.machine_follows;
-  const bool goes_on = take_line(line.text, line_end, lines);
-  calls_the_machine_ = machine_follows_ = false;
-  return goes_on;
-}
-
 bool Interpreter::stop(Diagnostic error) {
   error.source.index = blocks_read_;
   if (faults_.empty()) return diagnostics_.report(std::move(error));
@@ -177,140 +96,6 @@ bool Interpreter::note(Diagnostic error) {
   error.source.index = blocks_read_;
   collect(std::move(error));
   return !diagnostics_.stopped();
-}
-
-// Takes the rest of a line, with its end; what came before of it is in partial_.
-bool Interpreter::take_line(std::string_view text, std::string_view line_end,
-                            std::vector<LinePointer>& lines) {
-  if (!partial_.empty()) {
-    partial_.append(text);
-    text = partial_;
-  }
-  if (lines_read_ == 0 && continued_ == 0 && text.starts_with(byte_order_mark)) {
-    enter_modes(append_line(byte_order_mark, {}, lines));
-    text.remove_prefix(byte_order_mark.size());
-  }
-  std::string_view last_line = continued_ == 0 ? text : last_line_of(text);
-  if (continued_ > 0 && dialect_.name == DialectName::heidenhain && is_klartext_comment(text) &&
-      begins_klartext_block(last_line)) {
-    if (!take_comment_before(last_line, lines)) return false;
-    last_line = text = partial_;
-  }
-  const bool goes_on_below = dialect_.name == DialectName::heidenhain
-                                 ? is_continued_klartext(last_line)
-                                 : may_be_continued(last_line) && is_continued(last_line);
-  if (!ended_ && comment_block_ == 0 && goes_on_below) {
-    if (line_end.empty()) return refuse_open_line();
-    if (partial_.empty()) partial_.assign(text);
-    partial_.erase(0, partial_.size() - text.size());  // the byte order mark
-    partial_.append(line_end);
-    ++continued_;
-    return true;
-  }
-  const bool goes_on = take_block(text, line_end, 1 + std::exchange(continued_, 0U), lines);
-  partial_.clear();
-  return goes_on;
-}
-
-bool Interpreter::take_comment_before(std::string_view last_line, std::vector<LinePointer>& lines) {
-  const std::string whole = std::exchange(partial_, std::string(last_line));
-  std::string_view comment(whole.data(), whole.size() - last_line.size());
-  const std::string_view line_end = comment.ends_with("\r\n") ? "\r\n"
-                                    : comment.ends_with('\n') ? "\n"
-                                                              : "\r";
-  comment.remove_suffix(line_end.size());
-  return take_block(comment, line_end, std::exchange(continued_, 0U), lines);
-}
-
-bool Interpreter::take_block(std::string_view text, std::string_view line_end,
-                             std::uint32_t lines_of_it, std::vector<LinePointer>& lines) {
-  ProgramLine& line = append_line(text, line_end, lines);
-  lines_read_ += lines_of_it;
-  const bool goes_on = read_line(line);
-  enter_modes(line);
-  if (faults_.empty()) return goes_on;
-  // It may turn out to stand in front of the tape: a text without words.
-  if (in_front_of_tape_ && blocks_read_ == 0 && !diagnostics_.stopped()) {
-    forget_words(line);
-    return true;
-  }
-  recycle(std::move(lines.back()));
-  lines.pop_back();
-  return !diagnostics_.stopped();
-}
-
-ProgramLine& Interpreter::append_line(std::string_view text, std::string_view line_end,
-                                      std::vector<LinePointer>& lines) {
-  if (spare_.empty()) {
-    lines.emplace_back(std::make_unique<ProgramLine>())->words.reserve(usual_words);
-  } else {
-    lines.push_back(std::move(spare_.back()));
-    spare_.pop_back();
-  }
-  ProgramLine& line = *lines.back();
-  line.text.assign(text);
-  line.line_end = line_end;
-  line.source = {.index = blocks_read_, .line = static_cast<std::uint32_t>(lines_read_ + 1)};
-  line.has_words = line.is_motion = line.has_trc_words = false;
-  line.klartext.reset();
-  forget_words(line);
-  return line;
-}
-
-void Interpreter::enter_modes(ProgramLine& line) const {
-  line.motion = motion_;
-  line.incremental = incremental_;
-  line.inch = inch_;
-  line.feed_in_inch = inch_ && !feed_in_mm_;
-  line.absolute_center = absolute_center_;
-  line.plane = state_.programmed_plane();
-  line.feed = feed_mode_ == 94 ? feed_ : 0;
-}
-
-void Interpreter::recycle(LinePointer line) {
-  if (spare_.size() == spare_lines || line->text.capacity() > longest_spare_line) return;
-  spare_.push_back(std::move(line));
-}
-
-bool Interpreter::finish(std::vector<LinePointer>& lines) {
-  if (diagnostics_.stopped()) return false;
-  if (carriage_return_) {
-    carriage_return_ = false;
-    if (!take_line({}, "\r", lines)) return false;
-  }
-  const bool continued_to_nothing = !partial_.empty() && is_line_end(partial_.back());
-  if (continued_to_nothing) {
-    const bool comment = dialect_.name == DialectName::heidenhain && is_klartext_comment(partial_);
-    if (!comment) return refuse_open_line();
-    if (!take_comment_before({}, lines)) return false;
-  }
-  if (!partial_.empty() && !take_line({}, {}, lines)) return false;
-  if (!faults_.empty()) return report_faults();
-  const auto last_line = static_cast<std::uint32_t>(std::max<std::uint64_t>(lines_read_, 1));
-  if (comment_block_ != 0)
-    return diagnostics_.report(
-        diagnostic(Code::nc_unclosed, {.line = comment_block_}, "#COMMENT BEGIN"));
-  if (blocks_read_ == 0)
-    return diagnostics_.report(diagnostic(Code::program_empty, {.line = last_line}));
-  state_.place(0);
-  return state_.end({.index = blocks_read_, .line = last_line});
-}
-
-bool Interpreter::refuse_long_line() {
-  Diagnostic refused = diagnostic(
-      Code::nc_line_too_long,
-      {.index = blocks_read_, .line = static_cast<std::uint32_t>(lines_read_ + continued_ + 1)});
-  refused.values = {{"longest_line", static_cast<double>(limits_.longest_line)}};
-  partial_.clear();
-  return diagnostics_.report(std::move(refused));
-}
-
-// The text ends behind a `\`.
-bool Interpreter::refuse_open_line() {
-  const auto last_line = static_cast<std::uint32_t>(lines_read_ + std::max(continued_, 1U));
-  return diagnostics_.report(diagnostic(Code::nc_unclosed,
-                                        {.index = blocks_read_, .line = last_line},
-                                        dialect_.name == DialectName::heidenhain ? "~" : "\\"));
 }
 
 void Interpreter::count_in(const ProgramLine& line, bool inch) {

@@ -3,8 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,8 +10,11 @@
 
 #include "core/base/diagnostics.h"
 #include "core/nc/dialect/block_skip.h"
+#include "core/nc/dialect/code_modes.h"
 #include "core/nc/dialect/dialect.h"
+#include "core/nc/dialect/klartext_modes.h"
 #include "core/nc/dialect/plain_motion.h"
+#include "core/nc/dialect/sinumerik_names.h"
 #include "core/nc/state/program_line.h"
 #include "core/nc/state/program_state.h"
 #include "core/nc/text/code_words.h"
@@ -24,33 +25,6 @@
 #include "core/nc/text/words.h"
 
 namespace trc {
-
-// DISCL=, mm.
-struct SoftClearance {
-  double distance = 0;
-  bool absolute = false;  // a coordinate of the third axis
-
-  template <class Archive>
-  void serialize(Archive& archive) {
-    archive(distance, absolute);
-  }
-};
-
-// G147 and the like, until the block that ends where the contour begins.
-struct SoftApproach {
-  Lead lead{};
-  std::optional<double> height{};  // of the contour, mm: the third axis
-  std::optional<SoftClearance> clearance{};
-  bool along_the_lead = true;  // G340
-  double feed = 0;             // FAD, mm/min; 0: none
-  bool rapid = false;          // how the tool came before
-  double feed_before = 0;
-
-  template <class Archive>
-  void serialize(Archive& archive) {
-    archive(lead, height, clearance, along_the_lead, feed, rapid, feed_before);
-  }
-};
 
 struct ReaderLimits {
   std::size_t longest_line = 64 * 1024;  // bytes, continued lines together; 900006 beyond
@@ -187,8 +161,11 @@ class Interpreter {
   bool read_g_function(const Word& word, ProgramLine& line, BlockWords& block);
   bool read_address(const Word& word, ProgramLine& line, BlockWords& block);
   bool read_axis(const Word& word, ProgramLine& line, BlockWords& block);
+  bool read_machine_function(const Word& word, ProgramLine& line, BlockWords& block);
   bool read_number(const Word& word, ProgramLine& line, BlockWords& block);
   bool read_command(const Word& word, ProgramLine& line, BlockWords& block);
+  bool copy_unfollowed_command(const Word& word, std::string_view name, ProgramLine& line,
+                               BlockWords& block);
   bool read_call_behind_words(std::uint32_t begin, ProgramLine& line, BlockWords& block);
   bool check_feed(ProgramLine& line, const BlockWords& block);
 
@@ -202,11 +179,21 @@ class Interpreter {
   bool count_whole_numbers(ProgramLine& line, BlockWords& block);
   bool read_code_axis(const CodeWord& word, ProgramLine& line, BlockWords& block);
   bool read_code_address(const CodeWord& word, ProgramLine& line, BlockWords& block);
+  bool read_code_sign(const CodeWord& word, ProgramLine& line, BlockWords& block);
+  bool read_code_center(const CodeWord& word, ProgramLine& line, BlockWords& block);
+  bool read_code_tool(const CodeWord& word, ProgramLine& line, BlockWords& block);
   bool read_comma_word(const CodeWord& word, ProgramLine& line, BlockWords& block);
   bool read_code_machine_function(const CodeWord& word, ProgramLine& line, BlockWords& block);
   bool complete_code_block(ProgramLine& line, BlockWords& block);
+  void take_spindle_limit(const ProgramLine& line, BlockWords& block);
+  void end_modes_before(const BlockWords& block);
+  static void take_words_that_are_no_motion(ProgramLine& line, BlockWords& block);
+  bool check_skipped_modes(const ProgramLine& line, const BlockWords& block);
+  void take_what_is_unfollowed(const ProgramLine& line, BlockWords& block);
+  [[nodiscard]] bool may_read_plain_lines() const;
   void take_unit_of_old(ProgramLine& line, BlockWords& block) const;
   void forget_what_ends_nothing(BlockWords& block);
+  // Of lines that are copied: copied_block.cpp.
   // Empty: nothing.
   struct NotWhileActive {
     Code code = Code::nc_unsupported;
@@ -215,6 +202,14 @@ class Interpreter {
     bool hangs_on_what_was_told = false;
   };
   [[nodiscard]] NotWhileActive find_what_is_copied(BlockWords& block);
+  static void copy_for(GGroup group, AxisBits forget, BlockWords& block, NotWhileActive& found);
+  static void copy_motion(const char* why, AxisBits forget, BlockWords& block,
+                          NotWhileActive& found);
+  // `named`: the axes that the line has words of.
+  void copy_for_functions(BlockWords& block, AxisBits named, NotWhileActive& found);
+  void follow_tool_offset(BlockWords& block, AxisBits named, NotWhileActive& found);
+  void copy_under_modes(BlockWords& block, AxisBits named, NotWhileActive& found);
+  void copy_for_words_of_line(BlockWords& block, AxisBits named, NotWhileActive& found);
   void end_what_was_unfollowed(BlockWords& block);
   void take_tool_words(const ProgramLine& line, BlockWords& block);
   void take_words_of_few_controls(ProgramLine& line, BlockWords& block) const;
@@ -225,9 +220,19 @@ class Interpreter {
   bool leave_contour_by_copy(ProgramLine& line, const BlockWords& block);
   bool check_left_contour(const ProgramLine& line, std::uint32_t begin,
                           const std::array<bool, 3>& named);
+  // Tools, and what G41 and G42 need: code_tools.cpp.
   // Whether a contour hangs on what a line says that may be skipped (D-59).
   bool check_what_may_be_skipped(const ProgramLine& line, const BlockWords& block);
   bool check_code_selection(ProgramLine& line, BlockWords& block);
+  bool refuse_selection(const ProgramLine& line, const BlockWords& block, Code code,
+                        std::string detail);
+  bool check_turning(const ProgramLine& line, const BlockWords& block);
+  bool check_words_beside_contour(const ProgramLine& line, const BlockWords& block);
+  // What names the tool of a line.
+  enum class ToolSaid : std::uint8_t { by_d, by_h, by_spindle };
+  std::optional<ToolSaid> take_tool_of_selection(ProgramLine& line, BlockWords& block);
+  bool check_tool_of_table(const ProgramLine& line, BlockWords& block, ToolSaid said);
+  // code_corners.cpp
   bool take_corner(ProgramLine& line, BlockWords& block);
   bool take_modal_rounding(ProgramLine& line, BlockWords& block);
   bool check_circle_words(const ProgramLine& line, const BlockWords& block);
@@ -247,7 +252,11 @@ class Interpreter {
   bool read_klartext_parameter(const KlartextWord& word, ProgramLine& line, KlartextBlock& block);
   bool read_klartext_feed(const KlartextWord& word, ProgramLine& line, KlartextBlock& block);
   bool read_klartext_function(const KlartextWord& word, ProgramLine& line, KlartextBlock& block);
+  void take_klartext_function(int m, KlartextBlock& block);
   bool read_klartext_statement(ProgramLine& line, std::size_t begin);
+  bool check_other_compensations(const ProgramLine& line, std::size_t begin,
+                                 std::string_view statement);
+  bool copy_motion_of_machine(ProgramLine& line, std::size_t begin, std::string_view statement);
   bool copy_klartext(ProgramLine& line, std::size_t begin, WordRole role);
   bool enter_label_behind_end(const ProgramLine& line);
   bool read_label(ProgramLine& line, std::size_t begin, std::string_view statement);
@@ -296,12 +305,27 @@ class Interpreter {
   void forget_klartext_position(ProgramLine& line,
                                 const std::array<bool, 3>& axes = {true, true, true});
 
-  // Of Sinumerik: sinumerik_block.cpp.
+  // Of Sinumerik: sinumerik_block.cpp, _functions.cpp, _values.cpp and _arcs.cpp.
   bool read_named_words(ProgramLine& line, BlockWords& block);
   bool check_index(const NamedWord& word, const ProgramLine& line);
   bool read_named_address(const NamedWord& word, ProgramLine& line, BlockWords& block);
+  bool read_tool_name(const NamedWord& word, ProgramLine& line, BlockWords& block);
+  bool read_call_by_letter(const NamedWord& word, ProgramLine& line, BlockWords& block);
+  bool read_word_of_index(const NamedWord& word, ProgramLine& line, BlockWords& block);
+  bool take_reference(const NamedWord& word, const ProgramLine& line, BlockWords& block);
   bool read_assignment(const NamedWord& word, ProgramLine& line, BlockWords& block);
+  bool read_form_of_arc(const NamedWord& word, ProgramLine& line, BlockWords& block);
+  bool read_corner(const NamedWord& word, ProgramLine& line, BlockWords& block);
+  bool read_angle_or_turns(const NamedWord& word, ProgramLine& line, BlockWords& block);
+  bool pass_assignment(const NamedWord& word, ProgramLine& line, BlockWords& block);
   bool read_name(const NamedWord& word, ProgramLine& line, BlockWords& block);
+  bool read_named_call(const NamedWord& word, ProgramLine& line, BlockWords& block);
+  bool read_known_name(SinumerikMeaning meaning, const NamedWord& word, ProgramLine& line,
+                       BlockWords& block);
+  // Notes that the word stands for the function.
+  static bool read_as(const GFunction& function, const NamedWord& word, ProgramLine& line,
+                      BlockWords& block);
+  bool refuse_name(const ProgramLine& line, const NamedWord& word, std::string_view why);
   bool read_polar_word(const NamedWord& word, ProgramLine& line, BlockWords& block);
   void take_pole(const BlockWords& block);
   bool resolve_polar_words(ProgramLine& line, BlockWords& block);
@@ -349,6 +373,7 @@ class Interpreter {
   bool apply_modes(const ProgramLine& line, const BlockWords& block);
   void forget_position(const ProgramLine& line, const BlockWords& block);
   bool apply_trc(const ProgramLine& line, const BlockWords& block);
+  bool apply_tool(const ProgramLine& line, const BlockWords& block);
   bool apply_motion(ProgramLine& line, BlockWords& block);
   bool check_feed_of_contour(const ProgramLine& line, const BlockWords& block, std::uint32_t begin);
   bool leave_out_bottlenecks(bool on, const Source& source);
@@ -392,144 +417,6 @@ class Interpreter {
     return function.number == dialect_.inch_function || function.number == 700;
   }
 
-  // What a program of a dialect of plain letters and numbers has in force besides.
-  struct CodeModes {
-    bool cycle = false;            // each position is one of a drilling cycle
-    std::int32_t unfollowed = -1;  // the function, in tenths, under which coordinates mean
-                                   // something else; -1: none
-    std::uint32_t unfollowed_line = 0;
-    std::string unfollowed_meaning{};
-    bool points_seen = false;          // a coordinate had a decimal point
-    bool turning = false;              // a word that only lathes have has been seen
-    bool y_seen = false;               // a Y word has
-    bool dimension_uncertain = false;  // the last G90 or G91 may be skipped
-    // In which line a tool, the data of tools, or how the contour is reached and its corners are
-    // rounded was said, where that may be skipped; 0: in none.
-    std::uint32_t skipped_tool = 0;
-    std::uint32_t skipped_tool_data = 0;
-    std::uint32_t skipped_approach = 0;
-    AxisBits offset_axes = 0;     // of the plane, by G43.1 of LinuxCNC
-    bool turned = false;          // coordinates are rotated or mirrored
-    bool dynamic_offset = false;  // G254: the zero point goes with the turning axes
-    std::int64_t next_tool = 0;   // T
-    std::int64_t spindle_tool = 0;
-    bool tool_named = false;     // by a T word
-    bool spindle_empty = false;  // T0 M06
-    WordPlace next_tool_place{};
-    WordPlace spindle_tool_place{};
-    WordPlace edge_place{};          // of the last D word; with a new tool none
-    bool edge_of_next_tool = false;  // D stands beside the last T word
-    std::int64_t missing_tool = -1;  // of the last D word, which the table has not
-    std::string tool_name{};         // of T="…"
-    std::string only_tool_name{};
-    bool tangent_arcs = false;    // CT
-    bool leaves_contour = false;  // the last motion in the plane was one of a contour
-    WordPlace open_corner{};      // a rounding whose next motion is still to come
-    double modal_rounding = 0;    // RNDM=, mm
-    double edge = 1;              // of the tool, Sinumerik: D; 0: none
-    bool changes_by_m6 = false;   // T only prepares a tool
-    std::string call{};           // the last one of what only the machine has
-    WordPlace call_place{};
-    bool contour_seen = false;  // one has been selected
-    // Since then:
-    bool tool_said = false;            // by T, D or a radius
-    bool call_behind_contour = false;  // `call`, which may have changed the tool
-    // Of ISG: V.G.WZ_AKT.R stands behind the last T or D; a call has come behind that.
-    bool only_radius_said = false;
-    bool radius_doubtful = false;
-    bool tool_awaits_call = false;
-    std::optional<std::string> unknown_call{};  // the first one; empty: it has been told
-    std::optional<Source> modal_cycle{};
-    // The one register that stands for the radius of the setup, where it has no tools.
-    std::optional<std::int64_t> only_register{};
-    std::optional<std::int64_t> only_spindle_tool{};  // of FANUC without D words
-    bool tooth_feed = false;                          // FZ= of Sinumerik, until F
-    // Of polar coordinates, in the plane, in the unit of the program; without: not followed.
-    std::optional<Point> pole{Point::Zero()};
-    std::optional<double> polar_angle{};  // degrees
-    std::optional<double> polar_radius{};
-    bool polar_rewritten = false;  // one of them stands in a line that is written anew
-    int soft_direction = 140;
-    bool soft_in_space = true;                    // G340
-    std::optional<SoftApproach> soft_approach{};  // its contour begins with the next motion
-
-    template <class Archive>
-    void serialize(Archive& archive) {
-      archive(cycle, unfollowed, unfollowed_line, unfollowed_meaning, points_seen, turning, y_seen,
-              dimension_uncertain, skipped_tool, skipped_tool_data, skipped_approach, turned,
-              dynamic_offset, next_tool, spindle_tool, tool_name, edge, changes_by_m6,
-              only_register, only_spindle_tool, tooth_feed, pole, polar_angle, polar_radius,
-              polar_rewritten, missing_tool, only_tool_name, tangent_arcs, tool_named,
-              spindle_empty, modal_rounding, soft_direction, soft_in_space, soft_approach,
-              next_tool_place, spindle_tool_place, edge_place, edge_of_next_tool, offset_axes, call,
-              call_place, contour_seen, tool_said, call_behind_contour, leaves_contour, open_corner,
-              only_radius_said, radius_doubtful, tool_awaits_call, unknown_call, modal_cycle);
-    }
-  };
-  // How many contours had been selected where a label stands, and at its LBL 0.
-  struct ContoursOfLabel {
-    std::uint64_t before = 0;
-    std::optional<std::uint64_t> behind{};
-    bool calls_tool = false;  // TOOL CALL stands behind it
-
-    // `now`: where no LBL 0 has come yet.
-    [[nodiscard]] bool has_contour(std::uint64_t now) const {
-      return behind.value_or(now) != before;
-    }
-    template <class Archive>
-    void serialize(Archive& archive) {
-      archive(before, behind, calls_tool);
-    }
-  };
-  // What a program in Klartext has in force besides.
-  struct KlartextModes {
-    std::optional<Point> pole{};           // CC, mm, in the plane
-    AxisBits pole_across = 0;              // of a CC across the plane: its axes
-    std::optional<double> polar_radius{};  // PR, mm
-    std::optional<Vector> tangent{};       // behind the last motion in the plane
-    bool rapid = false;                    // the last motion was one with FMAX
-    double feed_before = 0;                // in force before the block
-    double called_feed = 0;                // F AUTO, mm/min
-    bool feed_per_turn = false;            // M136
-    bool modal_cycle = false;              // M89
-    std::uint32_t unfollowed = 0;  // by what coordinates are scaled or led: bits of KlartextLead
-    // Of TOOL CALL.
-    std::optional<std::int64_t> tool{};
-    double radius_delta = 0;   // DR, mm
-    std::string open_delta{};  // DR+Q5 of a parameter whose value is not known
-    // Q parameters that the program has given a number since the last label or call.
-    std::map<std::string, double, std::less<>> parameters{};
-    std::string tool_name{};  // in quotes, or a parameter
-    WordPlace tool_place{};
-    std::string only_tool_name{};
-    // How many contours have been selected, and which labels were called before they stood
-    // anywhere.
-    std::uint64_t contours = 0;
-    std::map<std::string, ContoursOfLabel> labels{};
-    std::map<std::string, std::uint32_t> calls{};
-    std::uint32_t called_section = 0;  // the line that called it; 0: not in one
-    // Labels up to the next LBL 0; those that were called since the last TOOL CALL and stand
-    // farther behind, and of these the ones that a contour counts on, with the lines of their
-    // calls.
-    std::map<std::string, std::uint32_t> open_labels{};
-    std::map<std::string, std::uint32_t> calls_behind_tool{};
-    std::map<std::string, std::uint32_t> calls_of_contours{};
-    std::uint32_t tool_of_label = 0;  // the line of a call that has changed the tool
-    // Labels whose contours cycle 14 or CONTOUR DEF names, with the line that does, and that line
-    // while one of them is read.
-    std::map<std::string, std::uint32_t> labels_of_cycles{};
-    std::uint32_t cycle_section = 0;
-    WordPlace open_corner{};  // RND, CHF whose next motion is still to come
-
-    template <class Archive>
-    void serialize(Archive& archive) {
-      archive(pole, polar_radius, tangent, rapid, called_feed, feed_per_turn, modal_cycle,
-              unfollowed, tool, radius_delta, open_delta, parameters, tool_name, tool_place,
-              only_tool_name, contours, labels, calls, called_section, open_labels,
-              calls_behind_tool, calls_of_contours, tool_of_label, labels_of_cycles, cycle_section,
-              pole_across, open_corner);
-    }
-  };
   // The first of its kind; the others only count.
   struct Fault {
     Code code{};

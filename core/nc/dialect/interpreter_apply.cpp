@@ -163,6 +163,15 @@ bool Interpreter::apply_trc(const ProgramLine& line, const BlockWords& block) {
   if (has(tangential) && !state_.set_tangential(source)) return false;
   // The tool of such a block is no longer one of the contour: D0 takes it out of force.
   if (ends && at(block.of(side).begin) && !state_.select(Side::off, source)) return false;
+  if (!apply_tool(line, block)) return false;
+  if (!has(side) || block.of(side).is(40)) return true;
+  return state_.select(side_of(block.of(side).function->number), source);
+}
+
+// The radius, as a number or as a tool.
+bool Interpreter::apply_tool(const ProgramLine& line, const BlockWords& block) {
+  const Source& source = line.source;
+  const auto at = [&](std::uint32_t begin) { return place(line, begin), true; };
   if (block.tool_radius && at(block.tool_radius->begin)) {
     const double value = block.tool_radius->value * length_unit();
     if (!(block.radius_is_change ? state_.change_tool_radius(value, source)
@@ -182,12 +191,9 @@ bool Interpreter::apply_trc(const ProgramLine& line, const BlockWords& block) {
   const bool zero = block.tool && block.tool->value == 0 && dialect_.zero_is_a_radius &&
                     !state_.tool().row_of_tool(0);
   if (zero && at(block.tool->begin) && !state_.set_tool_radius(0, source)) return false;
-  if (block.tool && !zero && at(block.tool->begin) &&
-      !state_.set_tool(static_cast<std::int64_t>(block.tool->value), source,
-                       place_of_word(line, block.tool->begin)))
-    return false;
-  if (!has(side) || block.of(side).is(40)) return true;
-  return state_.select(side_of(block.of(side).function->number), source);
+  return !block.tool || zero ||
+         (at(block.tool->begin) && state_.set_tool(static_cast<std::int64_t>(block.tool->value),
+                                                   source, place_of_word(line, block.tool->begin)));
 }
 
 // CDON of Sinumerik, M120 of Heidenhain: G141 with REMOVE_MASKED_BLOCKS. Without them the setup

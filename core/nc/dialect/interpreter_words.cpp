@@ -224,22 +224,25 @@ bool Interpreter::read_address(const Word& word, ProgramLine& line, BlockWords& 
     case 'H':
       add(line, word, WordRole::technology);
       return true;
-    case 'M': {
-      if (word.value == 17 || word.value == 29)
-        return refuse(line, word, Code::nc_unsupported, "M17, M29, the end of a subprogram");
-      // M2=3 is one of the second spindle.
-      const bool ends = !word.has_argument && (word.value == 2 || word.value == 30);
-      line.ends_program |= ends;
-      block.loads_tool |= word.value == 6;
-      add(line, word,
-          ends || word.value == 0 || word.value == 1 ? WordRole::stop : WordRole::technology);
-      return true;
-    }
+    case 'M':
+      return read_machine_function(word, line, block);
     default:
       return refuse(line, word, Code::nc_unsupported);
   }
   if (!block.center) block.center = word.begin;
   add(line, word, WordRole::coordinate);
+  return true;
+}
+
+bool Interpreter::read_machine_function(const Word& word, ProgramLine& line, BlockWords& block) {
+  if (word.value == 17 || word.value == 29)
+    return refuse(line, word, Code::nc_unsupported, "M17, M29, the end of a subprogram");
+  // M2=3 is one of the second spindle.
+  const bool ends = !word.has_argument && (word.value == 2 || word.value == 30);
+  line.ends_program |= ends;
+  block.loads_tool |= word.value == 6;
+  add(line, word,
+      ends || word.value == 0 || word.value == 1 ? WordRole::stop : WordRole::technology);
   return true;
 }
 
@@ -313,8 +316,7 @@ bool Interpreter::check_block(ProgramLine& line, BlockWords& block) {
     return false;
   if (block.homes) {  // where the axes stand then only the machine knows
     block.copied = true;
-    for (WordRange& word : line.words)
-      if (word.role == WordRole::coordinate) word.role = WordRole::technology;
+    take_for_technology(line, WordRole::coordinate);
   }
   const bool preset = block.of(zero_shift).is(92);
   if (preset && (block.has(motion) || block.center || block.move.radius))
@@ -328,10 +330,15 @@ bool Interpreter::check_feed(ProgramLine& line, const BlockWords& block) {
   const bool preset = block.of(zero_shift).is(92);
   const int feed = block.has(feed_mode) ? block.of(feed_mode).function->number : feed_mode_;
   const bool inch = block.has(unit) ? counts_in_inch(*block.of(unit).function) : inch_;
-  if (block.feed && feed == 94 && !state_.is_feed(block.feed->value * feed_unit(inch)))
-    return refuse(line, TextFault{.code = Code::nc_number,
-                                  .begin = block.feed->begin,
-                                  .detail = "F, more than 0 and at most 1000000000 mm/min"});
+  if (block.feed && feed == 94 && !state_.is_feed(block.feed->value * feed_unit(inch))) {
+    const auto word = std::ranges::find(line.words, block.feed->begin, &WordRange::begin);
+    const std::uint32_t end = word == line.words.end() ? block.feed->begin + 1 : word->end;
+    return refuse(line,
+                  TextFault{.code = Code::nc_number,
+                            .begin = block.feed->begin,
+                            .detail = line.text.substr(block.feed->begin, end - block.feed->begin) +
+                                      ", more than 0 and at most 1000000000 mm/min"});
+  }
   for (WordRange& range : line.words) {
     const bool no_position = range.role == WordRole::coordinate && (preset || block.has(dwell));
     const bool no_feed = range.role == WordRole::feed && feed != 94;

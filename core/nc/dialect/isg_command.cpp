@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -104,6 +105,21 @@ bool holds_axis_words(std::string_view name) {
   return name.starts_with("PSET ") || name.starts_with("PRESET ");
 }
 
+bool begins_with_any(std::string_view name, std::span<const std::string_view> beginnings) {
+  return std::ranges::any_of(beginnings,
+                             [&](std::string_view begin) { return name.starts_with(begin); });
+}
+
+// #TIME 1.5
+bool is_time(std::string_view command) {
+  double time = 0;
+  bool whole = false;
+  const std::size_t begin = command.find_first_of("0123456789.+-");
+  if (begin == std::string_view::npos) return false;
+  const std::size_t length = read_number(command.substr(begin), time, whole);
+  return length > 0 && begin + length == command.size();
+}
+
 }  // namespace
 
 bool Interpreter::read_command(const Word& word, ProgramLine& line, BlockWords& block) {
@@ -138,38 +154,24 @@ bool Interpreter::read_command(const Word& word, ProgramLine& line, BlockWords& 
       behind != std::string_view::npos && !holds_axis_words(name))
     return wrong(
         {.begin = static_cast<std::uint32_t>(behind), .detail = "a word behind a # command"});
-  double time = 0;
-  bool whole = false;
-  if (name == "TIME ") {
-    const std::size_t begin = command.find_first_of("0123456789.+-");
-    const std::size_t length =
-        begin == std::string_view::npos ? 0 : trc::read_number(command.substr(begin), time, whole);
-    if (length == 0 || begin + length != command.size()) return refuse(line, word, Code::nc_number);
-    add(line, word, WordRole::technology);
-    return true;
-  }
-  if (std::ranges::any_of(passing_commands,
-                          [&](std::string_view passing) { return name.starts_with(passing); })) {
-    add(line, word, WordRole::technology);
-    return true;
-  }
-  if (name == "DISABLE MODAL") {
-    code_.modal_cycle.reset();
-    add(line, word, WordRole::technology);
-    return true;
-  }
-  if (passes_word(state_.setup(), command, 0)) {
-    add(line, word, WordRole::technology);
-    return true;
-  }
+  if (name == "TIME " && !is_time(command)) return refuse(line, word, Code::nc_number);
+  if (name == "DISABLE MODAL") code_.modal_cycle.reset();
+  const bool passes = name == "TIME " || name == "DISABLE MODAL" ||
+                      begins_with_any(name, passing_commands) ||
+                      passes_word(state_.setup(), command, 0);
+  if (!passes) return copy_unfollowed_command(word, name, line, block);
+  add(line, word, WordRole::technology);
+  return true;
+}
+
+// Off the contour what changes the coordinates passes; nothing is known of the position then.
+bool Interpreter::copy_unfollowed_command(const Word& word, std::string_view name,
+                                          ProgramLine& line, BlockWords& block) {
   const auto forbidden = std::ranges::find_if(
       forbidden_commands, [&](const auto& candidate) { return name.starts_with(candidate.name); });
   const bool is_forbidden = forbidden != forbidden_commands.end();
   const bool is_unfollowed =
-      is_forbidden ? forbidden->copied_while_off
-                   : std::ranges::any_of(unfollowed_commands, [&](std::string_view unfollowed) {
-                       return name.starts_with(unfollowed);
-                     });
+      is_forbidden ? forbidden->copied_while_off : begins_with_any(name, unfollowed_commands);
   if (is_unfollowed && !contour_open()) {
     block.forget = all_axes;
     add(line, word, WordRole::technology);

@@ -107,4 +107,10 @@ struct Interpreter::KlartextBlock {
   Code unfollowed_code = Code::nc_unsupported;
 };
 
+// An arc that has its centre or its radius, not one that is tangential.
+[[nodiscard]] inline bool is_arc_of(Interpreter::KlartextStatement statement) {
+  using enum Interpreter::KlartextStatement;
+  return statement == circle || statement == radius_arc || statement == polar_circle;
+}
+
 }  // namespace trc

@@ -37,6 +37,12 @@ std::string_view why_unfollowed(int m, bool active) {
   }
 }
 
+WordRole role_of_function(int m) {
+  const bool stops = (m >= 0 && m <= 2) || m == 30;
+  const bool shapes_contour = (m >= 109 && m <= 111) || m == 120;
+  return stops ? WordRole::stop : shapes_contour ? WordRole::trc : WordRole::technology;
+}
+
 }  // namespace
 
 bool Interpreter::read_klartext_function(const KlartextWord& word, ProgramLine& line,
@@ -50,15 +56,14 @@ bool Interpreter::read_klartext_function(const KlartextWord& word, ProgramLine& 
     block.unfollowed_why += why;
     block.unfollowed = word.begin;
   }
-  WordRole role = WordRole::technology;
+  line.ends_program |= m == 2 || m == 30;
+  take_klartext_function(m, block);
+  add(line, word, role_of_function(m));
+  return true;
+}
+
+void Interpreter::take_klartext_function(int m, KlartextBlock& block) {
   switch (m) {
-    case 0:
-    case 1:
-    case 2:
-    case 30:
-      role = WordRole::stop;
-      line.ends_program |= m == 2 || m == 30;
-      break;
     case 89:
     case 99:
       block.calls_cycle = true;
@@ -72,13 +77,11 @@ bool Interpreter::read_klartext_function(const KlartextWord& word, ProgramLine& 
     case 109:
     case 110:
     case 111:
-      role = WordRole::trc;
       block.adapts_feed = m == 109   ? FeedAdaptation::on
                           : m == 110 ? FeedAdaptation::inside
                                      : FeedAdaptation::off;
       break;
     case 120:
-      role = WordRole::trc;
       block.masks = false;  // LA says how far
       break;
     case 136:
@@ -110,8 +113,6 @@ bool Interpreter::read_klartext_function(const KlartextWord& word, ProgramLine& 
     default:
       break;
   }
-  add(line, word, role);
-  return true;
 }
 
 }  // namespace trc

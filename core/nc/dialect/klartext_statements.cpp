@@ -125,18 +125,11 @@ bool writes_radius(std::string_view statement) {
   return of_tools && (nr == "2" || nr == "5" || nr.starts_with('Q'));
 }
 
-}  // namespace
-
-std::string label_of(std::string_view text, std::size_t begin, std::string_view statement) {
-  const std::string_view name =
-      without_blanks_in_front(statement.substr(statement.starts_with("CALL") ? 8 : 3));
-  std::string label(name.substr(0, name.find(' ')));
-  if (label.starts_with('"')) {  // its letters are hidden there
-    const std::size_t open = text.find('"', begin);
-    label = text.substr(open, text.find('"', open + 1) - open);
-  }
-  return label;
+std::string first_word(std::string_view statement) {
+  return std::string(statement.substr(0, statement.find(' ')));
 }
+
+}  // namespace
 
 std::string statement_of(std::string_view text) {
   std::string statement;
@@ -221,35 +214,6 @@ void Interpreter::take_klartext_scaling(std::string_view statement) {
   }
 }
 
-// CYCL DEF 14.1 CONTOUR LABEL 1/2, CONTOUR DEF P1 = LBL 1: cycles mill these contours, with RL and
-// RR in them, so that they stay as they are.
-bool Interpreter::take_labels_of_cycle(const ProgramLine& line, std::size_t begin,
-                                       std::string_view statement) {
-  const bool by_cycle = statement.starts_with("CYCL DEF 14.");
-  if (!by_cycle && !statement.starts_with("CONTOUR DEF")) return true;
-  const std::string_view word = by_cycle ? "LABEL" : " LBL";
-  std::size_t at = statement.find(word);
-  while (at != std::string_view::npos) {
-    at += word.size();
-    // Numbers, with what stands between them: of the cycle several.
-    for (;;) {
-      at = std::min(statement.find_first_not_of(" /,=", at), statement.size());
-      const std::size_t end =
-          std::min(statement.find_first_not_of("0123456789", at), statement.size());
-      if (end == at) break;
-      const std::string label(statement.substr(at, end - at));
-      const auto known = klartext_.labels.find(label);
-      if (known != klartext_.labels.end() && known->second.has_contour(klartext_.contours))
-        return refuse_klartext(
-            line, begin, "a cycle with the contour of LBL " + label + ", which is compensated");
-      klartext_.labels_of_cycles.try_emplace(label, line.source.line);
-      at = end;
-    }
-    at = statement.find(word, at);
-  }
-  return true;
-}
-
 // CYCL CALL works where the tool stands, POS where its words say, and a pattern has places of its
 // own (D-74).
 bool Interpreter::leave_contour_by_cycle(const ProgramLine& line, std::size_t begin,
@@ -264,13 +228,55 @@ bool Interpreter::leave_contour_by_cycle(const ProgramLine& line, std::size_t be
   return true;
 }
 
+// Of the programs in DIN/ISO that these controls read as well, of single axes and of contours with
+// a name.
+bool Interpreter::check_other_compensations(const ProgramLine& line, std::size_t begin,
+                                            std::string_view statement) {
+  const std::string first = first_word(statement);
+  if (statement.find("MODE TURN") != std::string::npos)
+    return refuse_klartext(line, begin, "FUNCTION MODE TURN", Code::turning);
+  const bool is_function = first.size() > 1 && first[0] == 'G' && is_digit(first[1]);
+  if (is_function && trc_active())
+    return refuse_klartext(line, begin, first + ", a function of DIN/ISO");
+  if (statement.find("G41") != std::string::npos || statement.find("G42") != std::string::npos)
+    return refuse_klartext(line, begin, first + ", TRC of DIN/ISO");
+  if (statement.size() == 1 || !is_letter(statement[1]) || statement[0] == 'I')
+    for (const char* side : {" R+", " R-", " RL", " RR"})
+      if (statement.find(side) != std::string::npos)
+        return refuse_klartext(line, begin,
+                               std::string(side).substr(1) + ", a compensation along one axis");
+  const bool own_contour = is_any(statement, contour_blocks);
+  if (has_side(statement) && (own_contour || state_.setup().copies_unknown_words))
+    return refuse_klartext(line, begin, first + " with RL or RR");
+  return true;
+}
+
+// A statement whose end only the control knows: a cycle, a program that is called, a datum shift.
+bool Interpreter::copy_motion_of_machine(ProgramLine& line, std::size_t begin,
+                                         std::string_view statement) {
+  const std::string first = first_word(statement);
+  if (trc_active()) return refuse_klartext(line, begin, first + " while TRC is active");
+  if (!leave_contour_by_cycle(line, begin, statement)) return false;
+  line.calls_the_machine = first == "CALL" || first == "PGM";
+  if (line.calls_the_machine || is_any(statement, contour_blocks) || first.size() == 1 ||
+      !is_letter(first[1]))
+    line.feed_it_takes = feed_;
+  if (line.calls_the_machine) {
+    hand_on_klartext_pole(line);
+    const std::string_view call = std::string_view(line.text).substr(begin);
+    take_call(line, call.substr(0, call.find(';')));
+  }
+  forget_klartext_position(line);
+  klartext_.pole.reset();
+  return copy_klartext(line, begin, WordRole::technology);
+}
+
 // Everything that is no contour.
 bool Interpreter::read_klartext_statement(ProgramLine& line, std::size_t begin) {
   const std::string statement = statement_of(std::string_view(line.text).substr(begin));
-  const std::string first = statement.substr(0, std::min(statement.find(' '), statement.size()));
-  const auto while_active = [&](std::string_view what) {
-    return refuse_klartext(line, begin, std::string(what).append(" while TRC is active"));
-  };
+  if (statement.empty())  // nothing but a comment goes on below
+    return refuse_klartext(line, begin, "~", Code::nc_syntax);
+  const std::string first = first_word(statement);
   if (begins_with_word(statement, "BEGIN")) {
     if (blocks_read_ > 0)
       return refuse_klartext(line, begin, "BEGIN PGM, a second program in one text");
@@ -304,133 +310,13 @@ bool Interpreter::read_klartext_statement(ProgramLine& line, std::size_t begin) 
   forget_parameters(statement);
   take_klartext_scaling(statement);
   if (!take_labels_of_cycle(line, begin, statement)) return false;
-  if (statement.find("MODE TURN") != std::string::npos)
-    return refuse_klartext(line, begin, "FUNCTION MODE TURN", Code::turning);
-  // Of the programs in DIN/ISO that these controls read as well, and of single axes.
-  const bool is_function = first.size() > 1 && first[0] == 'G' && is_digit(first[1]);
-  if (is_function && trc_active())
-    return refuse_klartext(line, begin, first + ", a function of DIN/ISO");
-  if (statement.find("G41") != std::string::npos || statement.find("G42") != std::string::npos)
-    return refuse_klartext(line, begin, first + ", TRC of DIN/ISO");
-  if (statement.size() == 1 || !is_letter(statement[1]) || statement[0] == 'I')
-    for (const char* side : {" R+", " R-", " RL", " RR"})
-      if (statement.find(side) != std::string::npos)
-        return refuse_klartext(line, begin,
-                               std::string(side).substr(1) + ", a compensation along one axis");
-  const bool own_contour = is_any(statement, contour_blocks);
-  if (has_side(statement) && (own_contour || state_.setup().copies_unknown_words))
-    return refuse_klartext(line, begin, first + " with RL or RR");
-  const bool moves =
-      defines_frame(statement) || (is_any(statement, moving) && !is_any(statement, passing));
-  if (moves && trc_active()) return while_active(first);
-  if (moves) {
-    if (!leave_contour_by_cycle(line, begin, statement)) return false;
-    line.calls_the_machine = first == "CALL" || first == "PGM";
-    if (line.calls_the_machine || own_contour || first.size() == 1 || !is_letter(first[1]))
-      line.feed_it_takes = feed_;
-    if (line.calls_the_machine) {
-      hand_on_klartext_pole(line);
-      const std::string_view call = std::string_view(line.text).substr(begin);
-      take_call(line, call.substr(0, call.find(';')));
-    }
-    forget_klartext_position(line);
-    klartext_.pole.reset();
-    return copy_klartext(line, begin, WordRole::technology);
-  }
+  if (!check_other_compensations(line, begin, statement)) return false;
+  if (defines_frame(statement) || (is_any(statement, moving) && !is_any(statement, passing)))
+    return copy_motion_of_machine(line, begin, statement);
   if (is_any(statement, passing) || state_.setup().copies_unknown_words ||
       passes_word(state_.setup(), line.text, begin))
     return copy_klartext(line, begin, WordRole::technology);
   return refuse_klartext(line, begin, first, Code::nc_unsupported);
-}
-
-// Which line calls the section that a label begins, and which one makes it the contour of cycles.
-void Interpreter::enter_section(const std::string& label) {
-  const bool ends = label == "0";
-  if (ends)
-    klartext_.open_labels.clear();
-  else
-    klartext_.open_labels.emplace(label, 0);
-  if (const auto call = klartext_.calls.find(label); ends || call != klartext_.calls.end())
-    klartext_.called_section = ends ? 0 : call->second;
-  if (const auto cycle = klartext_.labels_of_cycles.find(label);
-      ends || cycle != klartext_.labels_of_cycles.end())
-    klartext_.cycle_section = ends ? 0 : cycle->second;
-}
-
-// Behind the end subprograms stand: one that is called is no leftover.
-bool Interpreter::enter_label_behind_end(const ProgramLine& line) {
-  const std::size_t begin = line.text.find_first_not_of("0123456789 \tNn/");
-  if (begin == std::string::npos) return true;
-  const std::string statement = statement_of(std::string_view(line.text).substr(begin));
-  if (begins_with_word(statement, "LBL")) enter_section(label_of(line.text, begin, statement));
-  if (begins_with_word(statement, "TOOL CALL")) return take_tool_of_label(line, begin);
-  if (!begins_with_word(statement, "CALL LBL")) return true;
-  // A section that a contour counts on calls another one.
-  for (const auto& [label, unused] : klartext_.open_labels)
-    if (const auto call = klartext_.calls_of_contours.find(label);
-        call != klartext_.calls_of_contours.end())
-      klartext_.calls_of_contours.try_emplace(label_of(line.text, begin, statement), call->second);
-  return true;
-}
-
-// TOOL CALL within a label. Called from elsewhere it changes the tool there.
-bool Interpreter::take_tool_of_label(const ProgramLine& line, std::size_t begin) {
-  for (const auto& [label, unused] : klartext_.open_labels) {
-    if (const auto known = klartext_.labels.find(label); known != klartext_.labels.end())
-      known->second.calls_tool = true;
-    const auto call = klartext_.calls_of_contours.find(label);
-    if (call != klartext_.calls_of_contours.end())
-      return refuse_klartext(line, begin,
-                             "TOOL CALL in a section that line " + std::to_string(call->second) +
-                                 " calls in front of a contour");
-  }
-  return true;
-}
-
-// LBL 1 … LBL 0.
-bool Interpreter::read_label(ProgramLine& line, std::size_t begin, std::string_view statement) {
-  // Called from elsewhere it finds other values.
-  klartext_.parameters.clear();
-  if (statement.starts_with("CALL")) return call_label(line, begin, statement);
-  const std::string label = label_of(line.text, begin, statement);
-  const std::uint64_t contours = klartext_.contours;
-  enter_section(label);
-  if (label == "0") {
-    for (auto& [name, of_label] : klartext_.labels)
-      if (!of_label.behind) of_label.behind = contours;
-  } else {
-    // A contour that is open goes on behind the label.
-    klartext_.labels[label] = {.before = trc_active() ? contours - 1 : contours};
-  }
-  if (klartext_.called_section != 0 && trc_active())
-    return refuse_klartext(line, begin, "LBL, which is called, while TRC is active");
-  if (label != "0") hand_on_klartext_pole(line);
-  return copy_klartext(line, begin, WordRole::technology);
-}
-
-// CALL LBL 1 runs the label to its LBL 0, CALL LBL 1 REP 3 all from the label to here. What a call
-// repeats is not written anew, so that no contour may be within it.
-bool Interpreter::call_label(ProgramLine& line, std::size_t begin, std::string_view statement) {
-  const std::string label = label_of(line.text, begin, statement);
-  if (trc_active()) return refuse_klartext(line, begin, "CALL LBL while TRC is active");
-  const auto known = klartext_.labels.find(label);
-  const bool to_here = statement.find(" REP") != std::string_view::npos;
-  if (known != klartext_.labels.end() && (to_here ? known->second.before != klartext_.contours
-                                                  : known->second.has_contour(klartext_.contours)))
-    return refuse_klartext(line, begin, "CALL LBL, which repeats a compensated contour");
-  const bool stands_behind = known == klartext_.labels.end();
-  if (stands_behind) {
-    klartext_.calls.try_emplace(label, line.source.line);
-    klartext_.calls_behind_tool.try_emplace(label, line.source.line);
-  } else if (!to_here && known->second.calls_tool) {
-    klartext_.tool_of_label = line.source.line;
-  }
-  hand_on_klartext_pole(line);
-  forget_klartext_position(line);
-  klartext_.pole.reset();
-  klartext_.polar_radius.reset();
-  line.feed_it_takes = std::exchange(feed_, 0);
-  return copy_klartext(line, begin, WordRole::technology);
 }
 
 }  // namespace trc

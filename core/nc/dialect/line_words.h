@@ -10,4 +10,10 @@ void add(ProgramLine& line, const Word& word, WordRole role) {
   line.words.push_back({.begin = word.begin, .end = word.end, .role = role});
 }
 
+// Words of `role` turn out to say nothing about the path.
+inline void take_for_technology(ProgramLine& line, WordRole role) {
+  for (WordRange& word : line.words)
+    if (word.role == role) word.role = WordRole::technology;
+}
+
 }  // namespace trc

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "core/nc/dialect/dialect.h"
-#include "core/nc/dialect/sinumerik_words.h"
+#include "core/nc/dialect/sinumerik_names.h"
 #include "core/nc/text/characters.h"
 #include "core/nc/text/words.h"
 
@@ -19,8 +19,6 @@ constexpr auto statements = std::to_array<std::string_view>(
      "FN",   "FOR",    "GOTO", "GOTOB", "GOTOC", "GOTOF", "GOTOS", "IF",    "LBL",  "LOOP", "LP",
      "PROC", "REPEAT", "RET",  "RND",   "SUB",   "THEN",  "TOOL",  "TRANS", "WHILE"});
 
-bool is_name_sign(char sign) { return is_letter(sign) || is_digit(sign) || sign == '_'; }
-
 }  // namespace
 
 std::string word_to_pass(std::string_view line, std::size_t begin) {
@@ -34,7 +32,7 @@ std::string word_to_pass(std::string_view line, std::size_t begin) {
     while (at + 1 < line.size() && line[at] == '0' && is_digit(line[at + 1])) ++at;
   }
   while (at < line.size() &&
-         (is_function ? is_digit(line[at]) || line[at] == '.' : is_name_sign(line[at])))
+         (is_function ? is_digit(line[at]) || line[at] == '.' : goes_on_as_name(line[at])))
     word += upper(line[at++]);
   return word;
 }

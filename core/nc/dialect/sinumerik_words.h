@@ -1,26 +1,28 @@
 #pragma once
 
-#include <string_view>
+#include "core/nc/dialect/block_words.h"
+#include "core/nc/dialect/g_function.h"
+#include "core/nc/text/code_words.h"
+#include "core/nc/text/named_words.h"
+
+// What the files of Sinumerik's words share.
 
 namespace trc {
 
-// Names that the reader of Sinumerik knows, in capitals: of all others a program that computes
-// thinks as of variables and subprograms.
+// The functions that names and calls stand for.
+inline constexpr GFunction frame_name{.number = 1000, .group = GGroup::frame, .meaning = "a frame"};
+inline constexpr GFunction call_name{
+    .number = 1007, .group = GGroup::single_move, .meaning = "a call"};
 
-// IF, DEF, GOTOF and the like.
-[[nodiscard]] bool is_sinumerik_statement(std::string_view name);
-// NORM, CIP, …, statements too.
-[[nodiscard]] bool is_sinumerik_name(std::string_view name);
-// MSG(…), CYCLE81(…) and the like.
-[[nodiscard]] bool is_sinumerik_call(std::string_view name);
-// CR=, RND=, …
-[[nodiscard]] bool is_sinumerik_word(std::string_view name);
-// $P_UIFR, $P_PFRAME and the like: what coordinates mean.
-// L6, the change of tools as Siemens delivers it: only the machine has its text (D-64).
-inline constexpr std::string_view standard_tool_change = "L6";
-
-[[nodiscard]] bool is_sinumerik_frame(std::string_view name);
-// One of these.
-[[nodiscard]] bool is_sinumerik_word_of_any_kind(std::string_view name);
+// A word of one letter, as the dialects of plain letters and numbers have it.
+[[nodiscard]] inline CodeWord as_code(const NamedWord& word) {
+  return {.kind = CodeWord::Kind::address,
+          .letter = word.letter,
+          .has_number = true,
+          .whole = word.whole,
+          .value = word.value,
+          .begin = word.begin,
+          .end = word.end};
+}
 
 }  // namespace trc

@@ -160,6 +160,28 @@ PointStyle CodeFlow::style_of(char letter) const {
   return alone ? PointStyle::as_whole : PointStyle::with_point;
 }
 
+// Rounding an end of a contour or of an arc would change what is computed from it, and what is
+// incremental would add up.
+bool CodeFlow::rounds_places() const {
+  if (modes_.contour_open || modes_.incremental) return false;
+  const auto says = [this](int first, int last) {
+    return std::ranges::any_of(words_, [=](const ComputedWord& word) {
+      return word.kind == ComputedWord::Kind::address && word.letter == 'G' &&
+             word.value.number >= first && word.value.number < last + 1;
+    });
+  };
+  const bool arc_in_force =
+      modes_.motion == MotionKind::clockwise || modes_.motion == MotionKind::counter_clockwise;
+  if (says(2, 3) || (arc_in_force && !says(0, 1))) return false;
+  return !says(10, 10) && !says(20, 21) && !says(41, 42) && !says(70, 71) && !says(91, 91);
+}
+
+int CodeFlow::decimals_of(char letter) const {
+  const bool is_place = std::string_view("XYZUVWABCQR").find(letter) != std::string_view::npos;
+  if (!is_place || !rounds_places()) return decimals_of_values;
+  return std::clamp(setup_.decimals + (modes_.inch ? 1 : 0), 0, decimals_of_values);
+}
+
 void CodeFlow::write_as_it_is(std::string& flat) {
   is_as_written_ = true;
   flat.append(line_).append(line_end());
@@ -186,7 +208,7 @@ bool CodeFlow::write_line(std::string& flat) {
       if (!is_first) flat.append(line_.substr(behind, word.begin - behind));
       if (word.computed) {
         flat.append(line_.substr(word.begin, line_[word.begin] == ',' ? 2 : 1));
-        append_value(flat, word.value.number, style_of(word.letter));
+        append_value(flat, word.value.number, style_of(word.letter), decimals_of(word.letter));
       } else {
         flat.append(line_.substr(word.begin, word.end - word.begin));
       }

@@ -69,6 +69,9 @@ class CodeFlow : public Flow, protected Variables {
  private:
   bool scan_value(ComputedWord& word, std::size_t& at);
   [[nodiscard]] PointStyle style_of(char letter) const;
+  // Whether places of the line, which has been read, need no more decimals than the output has.
+  [[nodiscard]] bool rounds_places() const;
+  [[nodiscard]] int decimals_of(char letter) const;
 
   const Grammar& grammar_;
 };

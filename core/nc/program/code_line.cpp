@@ -99,8 +99,7 @@ bool has_function(std::string_view line, char letter, int first, int second) {
   return false;
 }
 
-void append_value(std::string& out, double value, PointStyle style) {
-  constexpr int decimals = 8;
+void append_value(std::string& out, double value, PointStyle style, int decimals) {
   const std::size_t begin = out.size();
   append_units(out, to_units(value, decimals), decimals);
   if (style == PointStyle::with_point && out.find('.', begin) == std::string::npos) out += '.';

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/nc/program/expression.h"
+#include "core/nc/text/characters.h"
 
 namespace trc::program {
 
@@ -38,6 +39,11 @@ struct LineHead {
 
 // Behind the blanks from `at` on.
 [[nodiscard]] std::size_t behind_blanks(std::string_view line, std::size_t at);
+// The end of what was read up to `at`, without the blanks behind it.
+[[nodiscard]] inline std::size_t end_without_blanks(std::string_view line, std::size_t begin,
+                                                    std::size_t at) {
+  return begin + without_blanks_behind(line.substr(begin, at - begin)).size();
+}
 // Behind the comment that begins there; 0: it has no end.
 [[nodiscard]] std::size_t behind_comment(std::string_view line, std::size_t at);
 // Whether nothing but comments stands from `at` on.
@@ -55,9 +61,11 @@ enum class PointStyle : std::uint8_t {
   with_point,  // 30.
 };
 
-// The shortest decimal number that reads back to the value, with at most 8 decimals: 5e-9 away at
-// most.
-void append_value(std::string& out, double value, PointStyle style);
+// So many decimals a computed value has where nothing takes more off: it is 5e-9 away at most.
+inline constexpr int decimals_of_values = 8;
+// The shortest decimal number that reads back to the value, with at most so many decimals.
+void append_value(std::string& out, double value, PointStyle style,
+                  int decimals = decimals_of_values);
 // With so many decimals.
 void append_fixed(std::string& out, double value, int decimals);
 

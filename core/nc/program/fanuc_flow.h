@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -55,28 +56,30 @@ class FanucFlow : public CodeFlow {
     std::map<std::size_t, std::size_t> heads{};                 // by their feet
   };
 
+  // fanuc_flow.cpp: programs and the order of their lines.
   // Of O1001 and O<NAME>; -1: the line begins no program.
   std::int64_t number_of_program(std::string_view line);
   std::int64_t number_of_named(std::string_view name);
   [[nodiscard]] std::string name_of(std::int64_t number) const;
   void add_units(std::size_t text);
-  [[nodiscard]] const Outline& outline_of(const Frame& frame);
-  [[nodiscard]] std::size_t number_of_loop(std::string_view line, std::size_t at) const;
-
   bool execute(std::string& flat);
   bool end_of_unit(std::string& flat);
   bool end_main_program(std::string& flat);
+
+  // fanuc_control.cpp: branches, loops and jumps.
+  [[nodiscard]] const Outline& outline_of(const Frame& frame);
+  [[nodiscard]] std::size_t number_of_loop(std::string_view line, std::size_t at) const;
   bool execute_statement(std::string& flat);
   bool branch(std::string& flat, ExpressionReader& expression);
   bool loop(std::string& flat, ExpressionReader& expression, bool has_condition);
   // To the line behind the ELSE or ENDIF that belongs to the line.
   bool go_behind_foot(const char* missing);
   bool end_loop(std::string& flat, ExpressionReader& expression);
-  bool assign(std::string& flat, std::size_t at);
-  [[nodiscard]] std::string data_setting(std::int64_t number, const Value& value) const;
-  bool set(std::int64_t number, const Value& value, std::size_t begin);
   bool jump(ExpressionReader& expression);
   bool go_to(std::int64_t number, std::size_t begin);
+  [[nodiscard]] std::optional<std::size_t> line_of(const Frame& frame, std::int64_t number);
+
+  // fanuc_words.cpp: lines of words, and calls.
   bool execute_words(std::string& flat);
   bool call(std::string& flat, ComputedWord& word);
   // M98 <NAME>; nothing: the line is none.
@@ -87,7 +90,6 @@ class FanucFlow : public CodeFlow {
   bool call_macro(std::string& flat, const ComputedWord& word);
   bool take_arguments(const ComputedWord& word, Locals& locals);
   bool return_from(std::string& flat, ComputedWord& word);
-  [[nodiscard]] std::optional<std::size_t> line_of(const Frame& frame, std::int64_t number);
   bool enter_unit(std::string& flat, const Unit& unit, std::uint64_t times, Locals* locals);
   [[nodiscard]] std::optional<Unit> unit_of(std::int64_t number, std::size_t begin);
   // A macro that the program has not, and that the machine has: O8000 to O9999, or as declared.
@@ -95,7 +97,13 @@ class FanucFlow : public CodeFlow {
   bool call_modally(std::string& flat);
   bool pass_call(std::int64_t number, bool sees_locals);
   void forget_what_the_machine_may_set(std::int64_t number);
+  // Lines that set what the program has set, for a macro of the machine that is called behind them.
+  void write_values(std::string& flat, bool sees_locals);
 
+  // fanuc_variables.cpp
+  bool assign(std::string& flat, std::size_t at);
+  [[nodiscard]] std::string data_setting(std::int64_t number, const Value& value) const;
+  bool set(std::int64_t number, const Value& value, std::size_t begin);
   [[nodiscard]] std::optional<double> modal_value(std::int64_t number) const;
   Value lost(ExpressionReader& expression, std::int64_t number, std::size_t begin);
   [[nodiscard]] Value content_or_vacant(const std::optional<double>& content) const;
@@ -110,6 +118,7 @@ class FanucFlow : public CodeFlow {
   std::vector<bool> entered_{};  // by unit
   std::vector<Locals> locals_{1};
   std::map<std::int64_t, std::optional<double>> common_{};
+  std::set<std::int64_t> unwritten_{};  // of these, set since they were last written
   // G66
   struct ModalCall {
     std::int64_t number = 0;

@@ -48,9 +48,11 @@ bool FanucFlow::execute_words(std::string& flat) {
     return refuse(Code::block_skip_undecided, 0, "/, a line to skip that computes");
   if (ends_modal_call) modal_call_.reset();
   if (call_word != nullptr) return call(flat, *call_word);
-  write_line(flat);
   const bool moves = word_of('X') != nullptr || word_of('Y') != nullptr || word_of('Z') != nullptr;
-  if (modal_call_ && moves && frames_.size() == modal_call_->depth) return call_modally(flat);
+  const bool calls = modal_call_ && moves && frames_.size() == modal_call_->depth;
+  if (calls && modal_call_->is_of_machine) write_values(flat, false);
+  write_line(flat);
+  if (calls) return call_modally(flat);
   return !ends || end_main_program(flat);
 }
 
@@ -61,6 +63,7 @@ bool FanucFlow::call(std::string& flat, ComputedWord& word) {
   if (!call) return false;
   if (word.value.number == 97) return call_own_lines(flat, *call);
   if (is_of_the_machine(call->number)) {
+    write_values(flat, true);
     if (called_alone_ && !has_computed_) {
       write_as_it_is(flat);
     } else {
@@ -176,6 +179,7 @@ bool FanucFlow::call_macro(std::string& flat, const ComputedWord& word) {
   if (!program || !repetitions) return false;
   const bool is_modal = word.is('G', 66);
   if (is_of_the_machine(*program)) {
+    write_values(flat, false);
     write_line(flat);
     if (is_modal)
       modal_call_ = {.number = *program, .depth = frames_.size(), .is_of_machine = true};

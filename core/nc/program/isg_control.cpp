@@ -30,7 +30,6 @@ bool IsgFlow::follow(std::string& flat) {
   if (const auto barred = outline.misplaced.find(frame().current);
       barred != outline.misplaced.end())
     return refuse_misplaced(barred->second);
-  const auto condition_holds = [&] { return expression.holds(expression.expression()); };
   switch (const Structure structure = structure_of(line_)) {
     case branch:
       return this->branch(flat, expression);
@@ -54,55 +53,52 @@ bool IsgFlow::follow(std::string& flat) {
     case counting:
     case end_counting:
       return count(flat, structure == counting);
-    case condition: {
-      const bool holds = condition_holds();
-      if (expression.failed()) return refuse(expression.fault());
-      const auto end = partner(outline.feet, "$ENDWHILE");
-      if (!end) return false;
-      if (!holds) frame().next = *end + 1;
-      break;
-    }
-    case end_condition: {
-      const auto head = partner(outline.heads, "$WHILE");
-      if (!head) return false;
-      frame().next = *head;
-      break;
-    }
-    case endless:
-      if (!partner(outline.feet, "$ENDDO")) return false;
-      break;
-    case repetition:
-      if (!partner(outline.feet, "$UNTIL")) return false;
-      break;
-    case end_endless:
-    case Structure::until: {
-      const bool repeats = structure == end_endless;
-      const bool has_condition = !is_isg_line_over(line_, expression.at());
-      const bool holds = has_condition ? condition_holds() : repeats;
-      if (expression.failed()) return refuse(expression.fault());
-      const auto head = partner(outline.heads, repeats ? "$DO" : "$REPEAT");
-      if (!head) return false;
-      if (holds == repeats) frame().next = *head + 1;
-      break;
-    }
-    case none: {
+    case none:
       if (word != "IF")
         return refuse(Code::nc_unsupported, head_.behind, "$" + word + ", a control statement");
-      // $IF P1 > 3 $GOTO N100
-      const bool holds = condition_holds();
-      if (expression.failed()) return refuse(expression.fault());
-      expression.pass_blanks();
-      constexpr std::size_t length = 5;  // of $GOTO
-      if (in_upper_case(line_.substr(expression.at(), length)) != "$GOTO")
-        return refuse(Code::expression_invalid, expression.at(), "$IF without $GOTO");
-      expression.go_to(expression.at() + length);
-      const auto target = target_of(expression);
-      if (!target) return false;
-      if (holds) frame().next = *target;
-      break;
-    }
+      return jump_if(expression) && finish_statement(flat, expression.at());
+    default:
+      return loop(structure, outline, expression) && finish_statement(flat, expression.at());
   }
-  return finish_statement(flat, expression.at());
+}
+
+// $WHILE, $DO and $REPEAT, and their ends.
+bool IsgFlow::loop(Structure structure, const Outline& outline, ExpressionReader& expression) {
+  using enum Structure;
+  if (structure == endless) return partner(outline.feet, "$ENDDO").has_value();
+  if (structure == repetition) return partner(outline.feet, "$UNTIL").has_value();
+  if (structure == end_condition) {
+    const auto head = partner(outline.heads, "$WHILE");
+    if (head) frame().next = *head;
+    return head.has_value();
+  }
+  const bool begins = structure == condition;
+  const bool repeats = structure == end_endless;
+  const bool has_condition = begins || !is_isg_line_over(line_, expression.at());
+  const bool holds = has_condition ? expression.holds(expression.expression()) : repeats;
+  if (expression.failed()) return refuse(expression.fault());
+  if (begins) {
+    const auto end = partner(outline.feet, "$ENDWHILE");
+    if (end && !holds) frame().next = *end + 1;
+    return end.has_value();
+  }
+  const auto head = partner(outline.heads, repeats ? "$DO" : "$REPEAT");
+  if (head && holds == repeats) frame().next = *head + 1;
+  return head.has_value();
+}
+
+// $IF P1 > 3 $GOTO N100
+bool IsgFlow::jump_if(ExpressionReader& expression) {
+  const bool holds = expression.holds(expression.expression());
+  if (expression.failed()) return refuse(expression.fault());
+  expression.pass_blanks();
+  constexpr std::size_t length = 5;  // of $GOTO
+  if (in_upper_case(line_.substr(expression.at(), length)) != "$GOTO")
+    return refuse(Code::expression_invalid, expression.at(), "$IF without $GOTO");
+  expression.go_to(expression.at() + length);
+  const auto target = target_of(expression);
+  if (target && holds) frame().next = *target;
+  return target.has_value();
 }
 
 bool IsgFlow::refuse_misplaced(const Misplaced& misplaced) {

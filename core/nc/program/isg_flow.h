@@ -103,7 +103,15 @@ class IsgFlow : public Flow, private Variables {
   [[nodiscard]] static bool ends_tape(const ProgramText& text, std::size_t line);
   [[nodiscard]] static std::string name_of_second(std::string_view line);
   void take_line_in_front(std::string_view line);
-  [[nodiscard]] const Unit* unit_called(const IsgCall& call) const;
+  void take_line();
+  bool end_of_frame();
+  bool end_of_program();
+  bool refuse_behind_end(std::size_t line, Code code, std::string detail);
+  bool pass_header(std::string& flat);
+  bool pass_line(std::string& flat);
+  [[nodiscard]] bool calls_the_unknown() const;
+
+  // isg_outline.cpp: where they lead.
   [[nodiscard]] const Outline& outline_of(const Frame& frame);
   static void add_structure(Outline& outline, std::vector<Open>& open, Structure structure,
                             std::size_t line);
@@ -113,19 +121,14 @@ class IsgFlow : public Flow, private Variables {
                            std::string_view text);
   void check_statement(Outline& outline, const std::vector<Open>& open, std::size_t line,
                        std::string_view text) const;
-  bool refuse_misplaced(const Misplaced& misplaced);
   [[nodiscard]] static Structure structure_of(std::string_view line);
-  void take_line();
-  bool end_of_frame();
-  bool end_of_program();
-  bool refuse_behind_end(std::size_t line, Code code, std::string detail);
-  bool pass_header(std::string& flat);
-  bool pass_line(std::string& flat);
-  [[nodiscard]] bool calls_the_unknown() const;
 
   // isg_control.cpp: branches, loops and jumps.
   bool follow(std::string& flat);
+  bool refuse_misplaced(const Misplaced& misplaced);
   bool branch(std::string& flat, ExpressionReader& expression);
+  bool loop(Structure structure, const Outline& outline, ExpressionReader& expression);
+  bool jump_if(ExpressionReader& expression);
   bool choose(std::string& flat, ExpressionReader& expression);
   bool count(std::string& flat, bool begins);
   bool leave_or_go_on(std::string& flat, bool leaves);
@@ -135,6 +138,9 @@ class IsgFlow : public Flow, private Variables {
   bool finish_statement(std::string& flat, std::size_t at);
   bool refuse_words_behind(std::string_view line, std::size_t at);
   void write_behind_number(std::string& flat, std::string_view text);
+
+  // isg_calls.cpp
+  [[nodiscard]] const Unit* unit_called(const IsgCall& call) const;
   bool call(std::string& flat, IsgCall call);
   bool call_the_machine(std::string& flat, const IsgCall& call);
   bool refuse_call(const IsgCall& call);

@@ -12,10 +12,6 @@ namespace {
 
 constexpr std::size_t npos = std::string_view::npos;
 
-char sign_at(std::string_view line, std::size_t at) { return at < line.size() ? line[at] : '\0'; }
-
-bool goes_on_as_name(char sign) { return is_letter(sign) || is_digit(sign) || sign == '_'; }
-
 // `#`, `[` and `$` begin what is computed, P, V and L a variable or a call, `%` a subprogram.
 constexpr std::string_view signs_of_computing = "$[#%PVLpvl";
 
@@ -105,6 +101,12 @@ bool is_plain_isg(std::string_view text) {
 bool bounds_isg_comment(std::string_view line) {
   const std::size_t sign = line.find('#');
   return sign != npos && word_behind_sign(line, sign) == "COMMENT";
+}
+
+bool isg_comment_behind(std::string_view line, bool holds) {
+  if (!bounds_isg_comment(line)) return holds;
+  const std::string text = in_upper_case(line.substr(line.find('#')));
+  return text.find("BEGIN") != std::string::npos;
 }
 
 bool isg_tells_state(std::string_view line) {

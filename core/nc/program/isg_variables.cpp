@@ -13,8 +13,6 @@ namespace {
 
 constexpr double mm_per_inch = 25.4;
 
-bool goes_on_as_name(char sign) { return is_letter(sign) || is_digit(sign) || sign == '_'; }
-
 // The variable an element belongs to: V.P.A of V.P.A[2].
 std::string_view base_of(std::string_view name) { return name.substr(0, name.find('[')); }
 

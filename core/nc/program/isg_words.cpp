@@ -12,14 +12,6 @@ namespace {
 
 constexpr std::size_t npos = std::string_view::npos;
 
-char sign_at(std::string_view line, std::size_t at) { return at < line.size() ? line[at] : '\0'; }
-
-std::size_t end_of(std::string_view line, std::size_t begin, std::size_t at) {
-  return begin + without_blanks_behind(line.substr(begin, at - begin)).size();
-}
-
-bool goes_on_as_name(char sign) { return is_letter(sign) || is_digit(sign) || sign == '_'; }
-
 bool is_operator(char sign) {
   return sign != '\0' && std::string_view("+-*<>=&|^!]").find(sign) != npos;
 }
@@ -118,7 +110,8 @@ bool IsgFlow::scan_word(std::size_t& at) {
     if (!jump_) return false;
     has_computed_ = true;
     at = expression.at();
-    pieces_.push_back({.begin = begin, .end = end_of(line_, begin, at), .instead = std::string()});
+    pieces_.push_back(
+        {.begin = begin, .end = end_without_blanks(line_, begin, at), .instead = std::string()});
     return true;
   }
   if (is_isg_variable_at(line_, at)) return scan_assignment(at);
@@ -159,7 +152,7 @@ bool IsgFlow::scan_address(std::size_t& at) {
   if (is_letter(sign_at(line_, at + 1))) {  // a name: the reader says what it is
     at = line_.size();
     if (const std::size_t comment = line_.find_first_of("(;", begin); comment != npos) at = comment;
-    pieces_.push_back({.begin = begin, .end = end_of(line_, begin, at)});
+    pieces_.push_back({.begin = begin, .end = end_without_blanks(line_, begin, at)});
     return true;
   }
   double number = 0;
@@ -200,7 +193,7 @@ bool IsgFlow::scan_value(std::size_t begin, std::size_t value, std::size_t& at) 
   const Value computed = expression.expression();
   reads_words_ = false;
   if (expression.failed()) return refuse(expression.fault());
-  const std::size_t end = end_of(line_, value, expression.at());
+  const std::size_t end = end_without_blanks(line_, value, expression.at());
   constexpr double largest = 1e9;
   if (computed.is_text || std::abs(computed.number) > largest)
     return refuse(Code::value_invalid, begin, std::string(line_.substr(begin, end - begin)));
@@ -278,7 +271,7 @@ bool IsgFlow::scan_command(std::size_t& at) {
     if (expression.failed()) return refuse(expression.fault());
     text.append(line_.substr(kept, value - kept));
     append_number(text, computed);
-    kept = next = end_of(line_, value, expression.at());
+    kept = next = end_without_blanks(line_, value, expression.at());
   }
   at = std::max(end, begin + 1);
   pieces_.push_back({.begin = begin, .end = at});
@@ -326,7 +319,7 @@ bool IsgFlow::scan_assignment(std::size_t& at) {
                                  : before.number / value.number;
   }
   at = expression.at();
-  const std::size_t end = end_of(line_, begin, at);
+  const std::size_t end = end_without_blanks(line_, begin, at);
   const bool is_own = name.front() == 'P' || name.starts_with("V.L.") || name.starts_with("V.P.") ||
                       name.starts_with("V.CYC.");
   const bool comes_out =
@@ -360,7 +353,8 @@ bool IsgFlow::scan_radius(std::size_t& at, std::size_t value) {
   std::string text(line_.substr(begin, value - begin));
   text.append(more.number < 0 ? "- " : "+ ");
   append_value(text, std::abs(more.number), PointStyle::as_whole);
-  pieces_.push_back({.begin = begin, .end = end_of(line_, begin, at), .instead = std::move(text)});
+  pieces_.push_back(
+      {.begin = begin, .end = end_without_blanks(line_, begin, at), .instead = std::move(text)});
   return true;
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <span>
 #include <utility>
 
 #include "core/nc/program/linuxcnc_flow.h"
@@ -12,68 +13,69 @@ namespace trc::program {
 namespace {
 
 // What the control itself puts into a parameter, and knows only when the program runs.
+constexpr auto states = std::to_array<std::string_view>({
+    "_a",
+    "_abs_a",
+    "_abs_b",
+    "_abs_c",
+    "_abs_u",
+    "_abs_v",
+    "_abs_w",
+    "_abs_x",
+    "_abs_y",
+    "_abs_z",
+    "_absolute",
+    "_adaptive_feed",
+    "_b",
+    "_c",
+    "_call_level",
+    "_ccomp",
+    "_coord_system",
+    "_current_pocket",
+    "_current_tool",
+    "_feed",
+    "_feed_hold",
+    "_feed_override",
+    "_flood",
+    "_ijk_absolute_mode",
+    "_incremental",
+    "_inverse_time",
+    "_lathe_diameter_mode",
+    "_lathe_radius_mode",
+    "_line",
+    "_mist",
+    "_motion_mode",
+    "_plane",
+    "_remap_level",
+    "_retract_old_z",
+    "_retract_r_plane",
+    "_rpm",
+    "_selected_pocket",
+    "_selected_tool",
+    "_speed_override",
+    "_spindle_css_mode",
+    "_spindle_cw",
+    "_spindle_on",
+    "_spindle_rpm_mode",
+    "_task",
+    "_tool_offset",
+    "_u",
+    "_units_per_minute",
+    "_units_per_rev",
+    "_v",
+    "_vmajor",
+    "_vminor",
+    "_w",
+    "_x",
+    "_y",
+    "_z",
+});
+constexpr auto beginnings_of_states = std::to_array<std::string_view>({"_ini[", "_hal["});
+
 bool names_a_state(std::string_view name) {
-  constexpr std::array prefixes{"_ini[", "_hal["};
-  constexpr auto names = std::to_array<std::string_view>({
-      "_a",
-      "_abs_a",
-      "_abs_b",
-      "_abs_c",
-      "_abs_u",
-      "_abs_v",
-      "_abs_w",
-      "_abs_x",
-      "_abs_y",
-      "_abs_z",
-      "_absolute",
-      "_adaptive_feed",
-      "_b",
-      "_c",
-      "_call_level",
-      "_ccomp",
-      "_coord_system",
-      "_current_pocket",
-      "_current_tool",
-      "_feed",
-      "_feed_hold",
-      "_feed_override",
-      "_flood",
-      "_ijk_absolute_mode",
-      "_incremental",
-      "_inverse_time",
-      "_lathe_diameter_mode",
-      "_lathe_radius_mode",
-      "_line",
-      "_mist",
-      "_motion_mode",
-      "_plane",
-      "_remap_level",
-      "_retract_old_z",
-      "_retract_r_plane",
-      "_rpm",
-      "_selected_pocket",
-      "_selected_tool",
-      "_speed_override",
-      "_spindle_css_mode",
-      "_spindle_cw",
-      "_spindle_on",
-      "_spindle_rpm_mode",
-      "_task",
-      "_tool_offset",
-      "_u",
-      "_units_per_minute",
-      "_units_per_rev",
-      "_v",
-      "_vmajor",
-      "_vminor",
-      "_w",
-      "_x",
-      "_y",
-      "_z",
-  });
-  return std::ranges::find(names, name) != names.end() ||
-         std::ranges::any_of(prefixes,
-                             [&](std::string_view prefix) { return name.starts_with(prefix); });
+  return std::ranges::find(states, name) != states.end() ||
+         std::ranges::any_of(beginnings_of_states,
+                             [&](std::string_view begin) { return name.starts_with(begin); });
 }
 
 // The last of those that a program sets for itself.
@@ -110,11 +112,11 @@ bool LinuxcncFlow::call_sub(const std::string& label, std::size_t at, std::strin
   locals.numbered = locals_.back().numbered;
   ExpressionReader expression = expression_at(at);
   expression.pass_blanks();
-  std::size_t number = 1;
-  for (; expression.peek() == '['; ++number) {
-    if (number >= locals.numbered.size())
+  std::size_t arguments = 0;
+  for (; expression.peek() == '['; ++arguments) {
+    if (arguments + 1 >= locals.numbered.size())
       return refuse(Code::value_invalid, expression.at(), "more than 30 arguments");
-    locals.numbered.at(number) = expression.operand().number;
+    locals.numbered.at(arguments + 1) = expression.operand().number;
     expression.pass_blanks();
   }
   if (expression.failed()) return refuse(expression.fault());
@@ -127,46 +129,54 @@ bool LinuxcncFlow::call_sub(const std::string& label, std::size_t at, std::strin
     const auto end = std::ranges::find(begin, words.end(), Statement::endsub, &OWord::statement);
     if (end == words.end())
       return refuse(Code::block_structure, head_.behind, "o" + label + " sub without endsub");
-    const std::string comments = comments_of(line_, expression.at());
-    write_behind_number(flat, "(o" + label + ")" + (comments.empty() ? "" : " " + comments));
-    if (!is_over(line_, expression.at()))
-      return refuse(Code::expression_invalid, expression.at(),
-                    name_of_character(line_.substr(expression.at())));
-    globals_.erase("_value");
-    globals_["_value_returned"] = 0;
-    if (!enter({.text = text,
-                .begin = begin->line + 1,
-                .end = end->line + 1,
-                .next = begin->line + 1,
-                .current = begin->line,
-                .name = "o" + label,
-                .own_variables = true}))
-      return false;
-    if (!looks_ahead()) locals_.push_back(std::move(locals));
-    return true;
+    return enter_sub({.text = text,
+                      .begin = begin->line + 1,
+                      .end = end->line + 1,
+                      .next = begin->line + 1,
+                      .current = begin->line,
+                      .name = "o" + label,
+                      .own_variables = true},
+                     expression.at(), std::move(locals), flat);
   }
-  const std::string_view arguments = line_.substr(at, expression.at() - at);
   if (label.front() != '<' ||
       !setup_.pass_words.contains(in_upper_case(label.substr(1, label.size() - 2))))
     return refuse(Code::subprogram_unknown, head_.behind, "o" + label);
-  // Of the machine: it passes with its values, and may set what is everyone's (D-77).
+  call_sub_of_machine(label, {.begin = at, .end = expression.at()},
+                      std::span(locals.numbered).subspan(1, arguments), flat);
+  return true;
+}
+
+// `at`: behind the arguments.
+bool LinuxcncFlow::enter_sub(Frame sub, std::size_t at, Locals locals, std::string& flat) {
+  const std::string comments = comments_of(line_, at);
+  write_behind_number(flat, "(" + sub.name + ")" + (comments.empty() ? "" : " " + comments));
+  if (!is_over(line_, at))
+    return refuse(Code::expression_invalid, at, name_of_character(line_.substr(at)));
+  globals_.erase("_value");
+  globals_["_value_returned"] = 0;
+  if (!enter(std::move(sub))) return false;
+  if (!looks_ahead()) locals_.push_back(std::move(locals));
+  return true;
+}
+
+// It passes with its values, and may set what is everyone's (D-77).
+void LinuxcncFlow::call_sub_of_machine(const std::string& label, const Arguments& arguments,
+                                       std::span<const std::optional<double>> values,
+                                       std::string& flat) {
   calls_the_machine_ = true;
   lost_to_ = "o" + label;
   common_.clear();
   globals_.clear();
-  if (arguments.find('#') == std::string_view::npos) {
-    write_as_it_is(flat);
-    return true;
-  }
-  std::string text(line_.substr(head_.behind, at - head_.behind));
-  for (std::size_t argument = 1; argument < number; ++argument) {
+  const std::string_view written = line_.substr(arguments.begin, arguments.end - arguments.begin);
+  if (written.find('#') == std::string_view::npos) return write_as_it_is(flat);
+  std::string text(line_.substr(head_.behind, arguments.begin - head_.behind));
+  for (const std::optional<double>& value : values) {
     text += " [";
-    append_value(text, *locals.numbered.at(argument), PointStyle::as_whole);
+    append_value(text, *value, PointStyle::as_whole);
     text += ']';
   }
-  const std::string comments = comments_of(line_, expression.at());
+  const std::string comments = comments_of(line_, arguments.end);
   write_behind_number(flat, comments.empty() ? text : text + " " + comments);
-  return true;
 }
 
 bool LinuxcncFlow::return_from_sub(std::size_t at, std::string& flat) {

@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -76,6 +77,12 @@ class LinuxcncFlow : public CodeFlow {
     std::size_t begin = 0;
   };
 
+  // Where the arguments of a call stand in the line.
+  struct Arguments {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+  };
+
   static Statement statement_at(std::string_view line, std::size_t& at);
   void add_o_words(std::size_t text);
   // The label behind the O at `at`, which goes behind it; nothing where it is refused.
@@ -106,6 +113,9 @@ class LinuxcncFlow : public CodeFlow {
   bool skip_behind(const OWord* word, std::string_view statement);
   bool condition(std::size_t& at, bool& holds);
   bool call_sub(const std::string& label, std::size_t at, std::string& flat);
+  bool enter_sub(Frame sub, std::size_t at, Locals locals, std::string& flat);
+  void call_sub_of_machine(const std::string& label, const Arguments& arguments,
+                           std::span<const std::optional<double>> values, std::string& flat);
   bool call_program(ComputedWord& word, std::string& flat);
   bool return_from_sub(std::size_t at, std::string& flat);
   bool return_from_program(ComputedWord& word, std::string& flat);

@@ -123,58 +123,61 @@ const SinumerikFlow::Outline& SinumerikFlow::outline_of(const Frame& frame) {
   const auto [known, is_new] = outlines_.try_emplace({unit->text, unit->end});
   Outline& outline = known->second;
   if (!is_new) return outline;
-  using enum Structure;
-  const ProgramText& text = texts_[unit->text];
-  std::vector<std::pair<Structure, std::size_t>> open;
-  const auto close = [&](Structure begins, std::size_t line) {
-    if (open.empty() || open.back().first != begins) return;
-    outline.feet[open.back().second] = line;
-    outline.heads[line] = open.back().second;
-    open.pop_back();
-  };
+  OpenStructures open;
   for (std::size_t line = unit->begin; line < unit->end; ++line) {
-    const std::string_view content = text.line(line);
+    const std::string_view content = texts_[unit->text].line(line);
     const NamedHead head = named_head_of(content);
     if (!head.label.empty()) outline.labels[head.label].push_back(line);
     if (head.number >= 0) outline.numbers[head.number].push_back(line);
-    switch (const Structure structure = structure_of(content, head.behind)) {
-      case branch:
-      case counting:
-      case condition:
-      case endless:
-      case repetition:
-        open.emplace_back(structure, line);
-        break;
-      case otherwise:
-        close(branch, line);
-        open.emplace_back(otherwise, line);
-        break;
-      case end_branch:
-        if (!open.empty() && open.back().first == otherwise) {
-          outline.behind[open.back().second] = line;
-          outline.heads[line] = open.back().second;
-          open.pop_back();
-        } else {
-          close(branch, line);
-        }
-        break;
-      case end_counting:
-        close(counting, line);
-        break;
-      case end_condition:
-        close(condition, line);
-        break;
-      case end_endless:
-        close(endless, line);
-        break;
-      case until:
-        close(repetition, line);
-        break;
-      case none:
-        break;
-    }
+    outline.take(structure_of(content, head.behind), line, open);
   }
   return outline;
+}
+
+void SinumerikFlow::Outline::take(Structure structure, std::size_t line, OpenStructures& open) {
+  using enum Structure;
+  const auto close = [&](Structure begins) {
+    if (open.empty() || open.back().first != begins) return;
+    feet[open.back().second] = line;
+    heads[line] = open.back().second;
+    open.pop_back();
+  };
+  switch (structure) {
+    case branch:
+    case counting:
+    case condition:
+    case endless:
+    case repetition:
+      open.emplace_back(structure, line);
+      break;
+    case otherwise:
+      close(branch);
+      open.emplace_back(otherwise, line);
+      break;
+    case end_branch:
+      if (!open.empty() && open.back().first == otherwise) {
+        behind[open.back().second] = line;
+        heads[line] = open.back().second;
+        open.pop_back();
+      } else {
+        close(branch);
+      }
+      break;
+    case end_counting:
+      close(counting);
+      break;
+    case end_condition:
+      close(condition);
+      break;
+    case end_endless:
+      close(endless);
+      break;
+    case until:
+      close(repetition);
+      break;
+    case none:
+      break;
+  }
 }
 
 void SinumerikFlow::take_line() {
@@ -272,7 +275,8 @@ bool SinumerikFlow::execute_statement(std::string& flat, std::string_view word,
   if (word == "IF") return branch(flat, expression);
   if (word == "CASE") return choose_case(expression, flat);
   if (word == "DEF") return define(flat);
-  if (word == "PROC" || word == "EXTERN") return true;
+  if (word == "PROC") return true;
+  if (word == "EXTERN") return declare_external(flat, behind);
   if (word == "RET") {
     if (!is_named_line_over(line_, behind))
       return refuse(Code::nc_unsupported, begin, "RET with a target");
@@ -281,6 +285,14 @@ bool SinumerikFlow::execute_statement(std::string& flat, std::string_view word,
   if (word.starts_with("REPEAT")) return repeat(flat, behind, word == "REPEATB");
   expression.go_to(begin);
   return jump(expression) && finish_statement(flat, expression.at());
+}
+
+// What is there is executed, and needs no declaration in the flat program.
+bool SinumerikFlow::declare_external(std::string& flat, std::size_t at) {
+  if (unit_named(name_at(line_, behind_blanks(line_, at))) != nullptr) return true;
+  is_as_written_ = true;
+  flat.append(line_).append(line_end());
+  return true;
 }
 
 bool SinumerikFlow::finish_statement(std::string& flat, std::size_t at) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -77,8 +78,12 @@ class SinumerikFlow : public Flow, private Variables {
     repetition,
     until,
   };
+  // Those around a line, with the lines that begin them.
+  using OpenStructures = std::vector<std::pair<Structure, std::size_t>>;
   // Where the lines of a unit lead.
   struct Outline {
+    void take(Structure structure, std::size_t line, OpenStructures& open);
+
     std::map<std::string, std::vector<std::size_t>, std::less<>> labels{};
     std::map<std::int64_t, std::vector<std::size_t>> numbers{};
     std::map<std::size_t, std::size_t> feet{};    // by head: the end; of IF the ELSE, if it has one
@@ -110,6 +115,7 @@ class SinumerikFlow : public Flow, private Variables {
   bool end_of_program(std::string& flat);
   bool execute(std::string& flat);
   bool execute_statement(std::string& flat, std::string_view word, bool& is_statement);
+  bool declare_external(std::string& flat, std::size_t at);
   bool refuse_word(Code code, std::size_t begin, std::size_t end, std::string_view why);
 
   // sinumerik_control.cpp: branches, loops and jumps.
@@ -135,29 +141,33 @@ class SinumerikFlow : public Flow, private Variables {
   bool scan_address(std::size_t& at, std::vector<Call>& calls);
   bool scan_name(std::size_t& at, const std::string& name, std::vector<Call>& calls);
   bool scan_value(std::size_t begin, std::size_t& at);
-  bool scan_call_arguments(std::size_t begin, std::size_t& at);
-  bool append_arguments(std::size_t open, std::size_t end, std::string& text, bool& changes);
   bool scan_setting(std::size_t& at);
   bool append_frame(std::size_t& at, std::string& text, bool& changes);
   bool append_value_of(std::size_t& at, std::string& text, bool& changes);
-  void lose_values();
   bool scan_times(std::size_t& at, std::vector<Call>& calls);
-  bool scan_call_of_text(std::size_t& at, std::vector<Call>& calls);
   bool scan_assignment(std::size_t& at);
   void keep(std::size_t begin, std::size_t end);
   void leave_out(std::size_t begin, std::size_t end);
   [[nodiscard]] std::string text_of_value(const Value& value) const;
   bool write_words(std::string& flat);
+
+  // sinumerik_calls.cpp
+  bool scan_call_of_text(std::size_t& at, std::vector<Call>& calls);
+  bool scan_call_arguments(std::size_t begin, std::size_t& at);
+  bool append_arguments(std::size_t open, std::size_t end, std::string& text, bool& changes);
   bool call(std::string& flat, const Call& call);
   bool pass_arguments(const Call& call, Scope& scope);
   bool return_from(std::string& flat);
+  void lose_values();
 
-  // sinumerik_variables.cpp
+  // sinumerik_declarations.cpp
   bool define(std::string& flat);
   bool define_one(ExpressionReader& expression, Type type);
   bool initialise(ExpressionReader& expression, Variable& variable, std::size_t element);
   bool read_head(const Unit& unit, std::vector<Parameter>& parameters);
   [[nodiscard]] std::optional<Type> type_at(ExpressionReader& expression);
+
+  // sinumerik_variables.cpp
   [[nodiscard]] bool is_variable_at(std::size_t at) const;
   // Of an R parameter, given or not.
   [[nodiscard]] static bool is_variable_name(std::string_view name);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/nc/dialect/sinumerik_words.h"
+#include "core/nc/dialect/sinumerik_names.h"
 #include "core/nc/program/code_line.h"
 #include "core/nc/text/characters.h"
 #include "core/nc/text/named_words.h"
@@ -12,10 +12,6 @@ namespace trc::program {
 namespace {
 
 bool begins_name(char sign) { return is_letter(sign) || sign == '_'; }
-bool goes_on_as_name(char sign) { return begins_name(sign) || is_digit(sign); }
-
-char sign_at(std::string_view line, std::size_t at) { return at < line.size() ? line[at] : '\0'; }
-
 // A plain value behind `=`: a number or a text. What it passes goes behind it; false: something
 // that may have to be computed.
 bool pass_plain_value(std::string_view line, std::size_t& at) {

@@ -86,6 +86,7 @@ struct ProgramSetup {
   std::set<std::string, std::less<>> pass_words{};
   Encoding encoding = Encoding::of_dialect;
   bool renumbers = false;  // the blocks of NC text that comes out
+  int decimals = 4;        // of its coordinates, mm; one more for inch
 
   [[nodiscard]] bool demands_utf8() const {
     return encoding == Encoding::utf8 ||

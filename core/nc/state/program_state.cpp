@@ -5,6 +5,7 @@
 #include <functional>
 #include <utility>
 
+#include "core/nc/state/circle_words.h"
 #include "core/nc/state/in_range.h"
 
 namespace trc {
@@ -187,9 +188,17 @@ std::optional<Refusal> ProgramState::circle(const MoveRequest& request, const Po
     if (!std::isfinite(*request.radius)) return Refusal{.code = Code::field_invalid, .detail = "R"};
     result = arc_of_radius(*request.radius, ends, circle_, tolerances_);
   }
-  if (CircleFault* fault = std::get_if<CircleFault>(&result))
-    return Refusal{
+  if (CircleFault* fault = std::get_if<CircleFault>(&result)) {
+    Refusal refusal{
         .code = fault->code, .values = std::move(fault->values), .point = standing_point()};
+    if (refusal.code == Code::circle_center_misfit)
+      refusal.detail = told_circle(ends, has_center ? std::optional(center) : std::nullopt,
+                                   {.plane = mode_.plane,
+                                    .absolute_center = absolute_center_,
+                                    .klartext = setup_.dialect == DialectName::heidenhain,
+                                    .inch = circle_.last_digit == last_digit(true)});
+    return refusal;
+  }
   programmed.arc = std::get<Arc>(result);
   if (too_large(programmed.arc.center)) return Refusal{.code = Code::center_out_of_range};
   if (has_center && circle_.correct_center) {

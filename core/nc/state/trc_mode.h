@@ -95,6 +95,12 @@ struct TrcMode {
   TrcOptions options{};
 
   [[nodiscard]] bool active() const { return side != Side::off; }
+  // Violating loops are taken out of the whole contour, instead of blocks masked one by one. Not
+  // below the nominal radius of wear mode: a smaller tool keeps clear of the part wherever the
+  // nominal one does, and the centre path it leaves towards the part is no wall.
+  [[nodiscard]] bool removes_loops() const {
+    return masking == Masking::on && options.remove_masked_blocks && !below_nominal;
+  }
   // What the tool cuts with where it runs `beside` mm beside the program: all of it, or what it
   // differs from the nominal radius.
   [[nodiscard]] double cutting_radius(double beside) const {

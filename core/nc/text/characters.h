@@ -7,6 +7,9 @@
 
 namespace trc {
 
+// In front of a text in UTF-8.
+inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
 // Of ASCII alone, whatever the locale.
 [[nodiscard]] constexpr char upper(char letter) {
   return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
@@ -18,7 +21,16 @@ namespace trc {
   return upper(sign) >= 'A' && upper(sign) <= 'Z';
 }
 [[nodiscard]] constexpr bool is_digit(char sign) { return sign >= '0' && sign <= '9'; }
+// Behind the first character of a name.
+[[nodiscard]] constexpr bool goes_on_as_name(char sign) {
+  return is_letter(sign) || is_digit(sign) || sign == '_';
+}
 [[nodiscard]] constexpr bool is_line_end(char sign) { return sign == '\n' || sign == '\r'; }
+
+// Behind the end of the line: 0.
+[[nodiscard]] constexpr char sign_at(std::string_view line, std::size_t at) {
+  return at < line.size() ? line[at] : '\0';
+}
 
 // Of one character that is UTF-8.
 [[nodiscard]] std::uint32_t code_point(std::string_view character);

@@ -55,6 +55,15 @@ char* room_of_motion(TextBuffer& out, const TrackingTravel& tracking) {
 
 bool is_full_circle(const Arc& arc) { return arc.start == arc.end; }
 
+double sagitta_of(const Arc& arc) { return radius_of(arc) * (1 - std::cos(arc.sweep / 2)); }
+
+// A control that counts in thousandths of a millimetre, or ten-thousandths of an inch, takes both
+// ends of an arc so short for one place, and goes all the way round (D-97). `squared_chord`: mm².
+bool may_become_circle(const Arc& arc, double squared_chord, bool inch) {
+  const double near = 1.5 * (inch ? mm_per_inch / 10'000 : 0.001);
+  return squared_chord < near * near && std::abs(arc.sweep) < std::numbers::pi;
+}
+
 bool is_same_arc(const Arc& read, const Arc& arc, double unit) {
   if (std::abs(read.sweep - arc.sweep) > std::max(sweep_change, sweep_share * std::abs(arc.sweep)))
     return false;
@@ -171,7 +180,8 @@ MotionWriter::ArcNumbers MotionWriter::numbers_of(const Arc& arc, Plane plane,
   const ReadArc read{.start = start,
                      .end = {numbers.end[0].read, numbers.end[1].read},
                      .center = {numbers.center[0].read, numbers.center[1].read}};
-  if (!is_surely_read_alike(read, arc, unit(state.inch)))
+  if (may_become_circle(arc, (read.end - read.start).squaredNorm(), state.inch) ||
+      !is_surely_read_alike(read, arc, unit(state.inch)))
     numbers.form = form_of(arc, numbers, plane, state);
   return numbers;
 }
@@ -183,6 +193,9 @@ MotionWriter::ArcForm MotionWriter::form_of(const Arc& arc, const ArcNumbers& nu
   const Point end(numbers.end[0].read, numbers.end[1].read);
   const Point center(numbers.center[0].read, numbers.center[1].read);
 
+  if (may_become_circle(arc, (end - start).squaredNorm(), state.inch) &&
+      sagitta_of(arc) <= unit(state.inch))
+    return ArcForm::line;
   // Controls know no rounding.
   const CircleCheck check{.last_digit = 0};
   if ((center - start).norm() <= tolerances.same_point) return ArcForm::line;
@@ -198,8 +211,7 @@ MotionWriter::ArcForm MotionWriter::form_of(const Arc& arc, const ArcNumbers& nu
         std::min(check.largest_radius_difference, check.largest_radius_factor * start_radius))
       return ArcForm::arc;
   }
-  const double sagitta = radius_of(arc) * (1 - std::cos(arc.sweep / 2));
-  return sagitta <= unit(state.inch) ? ArcForm::line : ArcForm::halves;
+  return sagitta_of(arc) <= unit(state.inch) ? ArcForm::line : ArcForm::halves;
 }
 
 bool MotionWriter::moves(const Position& end, const TrackingTravel& tracking,

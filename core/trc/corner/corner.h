@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -150,9 +151,11 @@ struct TransitionRule {
   double stretch_factor = 1;
 };
 
+enum class Loops : std::uint8_t { kept, removed };
+
 // Which loops go is decided with arcs: LinearTransitions comes behind that (D-45).
-[[nodiscard]] inline TransitionRule transition_rule(const TrcMode& mode, bool removes_loops) {
-  return {.transition = removes_loops ? Transition::circular : mode.transition,
+[[nodiscard]] inline TransitionRule transition_rule(const TrcMode& mode, Loops loops) {
+  return {.transition = loops == Loops::removed ? Transition::circular : mode.transition,
           .stretch_factor = mode.options.stretch_factor};
 }
 

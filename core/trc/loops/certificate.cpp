@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/trc/corner/joints.h"
+#include "core/trc/passes/joints.h"
 
 namespace trc {
 namespace {

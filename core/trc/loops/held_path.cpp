@@ -50,9 +50,9 @@ bool HeldPath::stays_put(std::size_t block) const {
 bool HeldPath::changes_depth(std::size_t first, std::size_t end) const {
   const auto moves = [](const PassiveBlock& block) { return block.normal.moves(); };
   for (std::size_t number = passive_.begin(); number < passive_.end(); ++number) {
-    const auto& [block, riders] = passive_[number];
+    const auto& [block, passive] = passive_[number];
     if (block >= end) return false;
-    if (block >= first && std::any_of(riders.begin(), riders.end(), moves)) return true;
+    if (block >= first && std::any_of(passive.begin(), passive.end(), moves)) return true;
   }
   return false;
 }

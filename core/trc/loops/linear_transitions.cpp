@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "core/geometry/parallel.h"
-#include "core/trc/corner/joints.h"
+#include "core/trc/passes/joints.h"
 
 namespace trc {
 namespace {

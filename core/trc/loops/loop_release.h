@@ -7,6 +7,7 @@
 #include "core/trc/loops/obstacles.h"
 #include "core/trc/loops/walked_path.h"
 #include "core/trc/path_block.h"
+#include "core/trc/setup.h"
 #include "core/trc/walls/left_out.h"
 
 namespace trc {
@@ -22,16 +23,14 @@ class LoopRelease {
     std::size_t count = 0;
   };
 
-  // `window` in contour blocks, 0: all of them; `largest_masked_share` as in CompensatorSetup,
-  // `input_resolution` as in LeadSettings.
-  LoopRelease(HeldPath& path, WalkedPath& walked, const Obstacles& obstacles, std::size_t window,
-              double largest_masked_share, double input_resolution, Diagnostics& diagnostics)
+  LoopRelease(const CompensatorSetup& setup, HeldPath& path, WalkedPath& walked,
+              const Obstacles& obstacles, Diagnostics& diagnostics)
       : path_(path),
         walked_(walked),
         obstacles_(obstacles),
-        window_(window),
-        largest_masked_share_(largest_masked_share),
-        input_resolution_(input_resolution),
+        window_(setup.limits.look_ahead_blocks),
+        largest_masked_share_(setup.largest_masked_share),
+        input_resolution_(setup.leads.input_resolution),
         diagnostics_(diagnostics) {}
 
   // A new selection begins.

@@ -75,7 +75,8 @@ bool LoopRemoval::end_selection() {
 }
 
 void LoopRemoval::release_entry(PathBlocks& out) {
-  for (PathBlockPtr& block : std::exchange(entering_, {})) out.push_back(std::move(block));
+  for (PathBlockPtr& block : entering_) out.push_back(std::move(block));
+  entering_.clear();
 }
 
 bool LoopRemoval::release_some(PathBlocks& out) {
@@ -90,7 +91,10 @@ bool LoopRemoval::release_some(PathBlocks& out) {
   }
   release_.leave_out_rest(walk_.at().start, out);
   begin_selection();
-  for (PathBlockPtr& block : std::exchange(behind_, {}))
+  // Some of it may come to lie behind the next selection.
+  were_behind_.clear();
+  were_behind_.swap(behind_);
+  for (PathBlockPtr& block : were_behind_)
     if (!feed(std::move(block), out)) return false;
   return !ended_ || leaving_ || end_selection();
 }

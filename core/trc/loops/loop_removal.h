@@ -6,7 +6,6 @@
 #include "core/base/checkpoint.h"
 #include "core/base/diagnostics.h"
 #include "core/base/tolerances.h"
-#include "core/trc/compensator.h"
 #include "core/trc/loops/held_path_append.h"
 #include "core/trc/loops/linear_transitions.h"
 #include "core/trc/loops/loop_release.h"
@@ -15,6 +14,7 @@
 #include "core/trc/loops/walked_path.h"
 #include "core/trc/path_block.h"
 #include "core/trc/selection/refused_way.h"
+#include "core/trc/setup.h"
 
 namespace trc {
 
@@ -36,10 +36,9 @@ class LoopRemoval {
         checkpoint_(checkpoint),
         obstacles_(path_, window_, tolerances_, checkpoint),
         walked_(path_, window_ > 0),
-        walk_(path_, obstacles_, walked_, window_, tolerances_, diagnostics, checkpoint),
+        walk_(setup, path_, obstacles_, walked_, diagnostics, checkpoint),
         linear_(path_, walked_, obstacles_, tolerances_, checkpoint),
-        release_(path_, walked_, obstacles_, window_, setup.largest_masked_share,
-                 setup.leads.input_resolution, diagnostics) {}
+        release_(setup, path_, walked_, obstacles_, diagnostics) {}
 
   bool feed(PathBlockPtr block, PathBlocks& out);
   bool drain(PathBlocks& out);
@@ -147,7 +146,8 @@ class LoopRemoval {
 
   bool leaving_ = false;
   PathBlocks behind_;
-  bool ended_ = false;  // nothing comes behind that
+  PathBlocks were_behind_;  // while they are fed again; holds nothing else
+  bool ended_ = false;      // nothing comes behind that
 };
 
 template <class Programmed, class Path>

@@ -13,6 +13,7 @@
 #include "core/trc/loops/obstacles.h"
 #include "core/trc/loops/seam.h"
 #include "core/trc/loops/walked_path.h"
+#include "core/trc/setup.h"
 
 namespace trc {
 
@@ -31,14 +32,13 @@ namespace trc {
 // it: from there the path is walked again.
 class LoopWalk {
  public:
-  // `window` in contour blocks; 0: all of them.
-  LoopWalk(const HeldPath& path, Obstacles& obstacles, WalkedPath& walked, std::size_t window,
-           const Tolerances& tolerances, Diagnostics& diagnostics, Checkpoint& checkpoint)
+  LoopWalk(const CompensatorSetup& setup, const HeldPath& path, Obstacles& obstacles,
+           WalkedPath& walked, Diagnostics& diagnostics, Checkpoint& checkpoint)
       : path_(path),
         obstacles_(obstacles),
         walked_(walked),
-        window_(window),
-        tolerances_(tolerances),
+        window_(setup.limits.look_ahead_blocks),
+        tolerances_(setup.tolerances),
         diagnostics_(diagnostics),
         checkpoint_(checkpoint),
         seam_(path_, tolerances_),

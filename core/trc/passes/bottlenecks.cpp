@@ -55,7 +55,7 @@ bool Bottlenecks::feed(PathBlockPtr block, PathBlocks& out) {
     return diagnostics_.report(selection_too_long(block->programmed.source, selection_blocks_));
   if (passes_at_once()) out.push_back(std::make_unique<PathBlock>(*block));
   hold(std::move(block));
-  return window_ == 0 || examine(false, out);
+  return window_ == 0 || examine(Input::more, out);
 }
 
 void Bottlenecks::hold(PathBlockPtr block) {
@@ -75,7 +75,7 @@ bool Bottlenecks::end_selection(PathBlocks& out) {
   // Where nothing is searched, every block comes by here.
   if (held_.empty() && contour_.empty()) return true;
   find_walls();
-  if (!examine(true, out)) return false;
+  if (!examine(Input::ended, out)) return false;
   contour_.clear();
   contour_base_ = 0;
   changes_.clear();
@@ -114,10 +114,10 @@ std::optional<Bottlenecks::Wall> Bottlenecks::wall_for(std::size_t path, std::si
   return Wall{walls_->wall(other, programmed), limit - walls_->touch_between(other, path)};
 }
 
-bool Bottlenecks::examine(bool ended, PathBlocks& out) {
+bool Bottlenecks::examine(Input input, PathBlocks& out) {
   std::size_t examined = 0;
   const std::size_t end = contour_base_ + contour_.size();
-  while (examined < held_.size() && (ended || numbers_[examined] + window_ < end)) {
+  while (examined < held_.size() && (input == Input::ended || numbers_[examined] + window_ < end)) {
     // What lies about the block at a distance is looked at by its boxes alone.
     checkpoint_.pass_many(contour_.size());
     if (!check(*held_[examined], numbers_[examined])) return false;

@@ -8,8 +8,9 @@
 #include "core/base/diagnostics.h"
 #include "core/base/tolerances.h"
 #include "core/geometry/box_tree.h"
-#include "core/trc/compensator.h"
+#include "core/trc/pass.h"
 #include "core/trc/path_block.h"
+#include "core/trc/setup.h"
 #include "core/trc/walls/sided_walls.h"
 
 namespace trc {
@@ -65,7 +66,7 @@ class Bottlenecks {
                                              double limit) const;
   bool end_selection(PathBlocks& out);
   // Lets go all blocks around which the contour is known.
-  bool examine(bool ended, PathBlocks& out);
+  bool examine(Input input, PathBlocks& out);
   bool check(const PathBlock& block, std::size_t number);
   void forget();
   bool report(const PathBlock& path, const MotionBlock& contour, double distance,

@@ -8,7 +8,7 @@
 
 #include "core/geometry/distance.h"
 #include "core/geometry/parallel.h"
-#include "core/trc/corner/joints.h"
+#include "core/trc/passes/joints.h"
 #include "core/trc/passes/reach.h"
 #include "core/trc/selection/selection_limit.h"
 #include "core/trc/walls/closing.h"

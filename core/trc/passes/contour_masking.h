@@ -7,9 +7,9 @@
 #include "core/base/checkpoint.h"
 #include "core/base/diagnostics.h"
 #include "core/base/tolerances.h"
-#include "core/trc/compensator.h"
 #include "core/trc/corner/corner.h"
 #include "core/trc/path_block.h"
+#include "core/trc/setup.h"
 #include "core/trc/walls/left_out.h"
 #include "core/trc/walls/walls.h"
 

@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "core/geometry/parallel.h"
-#include "core/trc/corner/joints.h"
+#include "core/trc/passes/joints.h"
 #include "core/trc/passes/offset.h"
 
 namespace trc {

@@ -7,9 +7,9 @@
 
 #include "core/base/diagnostics.h"
 #include "core/nc/state/block.h"
-#include "core/trc/compensator.h"
 #include "core/trc/path_block.h"
 #include "core/trc/selection/refused_way.h"
+#include "core/trc/setup.h"
 
 namespace trc {
 

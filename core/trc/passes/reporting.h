@@ -10,10 +10,11 @@
 #include "core/base/check.h"
 #include "core/base/diagnostics.h"
 #include "core/geometry/plane.h"
-#include "core/trc/compensator.h"
 #include "core/trc/path_block.h"
 #include "core/trc/result/compensated_block.h"
 #include "core/trc/result/path_ends.h"
+#include "core/trc/result/summary.h"
+#include "core/trc/setup.h"
 
 namespace trc {
 

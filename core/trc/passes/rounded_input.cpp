@@ -37,16 +37,12 @@ bool only_moves_in_plane(const MotionBlock& motion) {
   return !motion.normal.moves() && motion.tracking.empty();
 }
 
-// Only what leaves no loops in keeps to every digit of a contour.
-bool keeps_every_digit(const TrcMode& mode) {
-  return mode.masking == Masking::on && mode.options.remove_masked_blocks && !mode.below_nominal;
-}
-
 // mm². A coordinate that is off turns two lines of the length l so that R·tan(β/2) is more than
 // half of l.
 double squared_length_of_short(const TrcMode& mode, double input_resolution) {
   const double most = most_aside(mode, input_resolution);
-  if (keeps_every_digit(mode)) return most * most;
+  // Only what leaves no loops in keeps to every digit of a contour.
+  if (mode.removes_loops()) return most * most;
   const double of_fine_steps =
       2.5 * std::abs(mode.tool_radius) * resolution_for(mode, input_resolution);
   return std::max(most * most, of_fine_steps);
@@ -162,7 +158,7 @@ bool RoundedInput::is_used_up(std::size_t chord, const std::optional<Vector>& be
 
 // Between its ends: a tool that goes no farther than to a point has no room at an end that points
 // elsewhere.
-bool RoundedInput::is_exact() const { return keeps_every_digit(held_.back()->mode()); }
+bool RoundedInput::is_exact() const { return held_.back()->mode().removes_loops(); }
 
 // Whether the corners between stay near enough to the line that takes the place of both.
 bool RoundedInput::may_be_one(const Chord& chord) const {

@@ -7,7 +7,7 @@
 #include "core/base/checkpoint.h"
 #include "core/geometry/segment.h"
 #include "core/nc/state/block.h"
-#include "core/trc/compensator.h"
+#include "core/trc/setup.h"
 
 namespace trc::selection {
 

@@ -9,6 +9,7 @@
 #include "core/trc/loops/loop_removal.h"
 #include "core/trc/passes/reporting.h"
 #include "core/trc/result/compensated_block.h"
+#include "core/trc/setup.h"
 
 namespace trc {
 
@@ -17,10 +18,9 @@ namespace trc {
 // the passes put out; it stops before a block that is left to them, as ShortWay does.
 class ShortRelease {
  public:
-  ShortRelease(bool inverse_path, const Tolerances& tolerances, LoopRemoval& loop_removal,
-               Reporting& reporting)
-      : inverse_path_(inverse_path),
-        tolerances_(tolerances),
+  ShortRelease(const CompensatorSetup& setup, LoopRemoval& loop_removal, Reporting& reporting)
+      : inverse_path_(setup.inverse_path),
+        tolerances_(setup.tolerances),
         loop_removal_(loop_removal),
         reporting_(reporting) {}
 

@@ -157,9 +157,12 @@ TRC_FLATTEN bool ShortWay::join(const Corner& corner, const Step& before, Step& 
     case CornerKind::tangential:
       return leave(corner, tangential_joint(corner), false, before, after, out);
     case CornerKind::outside:
-      return leave(corner,
-                   outside_joint(corner, transition_rule(*mode_, removes_loops_), tolerances_),
-                   false, before, after, out);
+      return leave(
+          corner,
+          outside_joint(corner,
+                        transition_rule(*mode_, removes_loops_ ? Loops::removed : Loops::kept),
+                        tolerances_),
+          false, before, after, out);
     case CornerKind::inside:
       break;
   }

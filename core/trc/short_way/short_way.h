@@ -13,6 +13,7 @@
 #include "core/trc/passes/reporting.h"
 #include "core/trc/path_block.h"
 #include "core/trc/result/compensated_block.h"
+#include "core/trc/setup.h"
 
 namespace trc {
 
@@ -30,12 +31,11 @@ class ShortWay {
   // stream must stop.
   using LeaveSelection = std::function<bool(PathBlocks& path, std::vector<CompensatedBlock>& out)>;
 
-  ShortWay(bool inverse_path, const Tolerances& tolerances, double input_resolution,
-           const Diagnostics& diagnostics, LoopRemoval& loop_removal,
+  ShortWay(const CompensatorSetup& setup, const Diagnostics& diagnostics, LoopRemoval& loop_removal,
            LeaveSelection leave_selection, Reporting& reporting)
-      : inverse_path_(inverse_path),
-        tolerances_(tolerances),
-        input_resolution_(input_resolution),
+      : inverse_path_(setup.inverse_path),
+        tolerances_(setup.tolerances),
+        input_resolution_(setup.leads.input_resolution),
         diagnostics_(diagnostics),
         loop_removal_(loop_removal),
         leave_selection_(std::move(leave_selection)),

@@ -12,6 +12,7 @@
 #include "core/geometry/along.h"
 #include "core/geometry/box_tree.h"
 #include "core/trc/walls/contact.h"
+#include "core/trc/walls/crossing_leads.h"
 #include "core/trc/walls/long_leads.h"
 #include "core/trc/walls/outline.h"
 #include "core/trc/walls/rings.h"
@@ -193,7 +194,7 @@ class InwardSearch {
       if (-earlier > tolerance_ && !runs_along(next)) {
         // A lead-in that crosses the last walls, or comes near them, does not hide the start of the
         // contour.
-        const bool is_beside = !is_block_end(best_->first) && best_->gap > next.gap + same_place;
+        const bool is_beside = !is_junction(*best_) && best_->gap > next.gap + same_place;
         if ((is_crossing(*best_) || is_beside) && is_junction(next)) take(next);
         return;
       }
@@ -425,7 +426,9 @@ std::optional<Closing> find_closing(const ContourView& contour, double closing_t
   const auto search = [&](Overruns overruns, const auto& may_close) {
     InwardSearch inward(contour, closing_tolerance, overruns, memory);
     for (const Candidate& candidate : candidates)
-      if (may_close(candidate)) inward.consider(candidate);
+      if (may_close(candidate) &&
+          !is_lead_across_walls(contour, candidate, closing_tolerance, tool_radius))
+        inward.consider(candidate);
     return inward.result(candidates);
   };
   const auto leaves_half = [&](const Candidate& candidate) {

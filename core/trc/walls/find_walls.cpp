@@ -209,8 +209,10 @@ double kink_in(const ContourView& contour, const Closing& closing, double tool_r
 // finely both are programmed.
 void reach_along_leads(const ContourView& contour, const Closing& closing, double input_resolution,
                        Walls& walls) {
-  const auto goes_along = [&](const Point& point, const Segment& lead) {
-    const double apart = distance(point, lead);
+  // Whether an end of a wall is beside a lead; notes how far it is from it.
+  const auto note_wall_beside = [&](const Point& end, const Segment& lead) {
+    contour.pass();
+    const double apart = distance(end, lead);
     // A coordinate is off by up to half of the resolution, two of them by its diagonal.
     if (apart <= 1.5 * input_resolution) walls.touch = std::max(walls.touch, apart);
     return apart <= Tolerances{}.on_top;
@@ -218,13 +220,14 @@ void reach_along_leads(const ContourView& contour, const Closing& closing, doubl
   const std::size_t out = block_from(contour, closing.second);
   if (out < contour.count)
     while (walls.head.end < walls.tail.first &&
-           goes_along(end_of(contour.segment(walls.head.end - 2)), contour.segment(out)))
+           note_wall_beside(end_of(contour.segment(walls.head.end - 2)), contour.segment(out)))
       ++walls.head.end;
   walls.blocks_beside_lead = walls.head.end - (closing.first.number + 2);
   const std::size_t in = closing.first.number + (closing.first.along > same_place ? 1 : 0);
   if (in > 0)
-    while (walls.head.end < walls.tail.first &&
-           goes_along(start_of(contour.segment(walls.tail.first + 1)), contour.segment(in - 1)))
+    while (
+        walls.head.end < walls.tail.first &&
+        note_wall_beside(start_of(contour.segment(walls.tail.first + 1)), contour.segment(in - 1)))
       --walls.tail.first;
 }
 

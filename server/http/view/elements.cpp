@@ -16,19 +16,27 @@ void Elements::add(Element element, const Segment& shape) {
   if (size_ % piece_size == 0) pieces_.emplace_back().reserve(piece_size);
   if (size_ % group_size == 0) groups_.push_back({.length = length_});
   Group& group = groups_.back();
-  verify::Bounds box;
   if (element.unsaid)
-    box.add(element.end);
+    group.box.add(element.end);
   else
-    box.add(shape);
-  for (const Point& corner : {box.low, box.high}) {
-    group.box.add(corner);
-    bounds_.add(corner);
-  }
+    group.box.add(shape);
   group.has_special = group.has_special || element.is_special();
   length_ += length_of(element);
+  blocks_ += element.ends_block ? 1 : 0;
+  if (size_ == 0) lowest_ = highest_ = element.third_from;
+  lowest_ = std::min(lowest_, element.third_to);
+  highest_ = std::max(highest_, element.third_to);
   pieces_.back().push_back(element);
   ++size_;
+}
+
+verify::Bounds Elements::bounds() const {
+  verify::Bounds all;
+  for (const Group& group : groups_) {
+    all.add(group.box.low);
+    all.add(group.box.high);
+  }
+  return all;
 }
 
 void Elements::restyle(std::size_t index, Style style) {
@@ -50,8 +58,9 @@ std::size_t Elements::bytes() const {
 }
 
 double Elements::length_of(const Element& element) const {
-  return std::hypot(trc::length_of(shape_of(element)),
-                    static_cast<double>(element.third_to - element.third_from));
+  const double in_plane = trc::length_of(shape_of(element));
+  const double across = static_cast<double>(element.third_to - element.third_from);
+  return across == 0 ? in_plane : std::hypot(in_plane, across);
 }
 
 std::optional<Elements::Place> Elements::place_after(double length) const {

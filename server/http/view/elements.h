@@ -72,7 +72,7 @@ class Elements {
     return pieces_[index / piece_size][index % piece_size];
   }
   [[nodiscard]] Segment shape_of(const Element& element) const;
-  [[nodiscard]] const verify::Bounds& bounds() const { return bounds_; }
+  [[nodiscard]] verify::Bounds bounds() const;
   // Bytes held.
   [[nodiscard]] std::size_t bytes() const;
 
@@ -84,6 +84,10 @@ class Elements {
   [[nodiscard]] std::span<const Group> groups() const { return groups_; }
   // Of the whole way, mm.
   [[nodiscard]] double length() const { return length_; }
+  [[nodiscard]] std::uint64_t blocks() const { return blocks_; }
+  // Where the way gets to across the plane, mm.
+  [[nodiscard]] double lowest() const { return double{lowest_}; }
+  [[nodiscard]] double highest() const { return double{highest_}; }
 
   struct Place {
     std::size_t element = 0;
@@ -102,8 +106,10 @@ class Elements {
   std::size_t size_ = 0;
   std::vector<ElementArc> arcs_;
   std::vector<Group> groups_;
-  verify::Bounds bounds_;
   double length_ = 0;
+  std::uint64_t blocks_ = 0;
+  float lowest_ = 0;
+  float highest_ = 0;
 };
 
 }  // namespace trc::server::http

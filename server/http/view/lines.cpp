@@ -22,25 +22,24 @@ bool is_same(const LineEnd& a, const LineEnd& b) {
 
 }  // namespace
 
-Lines::Lines(std::string text) : text_(std::move(text)) {
-  text_.shrink_to_fit();
-  for (std::size_t at = 0; at < text_.size();) {
-    begins_.push_back(at);
-    const std::size_t end = text_.find('\n', at);
-    at = end == std::string::npos ? text_.size() : end + 1;
+void Lines::find_to(std::size_t bytes) {
+  while (found_to_ < bytes) {
+    begins_.push_back(found_to_);
+    const std::size_t end = text_->find('\n', found_to_);
+    found_to_ = end == std::string::npos ? text_->size() : end + 1;
   }
 }
 
 std::string_view Lines::line(std::size_t index) const {
   const std::size_t begin = begins_[index];
-  const std::size_t end = index + 1 < begins_.size() ? begins_[index + 1] : text_.size();
-  std::string_view line = std::string_view(text_).substr(begin, end - begin);
+  const std::size_t end = index + 1 < begins_.size() ? begins_[index + 1] : text_->size();
+  std::string_view line = std::string_view(*text_).substr(begin, end - begin);
   while (!line.empty() && (line.back() == '\n' || line.back() == '\r')) line.remove_suffix(1);
   return line;
 }
 
 std::size_t Lines::bytes() const {
-  return text_.capacity() + begins_.capacity() * sizeof(std::size_t) +
+  return text_->capacity() + begins_.capacity() * sizeof(std::size_t) +
          sources_.capacity() * sizeof(std::uint32_t);
 }
 

@@ -2,8 +2,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "trc/v1/http.pb.h"
@@ -13,12 +15,16 @@ namespace trc::server::http {
 // A text by its lines.
 class Lines {
  public:
-  explicit Lines(std::string text);
+  // None of its lines is found yet.
+  explicit Lines(std::shared_ptr<const std::string> text) : text_(std::move(text)) {}
+
+  // Finds those that begin before so many bytes.
+  void find_to(std::size_t bytes);
 
   [[nodiscard]] std::size_t count() const { return begins_.size(); }
   // `index` from 0; without the line end.
   [[nodiscard]] std::string_view line(std::size_t index) const;
-  [[nodiscard]] const std::string& text() const { return text_; }
+  [[nodiscard]] const std::string& text() const { return *text_; }
   [[nodiscard]] std::size_t bytes() const;
 
   // Of compensated text: the line of the program each one comes from, 0: unknown.
@@ -29,7 +35,8 @@ class Lines {
   [[nodiscard]] v1::ViewLines some(std::uint64_t first, std::uint64_t count) const;
 
  private:
-  std::string text_;
+  std::shared_ptr<const std::string> text_;
+  std::size_t found_to_ = 0;
   std::vector<std::size_t> begins_;
   std::vector<std::uint32_t> sources_;
 };

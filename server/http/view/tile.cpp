@@ -19,8 +19,9 @@ struct DrawnSegment {
   std::uint32_t line = 0;
   std::uint32_t style = 0;
   float tool_radius = 0;  // mm; 0: not compensated
+  float sweep = 0;        // rad; 0: a line
 };
-static_assert(sizeof(DrawnSegment) == 32);
+static_assert(sizeof(DrawnSegment) == 36);
 
 // Directions from a point such that a straight line there passes every point left out so far.
 class Sleeve {
@@ -63,6 +64,37 @@ class Sleeve {
   double farthest_ = 0;
 };
 
+Point place_on(const Arc& arc, double share) {
+  return share < 1 ? verify::place_at(arc, share).point : arc.end;
+}
+
+// Where an arc meets the lines along the sides of a box, as shares of it.
+std::vector<double> shares_on_sides(const Arc& arc, const Point& low, const Point& high) {
+  constexpr double turn = 2 * std::numbers::pi;
+  const double radius = radius_of(arc);
+  const Vector from = arc.start - arc.center;
+  const double begin = std::atan2(from.y(), from.x());
+  std::vector<double> shares;
+  const auto take = [&](double angle) {
+    const double way = arc.sweep > 0 ? angle - begin : begin - angle;
+    const double share = (way - turn * std::floor(way / turn)) / std::abs(arc.sweep);
+    if (share < 1) shares.push_back(share);
+  };
+  for (const double side : {low.x(), high.x()}) {
+    const double angle = std::acos((side - arc.center.x()) / radius);
+    if (std::isnan(angle)) continue;
+    take(angle);
+    take(-angle);
+  }
+  for (const double side : {low.y(), high.y()}) {
+    const double angle = std::asin((side - arc.center.y()) / radius);
+    if (std::isnan(angle)) continue;
+    take(angle);
+    take(std::numbers::pi - angle);
+  }
+  return shares;
+}
+
 class Drawing {
  public:
   Drawing(const Square& square, Plane plane, double tolerance, std::size_t most_segments)
@@ -98,13 +130,15 @@ class Drawing {
   [[nodiscard]] Pen pen_of(const Elements& elements, std::size_t index, std::uint32_t flags) const;
   void draw_group(const Elements& elements, std::size_t group, std::uint32_t flags);
   void draw_element(const Elements& elements, std::size_t index, std::uint32_t flags);
-  enum class Chords { joined, all };
-  void draw_arc(const Arc& arc, Chords chords);
+  void draw_chords(const Arc& arc);
+  void draw_arc(const Arc& arc, const verify::Bounds& box, const Pen& pen);
+  void add(const Arc& arc, double from, double to, const Pen& pen);
   void draw_dot(const Point& at, const Pen& pen);
   void go_to(const Point& to);
   void lift();
   void begin_at(const Point& at);
   void add(const Point& from, const Point& to, const Pen& pen);
+  void add(const Point& from, const Point& to, double sweep, const Pen& pen);
 
   const Square& square_;
   const Plane plane_;
@@ -170,7 +204,9 @@ void Drawing::draw_element(const Elements& elements, std::size_t index, std::uin
   if (!sees(box)) return lift();
   const Pen pen = pen_of(elements, index, flags);
   const bool small = box.size().maxCoeff() <= 2 * tolerance_;
-  const bool is_dot = element.is_special() && small;
+  // A circle that is too small to be one leads nowhere.
+  const bool is_closed = element.arc >= 0 && element.start == element.end;
+  const bool is_dot = small && (element.is_special() || is_closed);
   if (is_dot) draw_dot(element.start, pen);
   // Something small keeps the pen of the stroke it is part of, unless that is of another kind and
   // can be seen.
@@ -185,8 +221,11 @@ void Drawing::draw_element(const Elements& elements, std::size_t index, std::uin
   if (begin_ == at_ || (begun_by_dot_ && !is_dot)) pen_ = pen;
   begun_by_dot_ = is_dot && (begin_ == at_ || begun_by_dot_);
   if (!is_dot) next_pen_ = pen;
-  if (const auto* arc = std::get_if<Arc>(&shape))
-    draw_arc(*arc, small ? Chords::joined : Chords::all);
+  const auto* arc = std::get_if<Arc>(&shape);
+  if (arc != nullptr && small)
+    draw_chords(*arc);
+  else if (arc != nullptr)
+    draw_arc(*arc, box, pen);
   else
     go_to(element.end);
   if (small) return;
@@ -194,29 +233,52 @@ void Drawing::draw_element(const Elements& elements, std::size_t index, std::uin
   begin_at(element.end);
 }
 
-// As chords that stay within a part of the tolerance. Those of something small are joined where
-// that cannot be seen; those of an arc for itself are all drawn, so that it looks round.
-void Drawing::draw_arc(const Arc& arc, Chords chords) {
+// Chords of something small, which are joined where that cannot be seen.
+void Drawing::draw_chords(const Arc& arc) {
   constexpr double most_chords = 20'000;
   const double radius = radius_of(arc);
-  const double sagitta = std::min(tolerance_ / (chords == Chords::all ? 4 : 2), radius);
+  const double sagitta = std::min(tolerance_ / 2, radius);
   const double step = radius > 0 ? 2 * std::acos(1 - sagitta / radius) : std::numbers::pi;
   const double count =
       std::clamp(std::ceil(std::abs(arc.sweep) / std::max(step, 1e-9)), 2.0, most_chords);
-  const Vector from = arc.start - arc.center;
-  const auto go = [&](const Point& to) {
-    go_to(to);
-    if (chords == Chords::joined) return;
-    lift();
-    begin_at(to);
-  };
-  for (std::size_t i = 1; i < static_cast<std::size_t>(count); ++i) {
-    const double angle = arc.sweep * static_cast<double>(i) / count;
-    const double c = std::cos(angle);
-    const double s = std::sin(angle);
-    go(arc.center + Vector(c * from.x() - s * from.y(), s * from.x() + c * from.y()));
+  for (std::size_t i = 1; i < static_cast<std::size_t>(count); ++i)
+    go_to(place_on(arc, static_cast<double>(i) / count));
+  go_to(arc.end);
+}
+
+// An arc stays one, as far as it can be seen: at any scale it is round.
+void Drawing::draw_arc(const Arc& arc, const verify::Bounds& box, const Pen& pen) {
+  // What was begun for it.
+  down_ = false;
+  if ((box.low - low_).minCoeff() >= 0 && (high_ - box.high).minCoeff() >= 0)
+    return add(arc, 0, 1, pen);
+  std::vector<double> cuts = shares_on_sides(arc, low_, high_);
+  cuts.push_back(1);
+  std::sort(cuts.begin(), cuts.end());
+  double from = 0;
+  for (const double to : cuts) {
+    const Point middle = place_on(arc, (from + to) / 2);
+    const bool is_seen = (middle - low_).minCoeff() >= 0 && (high_ - middle).minCoeff() >= 0;
+    if (to > from && is_seen) add(arc, from, to, pen);
+    from = to;
   }
-  go(arc.end);
+}
+
+// A part of an arc, in pieces that stay near to their chords: what is drawn for each of them is
+// hardly larger than what is seen of it, and its ends and its sweep tell its centre.
+void Drawing::add(const Arc& arc, double from, double to, const Pen& pen) {
+  const double radius = radius_of(arc);
+  const double rise = std::min(16 * tolerance_, radius);
+  const double step = 2 * std::acos(1 - rise / radius);
+  const double count = std::ceil((to - from) * std::abs(arc.sweep) / step);
+  const double sweep = (to - from) * arc.sweep / count;
+  const bool is_straight = radius * (1 - std::cos(sweep / 2)) < tolerance_ / 4;
+  Point at = place_on(arc, from);
+  for (double i = 1; i <= count; ++i) {
+    const Point next = place_on(arc, i < count ? from + i / count * (to - from) : to);
+    add(at, next, is_straight ? 0 : sweep, pen);
+    at = next;
+  }
 }
 
 void Drawing::draw_dot(const Point& at, const Pen& pen) {
@@ -267,14 +329,19 @@ void Drawing::add(const Point& from, const Point& to, const Pen& pen) {
     last = std::min(last, std::max(a, b));
   }
   if (first > last) return;
-  const Point a = from + first * way - square_.low;
-  const Point b = from + last * way - square_.low;
+  add(from + first * way, from + last * way, 0, pen);
+}
+
+void Drawing::add(const Point& from, const Point& to, double sweep, const Pen& pen) {
+  const Point a = from - square_.low;
+  const Point b = to - square_.low;
   segments_.push_back({.ends = {static_cast<float>(a.x()), static_cast<float>(a.y()),
                                 static_cast<float>(b.x()), static_cast<float>(b.y())},
                        .element = static_cast<std::uint32_t>(pen.element),
                        .line = pen.line,
                        .style = pen.style,
-                       .tool_radius = pen.tool_radius});
+                       .tool_radius = pen.tool_radius,
+                       .sweep = static_cast<float>(sweep)});
 }
 
 void append(std::string& out, std::uint32_t number) {

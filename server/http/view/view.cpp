@@ -60,16 +60,25 @@ v1::View View::said_by_now() const {
   return said;
 }
 
-// What the answers lacked because the path was not measured for them.
+// What the answers lacked because the path was not measured for them; the rest of the summary
+// holds.
 void View::measure(const ProgramSession& session, const std::vector<Diagnostic>& found) {
   const std::lock_guard lock(mutex_);
-  if (const auto* clearance = session.clearance())
-    wire::to_proto(wire::PathSummary{.clearance = *clearance},
-                   *measured_.mutable_summary()->mutable_path());
-  for (const Diagnostic& diagnostic : found)
-    if (diagnostic.code == Code::clearance_violated &&
-        parts_.said.diagnostics_size() + measured_.diagnostics_size() < most_diagnostics)
+  v1::PathSummary& path = *measured_.mutable_summary()->mutable_path();
+  if (const auto* clearance = session.clearance()) {
+    v1::PathSummary whole;
+    wire::to_proto(wire::PathSummary{.clearance = *clearance}, whole);
+    if (whole.has_coverage()) path.set_coverage(whole.coverage());
+    if (whole.has_min_clearance())
+      path.mutable_min_clearance()->Swap(whole.mutable_min_clearance());
+    if (whole.has_certificate()) path.mutable_certificate()->Swap(whole.mutable_certificate());
+  }
+  for (const Diagnostic& diagnostic : found) {
+    if (diagnostic.code != Code::clearance_violated) continue;
+    path.set_warnings(std::max(path.warnings(), parts_.said.summary().path().warnings()) + 1);
+    if (parts_.said.diagnostics_size() + measured_.diagnostics_size() < most_diagnostics)
       wire::to_proto(diagnostic, *measured_.add_diagnostics());
+  }
 }
 
 v1::ViewBlock View::described(const Elements& elements, std::size_t index, bool on_path) const {
@@ -130,8 +139,7 @@ std::string View::compensated_text(Verify verify, const std::function<void()>& i
   SessionSetup session_setup = parts_.settings.path.session;
   session_setup.compensator.interrupt = interrupt;
   session_setup.verify = verify;
-  ProgramSession session(
-      {.session = session_setup, .nc_text = true, .decimals = parts_.settings.decimals});
+  ProgramSession session({.session = session_setup, .nc_text = true});
   Answers out;
   std::string_view text = parts_.program.text();
   bool goes_on = true;
@@ -184,7 +192,10 @@ void View::make_output(const std::function<void()>& interrupt) {
     const Position end = from_plane(plane, element.end, double{element.third_to});
     ends.push_back({.x = end[0], .y = end[1], .z = end[2], .line = element.line});
   }
-  auto lines = std::make_shared<Lines>(std::move(text));
+  text.shrink_to_fit();
+  const std::size_t bytes = text.size();
+  auto lines = std::make_shared<Lines>(std::make_shared<const std::string>(std::move(text)));
+  lines->find_to(bytes);
   lines->set_sources(sources_of(lines->count(), reached, ends));
   const std::lock_guard lock(mutex_);
   output_ = std::move(lines);

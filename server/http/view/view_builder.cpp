@@ -63,6 +63,11 @@ void add_seen(Elements& elements, Element element, const Movement& movement, Pla
   const AxisTravel& normal = movement.normal;
   if (!verify::is_finite(shape)) return;
   element.plane = plane;
+  if (plane == shown && verify::extent_of(shape) > 0) {
+    element.third_from = static_cast<float>(normal.from);
+    element.third_to = static_cast<float>(normal.to);
+    return elements.add(element, shape);
+  }
   std::vector<Segment> seen = project(plane, shape, normal, shown);
   // Straight at the viewer: a way without length in the plane.
   if (seen.empty() && (normal.moves() || start_of(shape) != end_of(shape))) {
@@ -85,16 +90,10 @@ void add_seen(Elements& elements, Element element, const Movement& movement, Pla
   }
 }
 
-std::uint64_t blocks_in(const Elements& elements) {
-  std::uint64_t blocks = 0;
-  for (std::size_t i = 0; i < elements.size(); ++i) blocks += elements[i].ends_block ? 1 : 0;
-  return blocks;
-}
-
 }  // namespace
 
 ViewBuilder::ViewBuilder(ViewedProgram program, Memory& memory, std::function<bool()> make_room)
-    : text_(std::move(program.text)),
+    : program_(std::move(program.text)),
       settings_(std::move(program.settings)),
       share_(memory),
       make_room_(std::move(make_room)),
@@ -108,22 +107,24 @@ ViewBuilder::ViewBuilder(ViewedProgram program, Memory& memory, std::function<bo
 bool ViewBuilder::account() {
   // What a line in the compensated text will take.
   constexpr std::size_t output_bytes = 64;
-  const std::size_t bytes = contour_.bytes() + path_.bytes() + output_bytes * path_.size() +
-                            (waiting_.size() + selection_.capacity()) * sizeof(Block) +
-                            contour_blocks_.capacity() * sizeof(std::uint32_t) +
-                            radius_of_line_.capacity() * sizeof(float);
+  const std::size_t bytes =
+      contour_.bytes() + path_.bytes() + output_bytes * path_.size() +
+      (waiting_.size() + selection_.capacity()) * sizeof(Block) +
+      (contour_blocks_.capacity() + replaced_.capacity()) * sizeof(std::uint32_t) +
+      radius_of_line_.capacity() * sizeof(float);
   while (has_memory_ && bytes > share_.bytes())
     if (!share_.take(bytes - share_.bytes())) has_memory_ = make_room_();
   return has_memory_;
 }
 
 bool ViewBuilder::read_contour() {
-  if (read_bytes_ == text_.size() || !has_memory_) return false;
-  const std::string_view piece = std::string_view(text_).substr(read_bytes_, text_piece);
+  const std::string_view text = program_.text();
+  if (read_bytes_ == text.size() || !has_memory_) return false;
+  const std::string_view piece = text.substr(read_bytes_, text_piece);
   read_bytes_ += piece.size();
-  read_lines_ += static_cast<std::uint64_t>(std::count(piece.begin(), piece.end(), '\n'));
+  program_.find_to(read_bytes_);
   reader_.feed(piece);
-  add_contour(read_bytes_ == text_.size() ? reader_.finish() : reader_.take());
+  add_contour(read_bytes_ == text.size() ? reader_.finish() : reader_.take());
   return account();
 }
 
@@ -133,11 +134,13 @@ bool ViewBuilder::add(const std::vector<CompensatedBlock>& blocks) {
   std::uint64_t line = 0;
   for (const CompensatedBlock& block : blocks)
     line = std::max<std::uint64_t>(line, block.source.line);
-  while (!plane_ || read_lines_ < line + ahead)
+  while (!plane_ || program_.count() < line + ahead)
     if (!read_contour()) break;
   settle_plane();
   for (const CompensatedBlock& block : blocks) {
     if (block.origin == Origin::passthrough) continue;
+    if (block.origin == Origin::kerf || block.origin == Origin::converted_circle)
+      replaced_.push_back(static_cast<std::uint32_t>(block.source.index));
     const Element element{
         .feed = block.rapid ? 0 : static_cast<float>(block.feed),
         .line = block.source.line,
@@ -183,17 +186,16 @@ std::shared_ptr<View> ViewBuilder::finish(std::string id) {
   contour_blocks_ = {};
   radius_of_line_ = {};
   if (!account()) return nullptr;
-  Lines program(std::move(text_));
-  const std::size_t bytes = 2 * program.bytes();
+  const std::size_t bytes = 2 * program_.bytes();
   while (!share_.take(bytes))
     if (!make_room_()) return nullptr;
   said_.set_id(std::move(id));
   if (said_.refused()) said_.clear_measuring();
-  describe(program);
+  describe();
   return std::make_shared<View>(std::move(share_), ViewParts{.said = std::move(said_),
                                                              .contour = std::move(contour_),
                                                              .path = std::move(path_),
-                                                             .program = std::move(program),
+                                                             .program = std::move(program_),
                                                              .settings = settings_});
 }
 
@@ -279,18 +281,24 @@ void ViewBuilder::mark_leads() {
 }
 
 void ViewBuilder::mark_masked() {
-  if (masked_.empty()) return;
+  if (masked_.empty() && replaced_.empty()) return;
   const NotTravelled masked(masked_);
-  for (std::size_t i = 0; i < contour_.size(); ++i)
-    if (masked.contains(contour_blocks_[i])) contour_.restyle(i, Style::contour_masked);
+  std::sort(replaced_.begin(), replaced_.end());
+  for (std::size_t i = 0; i < contour_.size(); ++i) {
+    const std::uint32_t block = contour_blocks_[i];
+    if (masked.contains(block) || std::binary_search(replaced_.begin(), replaced_.end(), block))
+      contour_.restyle(i, Style::contour_masked);
+  }
+  replaced_ = {};
 }
 
-void ViewBuilder::describe(const Lines& program) {
+void ViewBuilder::describe() {
   verify::Bounds all;
   for (const Elements* elements : {&contour_, &path_}) {
-    if (elements->bounds().empty) continue;
-    all.add(elements->bounds().low);
-    all.add(elements->bounds().high);
+    const verify::Bounds own = elements->bounds();
+    if (own.empty) continue;
+    all.add(own.low);
+    all.add(own.high);
   }
   // A path without extent still has a square to lie in.
   const double side = std::max(all.size().maxCoeff(), 1.0) * 1.25;
@@ -302,19 +310,13 @@ void ViewBuilder::describe(const Lines& program) {
   said_.set_most_level(most_level);
   said_.set_plane(message_of(*plane_));
   said_.set_own_plane(message_of(own_plane_));
-  said_.set_contour_blocks(blocks_in(contour_));
-  said_.set_path_blocks(blocks_in(path_));
-  said_.set_lines(program.count());
+  said_.set_contour_blocks(contour_.blocks());
+  said_.set_path_blocks(path_.blocks());
+  said_.set_lines(program_.count());
   said_.set_path_length(path_.length());
   if (path_.empty()) return;
-  double lowest = double{path_[0].third_from};
-  double highest = lowest;
-  for (std::size_t i = 0; i < path_.size(); ++i) {
-    lowest = std::min(lowest, double{path_[i].third_to});
-    highest = std::max(highest, double{path_[i].third_to});
-  }
-  said_.set_lowest(lowest);
-  said_.set_highest(highest);
+  said_.set_lowest(path_.lowest());
+  said_.set_highest(path_.highest());
 }
 
 }  // namespace trc::server::http

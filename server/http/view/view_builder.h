@@ -22,7 +22,7 @@ namespace trc::server::http {
 
 // What a view is made of.
 struct ViewedProgram {
-  std::string text{};
+  std::shared_ptr<const std::string> text{};
   std::string name{};
   wire::ProgramSettings settings{};
   std::optional<Plane> plane{};  // that is shown; none: that of the first compensated block
@@ -59,23 +59,25 @@ class ViewBuilder {
   void mark_masked();
   // Draws what of the selection read last is no wall as what leads to one.
   void mark_leads();
-  void describe(const Lines& program);
+  void describe();
   // Takes the memory for what there is by now.
   bool account();
 
-  std::string text_;
+  Lines program_;
   wire::ProgramSettings settings_;
   Share share_;
   std::function<bool()> make_room_;
   bool has_memory_ = true;
   v1::View said_;
   std::vector<Diagnostic> masked_;  // as far as the picture needs them
+  // Source::index of contour blocks that have another one in their place, as the sides of a notch
+  // that kerf masking has filled.
+  std::vector<std::uint32_t> replaced_;
 
   ContourReader reader_;
   FirstMotions first_on_contour_;
   FirstMotions first_on_path_;
   std::size_t read_bytes_ = 0;  // of the text
-  std::uint64_t read_lines_ = 0;
   // Read before it was known which plane is shown.
   std::vector<Block> waiting_;
   std::optional<Plane> asked_plane_;

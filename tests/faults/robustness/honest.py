@@ -67,12 +67,15 @@ class Honest:
         self.history, self.over, self.proxies = test.history, test.over, test.proxies
         self.longest_s = LONGEST_S * (5 if test.server.checked else 1)
         self.authority = os.path.join(test.folder, "ca.pem")
-        self.package, self.disk = python_package(test.folder), SmallDisk(test.folder)
+        self.package, self.disk, self.slow_disk = python_package(test.folder), SmallDisk(test.folder), test.server.disk
         self.ways = [self.to_file, self.to_file, self.to_file, self.to_slow_pipe, self.to_full_disk,
                      self.measured, self.surveyed, self.by_http, self.by_http]
         self.patient = [self.to_file, self.to_slow_pipe, self.to_full_disk, self.measured, self.surveyed]
         if self.package is not None:
             self.ways.append(self.by_python)
+        if self.slow_disk.exists:
+            self.ways.append(self.to_slow_disk)
+            self.patient.append(self.to_slow_disk)
 
     def run(self, number, seed):
         rng, count = random.Random(seed), 0
@@ -99,6 +102,10 @@ class Honest:
     def to_slow_pipe(self, name, case, rng):
         return self.command(name, case, "compensate", rng)
 
+    def to_slow_disk(self, name, case, rng):
+        return self.command(name, case, "compensate", rng, os.path.join(self.folder, f"out.{name}"),
+                            {"LD_PRELOAD": self.slow_disk.library, "SLOW_DISK_MS": str(self.slow_disk.WRITE_MS)})
+
     def to_full_disk(self, name, case, rng):
         full = os.path.join(self.disk.path, name) if self.disk.exists and rng.random() < 0.7 else "/dev/full"
         return self.command(name, case, "compensate", rng, full)
@@ -109,19 +116,19 @@ class Honest:
     def surveyed(self, name, case, rng):
         return self.command(name, case, "radii", rng)
 
-    def command(self, name, case, command, rng, output=None):
+    def command(self, name, case, command, rng, output=None, environment=None):
         line = case.line(self.trc, command, self.proxies.grpc.port, self.authority)
-        return self.process(name, line + (["-o", output] if output else []), rng, output)
+        return self.process(name, line + (["-o", output] if output else []), rng, output, environment)
 
     def by_python(self, name, case, rng):
         script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "python_client.py")
         return self.process(name, [PYTHON, script, str(self.proxies.grpc.port), self.authority, case.source],
                             rng)
 
-    def process(self, name, line, rng, output=None):
+    def process(self, name, line, rng, output=None, environment=None):
         """None where it dies in the middle."""
         process = subprocess.Popen(line, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                                   env={**os.environ, "PYTHONPATH": self.package or ""})
+                                   env={**os.environ, "PYTHONPATH": self.package or "", **(environment or {})})
         if rng.random() < 0.1:
             time.sleep(rng.random())
             process.kill()

@@ -36,7 +36,8 @@ class Hostile:
         self.address, self.bomb = f"127.0.0.{2 + number}", test.bomb
         self.kinds = Deck(self.rng, [
             self.garbage, self.preface, self.hold, self.storm, self.drop, self.compressed_bomb,
-            self.rapid_reset, self.empty_data, self.deaf, self.deaf_http, self.endless_head,
+            self.rapid_reset, self.empty_data, self.endless_headers, self.frames, self.shut_window,
+            self.half_handshake, self.deaf, self.deaf_http, self.endless_head,
             self.slow_head, self.half_body])
 
     def run(self):
@@ -108,6 +109,36 @@ class Hostile:
         with self.connect_tls() as end:
             end.sendall(http2.greeting() + http2.call(1, COMPENSATE))
             self.flood(end, lambda stream: http2.frame(http2.DATA, 0, 1))
+
+    def endless_headers(self):
+        """A head of HTTP/2 without an end."""
+        with self.connect_tls() as end:
+            end.sendall(http2.greeting() + http2.frame(http2.HEADERS, 0, 1))
+            part = self.rng.choice([b"", http2.literal(b"x", b"y" * 100)])
+            self.flood(end, lambda stream: http2.frame(http2.CONTINUATION, 0, 1, part))
+
+    def frames(self):
+        """One kind of frame that asks for nothing."""
+        kind, payload = self.rng.choice([(http2.SETTINGS, b""), (http2.PING, b"12345678"),
+                                         (http2.PRIORITY, b"\0\0\0\0\1"), (http2.WINDOW_UPDATE, b"\0\0\0\1")])
+        streams = kind == http2.PRIORITY
+        with self.connect_tls() as end:
+            end.sendall(http2.greeting())
+            self.flood(end, lambda stream: http2.frame(kind, 0, stream if streams else 0, payload))
+
+    def shut_window(self):
+        """A client that lets nothing out: its window is shut."""
+        with self.connect_tls() as end:
+            end.sendall(http2.greeting(b"\0\4\0\0\0\0") + http2.call(1, COMPENSATE)
+                        + http2.message(1, b"\x0a\0", compressed=False))
+            self.over.wait(DEAF_S)
+
+    def half_handshake(self):
+        """Begins TLS and says no more."""
+        for _ in range(10):
+            end = self.connect(self.rng.choice([self.server.port, self.server.http]))
+            self.held.append(end)
+            end.sendall(b"\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03" + self.rng.randbytes(self.rng.randrange(200)))
 
     def deaf(self):
         """A client that has asked, and stands still with its connection open."""

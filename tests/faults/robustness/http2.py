@@ -2,7 +2,7 @@
 
 import struct
 
-DATA, HEADERS, RST_STREAM, SETTINGS = 0, 1, 3, 4
+DATA, HEADERS, PRIORITY, RST_STREAM, SETTINGS, PING, WINDOW_UPDATE, CONTINUATION = 0, 1, 2, 3, 4, 6, 8, 9
 END_HEADERS = 4
 GREETING = b"PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n"
 
@@ -16,8 +16,8 @@ def literal(name, value):
     return b"\0" + bytes([len(name)]) + name + bytes([len(value)]) + value
 
 
-def greeting():
-    return GREETING + frame(SETTINGS, 0, 0)
+def greeting(settings=b""):
+    return GREETING + frame(SETTINGS, 0, 0, settings)
 
 
 def call(stream, path, *more):

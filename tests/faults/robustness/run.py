@@ -7,12 +7,12 @@ Without SECONDS it is 20, and 300 where TRC_TEST_LONG is set. TRC_ROBUSTNESS_KEE
 what it leaves: history, logs, NC programs, and each answer that was not the right one (`differs.…`).
 
 A server of limited memory (told, or by a cgroup), descriptors and streams, behind proxies that slow,
-cut and stall; its log goes into a file, into a pipe, or onto a device that is full (trcd.py). Honest
-clients ask by `trc`, HTTP and Python, onto disks that are full and pipes that are read late
-(honest.py). Hostile ones send garbage, floods and bombs, hold connections, stop in the middle or never
-read (hostile.py). Meanwhile the server is killed and started again, stopped, its certificates are
-changed for good and for bad ones, its log is not read, its wall clock jumps. Everything asked and
-answered goes into a history, which is checked:
+cut and stall; its log goes into a file, on a slow disk at times, into a pipe, or onto a device that is
+full (trcd.py). Honest clients ask by `trc`, HTTP and Python, onto disks that are full or slow and pipes
+that are read late (honest.py). Hostile ones send garbage, floods and bombs, hold connections, stop in
+the middle or never read (hostile.py). Meanwhile the server is killed and started again, stopped, its
+certificates are changed for good and for bad ones, its log is not read, its wall clock jumps.
+Everything asked and answered goes into a history, which is checked:
 
 - every finished output is that of `trc` without a server, byte for byte
 - every refusal says why, and its exit code fits

@@ -100,8 +100,27 @@ class Clock:
         with open(self.file, "r+b") as file:
             file.write(struct.pack("=q", seconds))
 
-    def environment(self):
-        return [f"LD_PRELOAD={self.library}", f"SHIFTED_CLOCK={self.file}"] if self.exists else []
+    def environment(self, disk):
+        """That of a server whose files lie on the disk, which is as fast as any where there is none."""
+        if not self.exists:
+            return []
+        libraries = [self.library] + ([disk.library] if disk else [])
+        return [f"LD_PRELOAD={' '.join(libraries)}", f"SHIFTED_CLOCK={self.file}",
+                f"SLOW_DISK_MS={SlowDisk.WRITE_MS}"]
+
+
+class SlowDisk:
+    """Makes what a process writes to files take long; see its own library."""
+
+    SOURCE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "slow_disk.cpp")
+    WRITE_MS = 40
+
+    def __init__(self, folder, checked):
+        self.library = os.path.join(folder, "slow_disk.so")
+        self.exists = not checked  # a sanitizer must be the first library there is
+        if self.exists:
+            subprocess.run(["c++", "-std=c++20", "-shared", "-fPIC", "-O1", "-o", self.library, self.SOURCE],
+                           check=True)
 
 
 class PipeReader(threading.Thread):
@@ -131,7 +150,7 @@ class Server:
         self.memory_mib = CHECKER_MEMORY_MIB if self.checked else MEMORY_MIB
         self.process, self.incarnation, self.reader = None, 0, None
         self.port, self.admin, self.http = free_port(), free_port(), free_port()
-        self.clock = Clock(folder, self.checked)
+        self.clock, self.disk = Clock(folder, self.checked), SlowDisk(folder, self.checked)
         self.group = MemoryGroup(self.memory_mib)
         make_certificates(folder)
         self.put_certificate("a", "a")
@@ -177,13 +196,15 @@ class Server:
         self.incarnation += 1
         surroundings = {"descriptors": self.rng.choice([128, 256, 1024]),
                         "log": self.rng.choice(["file", "pipe", "pipe", "full device"]),
+                       "slow disk": self.disk.exists and self.rng.random() < 0.3,
                         "group": self.group.path is not None and self.rng.random() < 0.5}
         output = self.open_log(surroundings["log"])
         join = f"echo $$ >{self.group.path}/cgroup.procs && " if surroundings["group"] else ""
         with open(self.path(f"server.{self.incarnation}.err"), "w") as errors:
             self.process = subprocess.Popen(
                 ["/bin/sh", "-c", f"{join}ulimit -n {surroundings['descriptors']} && exec env \"$@\"", "trcd",
-                 *self.clock.environment(), self.trcd, *self.flags(surroundings["group"])],
+                 *self.clock.environment(self.disk if surroundings["slow disk"] else None), self.trcd,
+                 *self.flags(surroundings["group"])],
                 stdout=output, stderr=errors)
         os.close(output)
         self.history.add("server", "started", incarnation=self.incarnation, **surroundings)

@@ -30,9 +30,10 @@ class Client:
     def __init__(self, server: Optional[str] = None, *, tls: Optional[Tls] = None,
                  timeout: Optional[float] = None) -> None:
         self._timeout = seconds_of(timeout)
-        target, options = target_of(server or local.address())
-        self._channel = (grpc.aio.insecure_channel(target, options) if tls is None
-                         else grpc.aio.secure_channel(target, tls.credentials(), options))
+        self._local = None if server else local.address()
+        self._channel = _channel_to(server or local.address(), tls)
+        # Closed at the end only: calls of other tasks may still be about to fail in them.
+        self._lost: list[grpc.aio.Channel] = []
 
     async def __aenter__(self) -> "Client":
         return self
@@ -42,14 +43,19 @@ class Client:
 
     async def close(self) -> None:
         """Ends the connection."""
-        await self._channel.close()
+        for channel in (*self._lost, self._channel):
+            await channel.close()
 
     async def compensate(self, text: Union[str, bytes], *, tools: settings.Tools = (),
-                         **setup: Any) -> Result:
+                         blocks: bool = False, **setup: Any) -> Result:
         """As trc.Client.compensate()."""
         exchange = ProgramExchange(bytes_of(text), settings.program_setup(setup, tools))
+        of_blocks = exchange.for_blocks() if blocks else None
         await self._run(exchange)
-        return exchange.result()
+        if of_blocks is None:
+            return exchange.result()
+        await self._run(of_blocks)
+        return exchange.result(of_blocks.blocks())
 
     async def compensate_path(self, path: Path, **setup: Any) -> PathResult:
         """As trc.Client.compensate_path()."""
@@ -75,12 +81,26 @@ class Client:
 
     async def info(self) -> Any:
         """As trc.Client.info()."""
-        stub = trc_service_pb2_grpc.TrcServiceStub(self._channel)
+        stub = trc_service_pb2_grpc.TrcServiceStub(await self._ready())
         try:
             return await stub.GetServerInfo(trc_service_pb2.GetServerInfoRequest(),
                                             timeout=self._timeout)
         except grpc.RpcError as error:
             raise raised_by(error, ()) from error
+
+    async def _ready(self) -> grpc.aio.Channel:
+        """The channel; to another server of this machine where the one there was has ended."""
+        if self._has_lost_its_own():
+            address = await asyncio.to_thread(local.address)
+            # Another task may have been here meanwhile.
+            if address != self._local:
+                self._lost.append(self._channel)
+                self._local, self._channel = address, _channel_to(address, None)
+        return self._channel
+
+    def _has_lost_its_own(self) -> bool:
+        """The server that was started on this machine has ended."""
+        return self._local is not None and not local.is_alive(self._local)
 
     async def _run(self, exchange: Exchange) -> None:
         async for _ in self._messages(exchange):
@@ -94,10 +114,11 @@ class Client:
         yield exchange.last()
 
     async def _messages(self, exchange: Exchange) -> AsyncIterator[None]:
-        open_stream = self._channel.stream_stream(exchange.METHOD, identity, identity)
         waiting = Waiting(self._timeout)
         while True:
-            call = open_stream(exchange.requests(), timeout=waiting.left())
+            channel = await self._ready()
+            call = channel.stream_stream(exchange.METHOD, identity, identity)(
+                exchange.requests(), timeout=waiting.left())
             try:
                 async for message in call:
                     exchange.absorb(message)
@@ -108,20 +129,29 @@ class Client:
                 raised = raised_by(error, exchange.diagnostics, exchange.record)
                 wait = (None if isinstance(raised, TrcError)
                         else waiting.before_next_try(raised))
-                if wait is None:
+                if wait is not None:
+                    await asyncio.sleep(wait)
+                # Another server of this machine does not take the streams of the one there was.
+                if wait is None or waiting.answered and self._has_lost_its_own():
                     raise raised from error
-                await asyncio.sleep(wait)
                 exchange.go_on()
             finally:
                 call.cancel()
 
 
+def _channel_to(server: str, tls: Optional[Tls]) -> grpc.aio.Channel:
+    target, options = target_of(server)
+    if tls is None:
+        return grpc.aio.insecure_channel(target, options)
+    return grpc.aio.secure_channel(target, tls.credentials(), options)
+
+
 async def compensate(text: Union[str, bytes], *, server: Optional[str] = None,
                      tls: Optional[Tls] = None, timeout: Optional[float] = None,
-                     tools: settings.Tools = (), **setup: Any) -> Result:
+                     tools: settings.Tools = (), blocks: bool = False, **setup: Any) -> Result:
     """trc.compensate(), awaited."""
     async with Client(server, tls=tls, timeout=timeout) as client:
-        return await client.compensate(text, tools=tools, **setup)
+        return await client.compensate(text, tools=tools, blocks=blocks, **setup)
 
 
 async def compensate_path(path: Path, *, server: Optional[str] = None, tls: Optional[Tls] = None,

@@ -55,17 +55,22 @@ class Client:
             self._channel.close()
 
     def compensate(self, text: Union[str, bytes], *, tools: settings.Tools = (),
-                   **setup: Any) -> Result:
+                   blocks: bool = False, **setup: Any) -> Result:
         """The NC program with tool radius compensation resolved.
 
-        tools: D number → radius in mm, or Tool messages as dictionaries. setup: fields of
+        tools: D number → radius in mm, or Tool messages as dictionaries. blocks: the result has the
+        compensated path as columns too, for which the program is sent once more. setup: fields of
         ProgramSetup, PathSetup and TrcOptions by name (radius=5, transition="G26",
         remove_masked_blocks=True). Raises TrcError where the program is refused, ServerError where
         there is no answer, TypeError or ValueError where an argument is wrong by itself.
         """
         exchange = ProgramExchange(bytes_of(text), settings.program_setup(setup, tools))
+        of_blocks = exchange.for_blocks() if blocks else None
         self._run(exchange)
-        return exchange.result()
+        if of_blocks is None:
+            return exchange.result()
+        self._run(of_blocks)
+        return exchange.result(of_blocks.blocks())
 
     def compensate_path(self, path: Path, **setup: Any) -> PathResult:
         """The compensated path of motion blocks. setup: fields of PathSetup and TrcOptions by name.
@@ -200,10 +205,11 @@ def survey_of(program: Union[str, bytes, Path], radii: Iterable[float], uncut: b
 
 
 def compensate(text: Union[str, bytes], *, server: Optional[str] = None, tls: Optional[Tls] = None,
-               timeout: Optional[float] = None, tools: settings.Tools = (), **setup: Any) -> Result:
+               timeout: Optional[float] = None, tools: settings.Tools = (), blocks: bool = False,
+               **setup: Any) -> Result:
     """Client.compensate() over a connection of its own."""
     with Client(server, tls=tls, timeout=timeout) as client:
-        return client.compensate(text, tools=tools, **setup)
+        return client.compensate(text, tools=tools, blocks=blocks, **setup)
 
 
 def compensate_path(path: Path, *, server: Optional[str] = None, tls: Optional[Tls] = None,

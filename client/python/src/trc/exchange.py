@@ -124,12 +124,51 @@ class ProgramExchange(_Exchange):
         return ProgramPart(text=self._decoder.decode(b"".join(parts), True), diagnostics=told,
                            summary=self.summary, record=self.record)
 
-    def result(self) -> Result:
+    def result(self, blocks: Optional[CompensatedPath] = None) -> Result:
         """All of it; the stream has ended with OK."""
         if self.summary is None:
             raise no_summary()
-        return Result(text=b"".join(self._parts).decode("utf-8", "surrogateescape"),
+        return Result(text=b"".join(self._parts).decode("utf-8", "surrogateescape"), blocks=blocks,
                       diagnostics=self.diagnostics, summary=self.summary, record=self.record)
+
+    def for_blocks(self) -> "ProgramBlocksExchange":
+        """The same program with the same setup once more, for its blocks."""
+        return ProgramBlocksExchange(self._text, self._setup)
+
+
+def _columns_of(message: bytes, response: Any, field: int) -> tuple[Any, Any]:
+    """The columns of a response, none: it has none; and the rest of it."""
+    found, rest = wire.take(memoryview(message), {field})
+    columns = found.get(field)
+    part = None if columns is None else CompensatedPath.Batch(columns)
+    return part, response.FromString(rest)
+
+
+class ProgramBlocksExchange(ProgramExchange):
+    """NC text to compensated blocks, in columns: those whose text ProgramExchange has."""
+
+    _COLUMNS_IN = (
+        trc_service_pb2.CompensateProgramResponse.DESCRIPTOR.fields_by_name["columns"].number)
+
+    def __init__(self, text: bytes, setup: setup_pb2.ProgramSetup) -> None:
+        of_blocks = setup_pb2.ProgramSetup()
+        of_blocks.CopyFrom(setup)
+        of_blocks.output = setup_pb2.PROGRAM_OUTPUT_BLOCKS
+        of_blocks.path.response_layout = setup_pb2.RESPONSE_LAYOUT_COLUMNS
+        of_blocks.record = False
+        super().__init__(text, of_blocks)
+
+    def absorb(self, message: bytes) -> None:
+        """The next response."""
+        part, response = _columns_of(
+            message, trc_service_pb2.CompensateProgramResponse, self._COLUMNS_IN)
+        self._absorb(part, response, response.consumed_bytes)
+
+    def blocks(self) -> CompensatedPath:
+        """All of them; the stream has ended with OK."""
+        if self.summary is None:
+            raise no_summary()
+        return CompensatedPath(self._parts)
 
 
 class PathExchange(_Exchange):
@@ -151,10 +190,8 @@ class PathExchange(_Exchange):
 
     def absorb(self, message: bytes) -> None:
         """The next response."""
-        found, rest = wire.take(memoryview(message), {self._COLUMNS_IN})
-        response = trc_service_pb2.CompensatePathResponse.FromString(rest)
-        columns = found.get(self._COLUMNS_IN)
-        part = None if columns is None else CompensatedPath.Batch(columns)
+        part, response = _columns_of(
+            message, trc_service_pb2.CompensatePathResponse, self._COLUMNS_IN)
         consumed = (response.consumed_through_block + 1
                     if response.HasField("consumed_through_block") else 0)
         self._absorb(part, response, consumed)

@@ -140,6 +140,8 @@ class Result:
     """The ProgramSummary of the protocol."""
     record: Optional[str] = None
     """With record=True: the record of the job as JSON, to be filed as it is."""
+    blocks: Optional["CompensatedPath"] = None
+    """With blocks=True: the path of the text as numpy columns."""
 
 
 @dataclass(frozen=True)

@@ -162,6 +162,10 @@ def _tool_table(tools: Tools) -> list[dict[str, Any]]:
 
 def program_setup(settings: Mapping[str, Any], tools: Tools = ()) -> setup_pb2.ProgramSetup:
     """A ProgramSetup of keywords: its own fields, and those of its path."""
+    for name in ("output", "response_layout"):
+        if name in settings:
+            raise TypeError(f"{name} is no setting here: text comes out, and with blocks=True of "
+                            "compensate() the blocks too")
     settings = _with_files_of_bytes(settings)
     own = setup_pb2.ProgramSetup.DESCRIPTOR.fields_by_name
     mine = {name: _value(own[name], value) for name, value in settings.items()

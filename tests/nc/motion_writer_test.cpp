@@ -74,6 +74,18 @@ TEST(ArcForm, ArcWithoutLengthAfterRoundingIsNoCircle) {
   }
 }
 
+// Four decimals tell its ends apart; a control that has three would make a full circle of it.
+TEST(ArcForm, ArcWithoutLengthInThousandthsIsNoCircle) {
+  const MotionWriter writer(4, "");
+  for (const double radius : {0.3, 5.0, 105.0}) {
+    const Arc arc = arc_from({100, 0}, radius, 3.1, 4e-4 / radius);
+    EXPECT_EQ(writer.numbers_of(arc, Plane::xy, at_start(arc, 4)).form, ArcForm::line) << radius;
+    const Arc longer = arc_from({100, 0}, radius, 3.1, 4e-3 / radius);
+    EXPECT_EQ(writer.numbers_of(longer, Plane::xy, at_start(longer, 4)).form, ArcForm::arc)
+        << radius;
+  }
+}
+
 TEST(ArcForm, CircleSmallerThanAUnitIsNoCircle) {
   const MotionWriter writer(2, "");
   const Arc arc = arc_from({1, 1}, 0.002, 0, 2 * pi);

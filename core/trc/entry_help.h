@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "core/base/entry_help.h"
-#include "core/trc/compensator.h"
 #include "core/trc/selection/refused_way.h"
+#include "core/trc/setup.h"
 
 namespace trc::selection {
 

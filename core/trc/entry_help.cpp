@@ -1,4 +1,4 @@
-#include "core/trc/selection/entry_help.h"
+#include "core/trc/entry_help.h"
 
 #include <algorithm>
 #include <array>
@@ -6,8 +6,11 @@
 #include <numbers>
 #include <utility>
 
+#include "core/base/diagnostics.h"
 #include "core/geometry/box_tree.h"
 #include "core/geometry/distance.h"
+#include "core/trc/compensator.h"
+#include "core/trc/result/compensated_block.h"
 #include "core/trc/selection/free_start.h"
 
 namespace trc::selection {

@@ -1,4 +1,4 @@
-#include "core/trc/corner/joints.h"
+#include "core/trc/passes/joints.h"
 
 #include <cmath>
 #include <numbers>
@@ -144,10 +144,10 @@ JointResult contour_joint(const PathBlock& before, const PathBlock& after, const
     case CornerKind::tangential:
       return JoinedBlocks{.joint = tangential_joint(corner)};
     case CornerKind::outside:
-      return JoinedBlocks{.joint =
-                              after.removes_loops()
-                                  ? outside_joint(corner, transition_rule(mode, true), tolerances)
-                                  : transition_joint(corner, mode, tolerances)};
+      return JoinedBlocks{
+          .joint = after.removes_loops()
+                       ? outside_joint(corner, transition_rule(mode, Loops::removed), tolerances)
+                       : transition_joint(corner, mode, tolerances)};
     case CornerKind::inside:
       break;
   }
@@ -188,7 +188,7 @@ Joint transition_joint(const Corner& corner, const TrcMode& mode, const Toleranc
       transition_angle(corner, tolerances) <= limit) {
     if (auto joint = extended_joint(corner, tolerances)) return *joint;
   }
-  return outside_joint(corner, transition_rule(mode, false), tolerances);
+  return outside_joint(corner, transition_rule(mode, Loops::kept), tolerances);
 }
 
 Corner corner_between(const PathBlock& before, const PathBlock& after,

@@ -1,0 +1,172 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <initializer_list>
+#include <string>
+
+#include "core/nc/dialect/klartext_block.h"
+
+// What the words of a block of Klartext must be together, and whether the block is followed.
+
+namespace trc {
+namespace {
+
+std::string word_at(const ProgramLine& line, std::size_t begin) {
+  return std::string(line.text.substr(begin, line.text.find_first_of(" \t\r\n;", begin) - begin));
+}
+
+}  // namespace
+
+// What the words must be together, and whether the block is followed.
+bool Interpreter::check_klartext(ProgramLine& line, KlartextBlock& block) {
+  const auto wrong = [&](std::string detail, Code code) {
+    return refuse_klartext(line, block.begin, block.name + std::move(detail), code);
+  };
+  if (block.feed && block.feed->begin == ~0U) return wrong(" with F alone", Code::nc_number);
+  const double unit = inch_ ? mm_per_inch / 10 : 1;
+  if (block.feed && !state_.is_feed(block.feed->value * unit))
+    return refuse_klartext(
+        line, block.feed->begin,
+        word_at(line, block.feed->begin) + ", more than 0 and at most 1000000000 mm/min",
+        Code::nc_number);
+  const bool active = trc_active();
+  const bool selects = block.side && *block.side != Side::off;
+  const bool moves = block.is_motion() || block.is_lead() ||
+                     block.is(KlartextStatement::rounding) || block.is(KlartextStatement::chamfer);
+  const FeedAdaptation adaptation = block.adapts_feed.value_or(state_.mode().feed_adaptation);
+  if (block.open_feed && active && adaptation != FeedAdaptation::off)
+    return refuse_klartext(
+        line, *block.open_feed,
+        word_at(line, *block.open_feed) + ", no feed per minute, while TRC is active");
+  // `/ L M8` moves nothing.
+  const bool moves_nothing = block.is(KlartextStatement::straight) && !block.names_axes() &&
+                             !block.side && !block.feed && !block.open_feed;
+  if (block.to_skip && (moves || block.is(KlartextStatement::center)) && !block.unfollowed &&
+      !moves_nothing) {
+    block.unfollowed = block.begin;
+    block.unfollowed_why = block.name + ", a motion that may be skipped";
+    block.unfollowed_code = Code::block_skip_undecided;
+  }
+  if (klartext_.unfollowed != 0 && moves && !block.unfollowed) {
+    block.unfollowed = block.begin;
+    const bool other_radius =
+        (klartext_.unfollowed & (KlartextLead::correction | KlartextLead::tool_data)) != 0;
+    block.unfollowed_why =
+        block.name + (other_radius ? ", with a radius that the program has changed"
+                                   : ", in coordinates that are scaled or led by the "
+                                     "tool tip");
+  }
+  leave_plane_by_arc(block);
+  // R0 beside M91 ends TRC first.
+  const bool in_contour = (active && block.side != Side::off) || selects;
+  // RL under scaling or M128 has been told: what follows hangs on that.
+  const bool led = klartext_.unfollowed != 0 && block.unfollowed == block.begin;
+  if (block.unfollowed && in_contour && led && !selects && !faults_.empty()) return false;
+  if (block.unfollowed && in_contour)
+    return refuse_klartext(line, *block.unfollowed,
+                           block.unfollowed_why + (active ? ", while TRC is active" : ""),
+                           block.unfollowed_code);
+  if (block.unfollowed) return true;
+  return check_klartext_form(line, block) && check_words_of_form(line, block);
+}
+
+// Arcs across the plane, as vertical leads are: only the control follows them (D-91).
+void Interpreter::leave_plane_by_arc(KlartextBlock& block) const {
+  using enum KlartextStatement;
+  const std::size_t third = axes_of(state_.mode().plane).third;
+  const bool by_pole = block.is(circle) || (block.is_polar() && !block.is_lead());  // C CP LP CTP
+  const bool pole_across = by_pole && klartext_.pole_across != 0;
+  const bool end_across =
+      (block.is(radius_arc) || block.is(tangent_arc)) && block.end[third].has_value();
+  if (block.unfollowed || !(pole_across || end_across)) return;
+  block.unfollowed = block.begin;
+  block.unfollowed_why = block.name + ", an arc or a pole across the plane";
+  if (pole_across) block.leaves_on = klartext_.pole_across;
+  for (std::size_t axis = 0; axis < block.end.size(); ++axis)
+    if (block.end[axis]) block.leaves_on |= static_cast<AxisBits>(1U << axis);
+}
+
+// What the words must be together.
+bool Interpreter::check_klartext_form(const ProgramLine& line, const KlartextBlock& block) {
+  const auto wrong = [&](std::string detail, Code code) {
+    return refuse_klartext(line, block.begin, block.name + std::move(detail), code);
+  };
+  if ((is_arc_of(block.statement)) && !block.clockwise)
+    return wrong(" without DR", Code::circle_incomplete);
+  if (block.is(KlartextStatement::radius_arc) && !block.radius)
+    return wrong(" without R", Code::circle_incomplete);
+  const bool corner = block.is(KlartextStatement::rounding) || block.is(KlartextStatement::chamfer);
+  const auto& size = block.is(KlartextStatement::rounding) ? block.radius : block.length;
+  if (corner && (!size || size->value < 0)) return wrong(" without its size", Code::nc_number);
+  if (!block.is_lead()) return true;
+  if (block.name.find(' ') == std::string::npos)
+    return wrong(" without LT, LN, CT or LCT", Code::nc_syntax);
+  const bool straight =
+      block.lead.form == Lead::Form::tangent || block.lead.form == Lead::Form::normal;
+  if (straight && !(block.length && block.length->value > 0))
+    return wrong(" without LEN", Code::nc_number);
+  if (!straight && !(block.radius && block.radius->value != 0))
+    return wrong(" without R", Code::nc_number);
+  const bool arc = block.lead.form == Lead::Form::arc;
+  if (!straight && !arc && block.radius->value < 0)
+    return wrong(" with R below 0", Code::nc_number);
+  if (arc &&
+      !(block.center_angle && block.center_angle->value > 0 && block.center_angle->value <= 360))
+    return wrong(" without CCA, more than 0 and at most 360", Code::nc_number);
+  return true;
+}
+
+// A word that the statement does not count on would be passed over.
+bool Interpreter::check_words_of_form(const ProgramLine& line, const KlartextBlock& block) {
+  using enum KlartextStatement;
+  const bool lead = block.is_lead();
+  const bool by_arc = lead && block.lead.form == Lead::Form::arc;
+  const bool by_line =
+      lead && (block.lead.form == Lead::Form::tangent || block.lead.form == Lead::Form::normal);
+  const bool to_a_point =
+      block.is(approach) || (lead && block.lead.form == Lead::Form::arc_and_line);
+  const bool polar = lead ? block.polar_lead && to_a_point : block.is_polar();
+  const bool corner = block.is(rounding) || block.is(chamfer);
+  struct Given {
+    const std::optional<KlartextBlock::Value>& value;
+    const char* name;
+    bool counts;
+  };
+  const bool has_place = !corner && !block.is(none);
+  for (const Given& word : std::initializer_list<Given>{
+           {block.polar_radius, "PR", polar},
+           {block.polar_angle, "PA", polar},
+           {block.length, "LEN", block.is(chamfer) || by_line},
+           {block.center_angle, "CCA", by_arc},
+           {block.radius, "R", block.is(radius_arc) || block.is(rounding) || (lead && !by_line)},
+           {block.end[0], "X", has_place},
+           {block.end[1], "Y", has_place},
+           {block.end[2], "Z", has_place}})
+    if (word.value && !word.counts)
+      return refuse_klartext(line, word.value->begin,
+                             std::string(word.name) + " beside " + block.title());
+  for (std::size_t axis = 0; axis < block.tracking.size(); ++axis)
+    if (block.tracking[axis] && !block.is_motion() && !block.is(center))
+      return refuse_klartext(line, block.begin,
+                             state_.setup().tracking_axes[axis] + " beside " + block.title());
+  if (block.clockwise && !is_arc_of(block.statement))
+    return refuse_klartext(line, block.begin, "DR beside " + block.title());
+  return true;
+}
+
+// As for the dialects of G code: the approach is another line than the one that RND rounds into.
+bool Interpreter::check_corner_before(const ProgramLine& line, const KlartextBlock& block,
+                                      bool selects) {
+  WordPlace& open = klartext_.open_corner;
+  if (selects && open.source.line > 0)
+    return refuse_at(open, Code::nc_unsupported,
+                     "RND or CHF in front of the motion that selects TRC");
+  const bool corner = block.is(KlartextStatement::rounding) || block.is(KlartextStatement::chamfer);
+  if (corner && !contour_open())
+    open = place_of_word(line, block.begin);
+  else if (block.is_motion() && block.names_axes())
+    open = {};
+  return true;
+}
+
+}  // namespace trc

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "core/geometry/segment.h"
+#include "core/nc/state/program_state.h"
+
+namespace trc {
+
+// How many contours had been selected where a label stands, and at its LBL 0.
+struct ContoursOfLabel {
+  std::uint64_t before = 0;
+  std::optional<std::uint64_t> behind{};
+  bool calls_tool = false;  // TOOL CALL stands behind it
+
+  // `now`: where no LBL 0 has come yet.
+  [[nodiscard]] bool has_contour(std::uint64_t now) const { return behind.value_or(now) != before; }
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(before, behind, calls_tool);
+  }
+};
+// What a program in Klartext has in force besides.
+struct KlartextModes {
+  std::optional<Point> pole{};           // CC, mm, in the plane
+  AxisBits pole_across = 0;              // of a CC across the plane: its axes
+  std::optional<double> polar_radius{};  // PR, mm
+  std::optional<Vector> tangent{};       // behind the last motion in the plane
+  bool rapid = false;                    // the last motion was one with FMAX
+  double feed_before = 0;                // in force before the block
+  double called_feed = 0;                // F AUTO, mm/min
+  bool feed_per_turn = false;            // M136
+  bool modal_cycle = false;              // M89
+  std::uint32_t unfollowed = 0;  // by what coordinates are scaled or led: bits of KlartextLead
+  // Of TOOL CALL.
+  std::optional<std::int64_t> tool{};
+  double radius_delta = 0;   // DR, mm
+  std::string open_delta{};  // DR+Q5 of a parameter whose value is not known
+  // Q parameters that the program has given a number since the last label or call.
+  std::map<std::string, double, std::less<>> parameters{};
+  std::string tool_name{};  // in quotes, or a parameter
+  WordPlace tool_place{};
+  std::string only_tool_name{};
+  // How many contours have been selected, and which labels were called before they stood
+  // anywhere.
+  std::uint64_t contours = 0;
+  std::map<std::string, ContoursOfLabel> labels{};
+  std::map<std::string, std::uint32_t> calls{};
+  std::uint32_t called_section = 0;  // the line that called it; 0: not in one
+  // Labels up to the next LBL 0; those that were called since the last TOOL CALL and stand
+  // farther behind, and of these the ones that a contour counts on, with the lines of their
+  // calls.
+  std::map<std::string, std::uint32_t> open_labels{};
+  std::map<std::string, std::uint32_t> calls_behind_tool{};
+  std::map<std::string, std::uint32_t> calls_of_contours{};
+  std::uint32_t tool_of_label = 0;  // the line of a call that has changed the tool
+  // Labels whose contours cycle 14 or CONTOUR DEF names, with the line that does, and that line
+  // while one of them is read.
+  std::map<std::string, std::uint32_t> labels_of_cycles{};
+  std::uint32_t cycle_section = 0;
+  WordPlace open_corner{};  // RND, CHF whose next motion is still to come
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(pole, polar_radius, tangent, rapid, called_feed, feed_per_turn, modal_cycle, unfollowed,
+            tool, radius_delta, open_delta, parameters, tool_name, tool_place, only_tool_name,
+            contours, labels, calls, called_section, open_labels, calls_behind_tool,
+            calls_of_contours, tool_of_label, labels_of_cycles, cycle_section, pole_across,
+            open_corner);
+  }
+};
+
+}  // namespace trc

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace trc {
+
+// Names that the reader of Sinumerik knows, in capitals: of all others a program that computes
+// thinks as of variables and subprograms.
+
+// What becomes of a name that stands alone.
+enum class SinumerikMeaning : std::uint8_t {
+  technology,
+  frame,       // TRANS, ROT, …
+  unfollowed,  // transformations, scaling
+  spline,      // and polynomials and involutes, up to the next G00 … G03
+  spatial,     // TRC in space
+  spatial_end,
+  unfollowed_end,
+  single_move,  // SUPA
+  modal_cycle,  // MCALL
+  statement,    // IF, GOTOF, …: refused
+  turning,
+};
+
+// Empty: the name is none of the table. CIP, NORM and the like say more than it has.
+[[nodiscard]] std::optional<SinumerikMeaning> meaning_of_sinumerik_name(std::string_view name);
+// IF, DEF, GOTOF and the like.
+[[nodiscard]] bool is_sinumerik_statement(std::string_view name);
+// NORM, CIP, …, statements too.
+[[nodiscard]] bool is_sinumerik_name(std::string_view name);
+
+// MSG(…), CYCLE81(…) and the like.
+[[nodiscard]] bool is_sinumerik_call(std::string_view name);
+// CYCLE81(…), POCKET3(…): what they move only the control knows.
+[[nodiscard]] bool is_sinumerik_cycle(std::string_view name);
+// MSG(…): says nothing about where the path runs.
+[[nodiscard]] bool is_passing_sinumerik_call(std::string_view name);
+// L6, the change of tools as Siemens delivers it: only the machine has its text (D-64).
+inline constexpr std::string_view standard_tool_change = "L6";
+
+// CR=, RND=, …
+[[nodiscard]] bool is_sinumerik_word(std::string_view name);
+// ADIS=, SPOS=, …: says nothing about where the path runs.
+[[nodiscard]] bool is_passing_sinumerik_word(std::string_view name);
+// FRC=, FRCM=: the feed of roundings and chamfers.
+[[nodiscard]] bool is_sinumerik_corner_word(std::string_view name);
+// $P_UIFR, $P_PFRAME and the like: what coordinates mean.
+[[nodiscard]] bool is_sinumerik_frame(std::string_view name);
+// Why a word with a value is refused; empty: it is not.
+[[nodiscard]] std::string_view refusal_of_sinumerik_word(std::string_view name);
+
+// One of these.
+[[nodiscard]] bool is_sinumerik_word_of_any_kind(std::string_view name);
+
+}  // namespace trc

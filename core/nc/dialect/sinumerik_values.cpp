@@ -1,0 +1,127 @@
+#include <string>
+
+#include "core/nc/dialect/block_words.h"
+#include "core/nc/dialect/sinumerik_names.h"
+#include "core/nc/dialect/sinumerik_words.h"
+#include "core/nc/text/characters.h"
+#include "core/nc/text/named_words.h"
+
+// Words of Sinumerik that have a name and a value: CR=5, RND=2, $TC_DP6[1,1]=5.
+
+namespace trc {
+namespace {
+
+constexpr GFunction frame_scale{
+    .number = scaling_frame, .group = GGroup::unfollowed, .meaning = "a frame that scales"};
+
+// POS[X]=10; POS[A]=10 and POS[Q1]=10 move what has no part in the path.
+bool moves_main_axis(std::string_view assignment) {
+  const std::size_t index = assignment.find_first_not_of("[ \t", assignment.find('['));
+  return index != std::string_view::npos && upper(assignment[index]) >= 'X' &&
+         upper(assignment[index]) <= 'Z';
+}
+
+}  // namespace
+
+bool Interpreter::read_assignment(const NamedWord& word, ProgramLine& line, BlockWords& block) {
+  const auto is = [&](std::string_view wanted) { return word.name == wanted; };
+  if (is("CR") || is("AR")) return read_form_of_arc(word, line, block);
+  if (is("RND") || is("CHF") || is("CHR") || is("RNDM")) return read_corner(word, line, block);
+  if (is("OFFN")) {
+    if (block.allowance)
+      return refuse_code(line, as_code(word), Code::nc_word_twice, "a second OFFN");
+    block.allowance = {.value = word.value, .begin = word.begin};
+    add(line, word, WordRole::trc);
+    return true;
+  }
+  if (is("DISR") || is("DISCL") || is("DISRP") || is("FAD"))
+    return read_soft_word(word, line, block);
+  if (is("AP") || is("RP")) return read_polar_word(word, line, block);
+  if (is("ANG") || is("TURN")) return read_angle_or_turns(word, line, block);
+  if (is_sinumerik_frame(word.name)) {
+    // As SCALE; what a frame holds that is copied is not looked into.
+    const std::string value = in_upper_case(line.word({.begin = word.begin, .end = word.end}));
+    const bool scales =
+        value.find("CSCALE") != std::string::npos || value.find(",SC]") != std::string::npos;
+    return read_as(scales ? frame_scale : frame_name, word, line, block);
+  }
+  if (is("$TC_DP6") || is("$TC_DP15")) return read_edge_data(word, line, block);
+  // 0 ends them: the kinematics of the tool holder, the tool that is turned with it.
+  if ((is("TCARR") || is("CUTMOD")) && word.value != 0)
+    return read_as(frame_name, word, line, block);
+  return pass_assignment(word, line, block);
+}
+
+bool Interpreter::read_form_of_arc(const NamedWord& word, ProgramLine& line, BlockWords& block) {
+  auto& target = word.name == "CR" ? block.move.radius : block.sweep;
+  if (target) return refuse_code(line, as_code(word), Code::nc_word_twice, "a second time");
+  target = word.value;
+  if (!block.center) block.center = word.begin;
+  add(line, word, WordRole::coordinate);
+  return true;
+}
+
+// RND=, CHF= and CHR= shape one corner, RNDM= all that follow.
+bool Interpreter::read_corner(const NamedWord& word, ProgramLine& line, BlockWords& block) {
+  if (word.name == "RNDM") {
+    if (block.modal_rounding || word.value < 0)
+      return refuse_code(line, as_code(word), Code::nc_number, "once, 0 or more");
+    block.modal_rounding = {.value = word.value, .begin = word.begin};
+  } else {
+    if (block.corner)
+      return refuse_code(line, as_code(word), Code::nc_word_twice, "a second rounding or chamfer");
+    block.corner = word.begin;
+    block.move.corner = {.form = word.name == "RND"   ? CornerCut::Form::round
+                                 : word.name == "CHR" ? CornerCut::Form::leg
+                                                      : CornerCut::Form::width,
+                         .size = word.value};
+  }
+  add(line, word, WordRole::technology);
+  return true;
+}
+
+// ANG=, the angle of a motion, and TURN=, further turns of a circle.
+bool Interpreter::read_angle_or_turns(const NamedWord& word, ProgramLine& line, BlockWords& block) {
+  const bool turns = word.name == "TURN";
+  if (!turns && trc_active())
+    return refuse_code(line, as_code(word), Code::nc_unsupported, "the angle of a motion");
+  if (turns && contour_open()) {
+    if (block.turns) return refuse_code(line, as_code(word), Code::nc_word_twice, "a second TURN=");
+    block.turns = {.value = word.value, .begin = word.begin};
+    add(line, word, WordRole::coordinate);
+    return true;
+  }
+  block.unfollowed_word = word.begin;
+  add(line, word, WordRole::technology);
+  return true;
+}
+
+// What says nothing about where the path runs, or is refused because it does.
+bool Interpreter::pass_assignment(const NamedWord& word, ProgramLine& line, BlockWords& block) {
+  const auto is = [&](std::string_view wanted) { return word.name == wanted; };
+  const auto refused = [&](std::string_view why) {
+    return refuse_code(line, as_code(word), Code::nc_unsupported, why);
+  };
+  const bool is_corner_word = is_sinumerik_corner_word(word.name);
+  if (is_corner_word && trc_active() && word.value != 0)
+    return refused("a rounding or a chamfer while TRC is active");
+  if (is("DISC") && word.value != 0) return refused("corners that reach out: DISC=0");
+  if (is("FB")) block.own_feed = word.begin;
+  if (is("FZ")) block.tooth_feed = word.begin;
+  if (is("DL") && word.value != 0) return refused("a sum offset of the tool");
+  const bool is_no_offset = word.name.starts_with("TOFF") && word.value == 0;
+  const std::string_view refusal = refusal_of_sinumerik_word(word.name);
+  if (!refusal.empty() && !is_no_offset) return refused(refusal);
+  const bool moves_axis = is("POS") || is("POSA");
+  if (moves_axis && moves_main_axis(line.word({.begin = word.begin, .end = word.end})))
+    return refused("a motion of an axis by itself");
+  const bool ends_turned_tool = is("TCARR") || is("CUTMOD");
+  const bool passes = is_passing_sinumerik_word(word.name) || ends_turned_tool || moves_axis ||
+                      state_.setup().pass_words.contains(word.name) || is("DISC") || is("DL") ||
+                      is_no_offset || is_corner_word || is("RPL");
+  if (!passes) return refused("a variable");
+  add(line, word, WordRole::technology);
+  return true;
+}
+
+}  // namespace trc

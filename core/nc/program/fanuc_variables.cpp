@@ -1,0 +1,189 @@
+#include <algorithm>
+
+#include "core/nc/program/fanuc_flow.h"
+#include "core/nc/text/characters.h"
+
+// Variables of Fanuc, and what the control itself holds in them.
+
+namespace trc::program {
+namespace {
+
+// Switches of the machine, which move nothing (D-93): clocks, single block and feed hold, counters.
+bool is_machine_switch(std::int64_t variable) {
+  return (variable >= 3001 && variable <= 3004) || variable == 3901 || variable == 3902;
+}
+
+}  // namespace
+
+bool FanucFlow::assign(std::string& flat, std::size_t at) {
+  ExpressionReader expression = expression_at(at);
+  const std::int64_t number = number_of_variable(expression);
+  expression.pass_blanks();
+  if (!expression.failed() && expression.peek() != '=')
+    return refuse(Code::expression_invalid, at, "# without =");
+  expression.go_to(expression.at() + (expression.failed() ? 0 : 1));
+  const Value value = expression.expression();
+  if (expression.failed()) return refuse(expression.fault());
+  const std::size_t behind = expression.at();
+  if (!is_over(line_, behind)) {
+    const std::size_t place = behind_blanks(line_, behind);
+    return refuse(Code::expression_invalid, place,
+                  line_[place] == '#' ? "#, a second assignment: one in a block"
+                                      : name_of_character(line_.substr(place)));
+  }
+  if (!value.vacant && is_machine_switch(number)) {
+    std::string text = "#" + std::to_string(number) + "=";
+    append_value(text, value.number, PointStyle::as_whole);
+    const std::string comments = comments_of(line_, behind);
+    write_behind_number(flat, comments.empty() ? text : text + " " + comments);
+    return true;
+  }
+  constexpr std::int64_t stop = 3006;
+  if (number == stop) {
+    const std::string comments = comments_of(line_, behind);
+    write_behind_number(flat, comments.empty() ? "M00" : "M00 " + comments);
+    return true;
+  }
+  constexpr std::int64_t first_of_wear = 12001;
+  constexpr std::int64_t last_of_wear = 12999;
+  if (number >= first_of_wear && number <= last_of_wear && value.number != 0)
+    return refuse(Code::nc_unsupported, at,
+                  "#" + std::to_string(number) + ", the wear of a tool radius");
+  if (const std::string data = data_setting(number, value); !data.empty()) {
+    common_[number] = value.number;
+    const std::string comments = comments_of(line_, behind);
+    write_behind_number(flat, comments.empty() ? data : data + " " + comments);
+    return true;
+  }
+  return set(number, value, at) && finish_statement(flat, behind);
+}
+
+// What sets a zero point or the radius of a tool, as G10 does it, which the reader follows: under
+// G91 that would add. Which register #2001 to #2800 and #10001 are hangs on the memory of the
+// control. Empty: it is none.
+std::string FanucFlow::data_setting(std::int64_t number, const Value& value) const {
+  constexpr std::int64_t in_row = 20;  // axes of one zero point
+  constexpr std::string_view axes = "XYZ";
+  const auto index_in = [&](std::int64_t first, std::int64_t last) {
+    return number >= first && number <= last ? number - first : -1;
+  };
+  const std::int64_t standard = index_in(5201, 5328);
+  const std::int64_t further = index_in(7001, 7948);
+  const std::int64_t wear = index_in(12001, 12999);
+  const std::int64_t radius = index_in(13001, 13999);
+  std::string text;
+  if (value.vacant || modes_.incremental) return text;
+  const std::int64_t zero_point = std::max(standard, further);
+  if (zero_point >= 0) {
+    const auto axis = static_cast<std::size_t>(zero_point % in_row);
+    if (axis >= axes.size()) return text;
+    text = standard >= 0 ? "G10 L2 P" + std::to_string(standard / in_row)
+                         : "G10 L20 P" + std::to_string(further / in_row + 1);
+    text.append(" ").append(1, axes[axis]);
+  } else if (radius >= 0 || wear >= 0) {
+    text = radius >= 0 ? "G10 L12 P" + std::to_string(radius + 1) + " R"
+                       : "G10 L13 P" + std::to_string(wear + 1) + " R";
+  }
+  if (!text.empty()) append_value(text, value.number, PointStyle::with_point);
+  return text;
+}
+
+bool FanucFlow::set(std::int64_t number, const Value& value, std::size_t begin) {
+  const std::optional<double> content =
+      value.vacant ? std::optional<double>() : std::optional<double>(value.number);
+  constexpr std::int64_t alarm = 3000;
+  const auto locals = static_cast<std::int64_t>(locals_.back().size());
+  if (number > 0 && number < locals) {
+    locals_.back()[static_cast<std::size_t>(number)] = content;
+  } else if (number >= 100 && number < 1000) {
+    common_[number] = content;
+    unwritten_.insert(number);
+  } else if (number == alarm) {
+    return refuse(Code::program_alarm, begin,
+                  std::string(without_blanks_behind(line_.substr(begin))));
+  } else {
+    return refuse(number >= 1000 ? Code::machine_state : Code::value_invalid, begin,
+                  std::string("#").append(std::to_string(number)));
+  }
+  return true;
+}
+
+// D-95
+void FanucFlow::write_values(std::string& flat, bool sees_locals) {
+  const auto write = [&](std::int64_t number, const std::optional<double>& content) {
+    flat.append("#").append(std::to_string(number)).append("=");
+    if (content)
+      append_value(flat, *content, PointStyle::with_point);
+    else
+      flat.append("#0");
+    flat.append(line_end());
+    is_as_written_ = false;
+  };
+  if (sees_locals) {
+    const Locals& locals = locals_.back();
+    for (std::size_t number = 1; number < locals.size(); ++number)
+      if (locals[number]) write(static_cast<std::int64_t>(number), locals[number]);
+  }
+  for (const std::int64_t number : unwritten_) write(number, common_.at(number));
+  unwritten_.clear();
+}
+
+std::int64_t FanucFlow::number_of_variable(ExpressionReader& expression) {
+  expression.go_to(expression.at() + 1);
+  return expression.whole_operand();
+}
+
+// #4001 … : the functions of their groups that hold.
+std::optional<double> FanucFlow::modal_value(std::int64_t number) const {
+  switch (number) {
+    case 4001:
+      return static_cast<double>(modes_.motion);
+    case 4002:
+      return modes_.plane == Plane::xy ? 17 : modes_.plane == Plane::zx ? 18 : 19;
+    case 4003:
+      return modes_.incremental ? 91 : 90;
+    case 4006:
+      return modes_.inch ? 20 : 21;
+    default:
+      return {};
+  }
+}
+
+// Where lines are looked at, what is vacant might have been given a value.
+Value FanucFlow::content_or_vacant(const std::optional<double>& content) const {
+  if (looks_ahead() && !content) return {.number = 1};
+  return {.number = content.value_or(0), .vacant = !content};
+}
+
+Value FanucFlow::lost(ExpressionReader& expression, std::int64_t number, std::size_t begin) {
+  return without_value(expression, Code::variable_unset, begin,
+                       "#" + std::to_string(number) + ", which may have been set by " + lost_to_);
+}
+
+Value FanucFlow::read(ExpressionReader& expression) {
+  suppose();
+  const std::size_t begin = expression.at();
+  const std::int64_t number = number_of_variable(expression);
+  if (expression.failed() || number == 0) return {.vacant = true};
+  const auto locals = static_cast<std::int64_t>(locals_.back().size());
+  if (number < locals) {
+    const auto& content = locals_.back()[static_cast<std::size_t>(number)];
+    if (locals_.back().are_lost && !content) return lost(expression, number, begin);
+    return content_or_vacant(content);
+  }
+  if (const auto known = common_.find(number); known != common_.end())
+    return content_or_vacant(known->second);
+  const std::string name = std::to_string(number);
+  if (const double* value = given(name)) return {.number = *value};
+  if (const auto value = modal_value(number)) return {.number = *value};
+  if (number < 1000 && !lost_to_.empty()) return lost(expression, number, begin);
+  if (number >= 100 && number < 500) return content_or_vacant({});
+  const Code code = number >= 1000  ? Code::machine_state
+                    : number >= 500 ? Code::variable_unset
+                                    : Code::value_invalid;
+  return without_value(expression, code, begin, "#" + name);
+}
+
+bool FanucFlow::exists(ExpressionReader& /*expression*/) { return false; }
+
+}  // namespace trc::program

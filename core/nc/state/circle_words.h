@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/geometry/plane.h"
+#include "core/nc/state/circle.h"
+
+namespace trc {
+
+// How a program writes a circle.
+struct CircleWords {
+  Plane plane = Plane::xy;
+  bool absolute_center = false;  // of I, J and K
+  bool klartext = false;         // CC
+  bool inch = false;
+};
+
+// "I25 J0, X0 Y40 → X40 Y40": the words of a circle that do not fit together, in the unit of the
+// program. Without a centre, which a radius stands for, its ends alone.
+[[nodiscard]] std::string told_circle(const CircleEnds& ends, const std::optional<Point>& center,
+                                      const CircleWords& words);
+
+}  // namespace trc

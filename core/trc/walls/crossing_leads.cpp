@@ -1,0 +1,46 @@
+#include "core/trc/walls/crossing_leads.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/along.h"
+
+namespace trc {
+namespace {
+
+// Whether two blocks go on from each other without a corner.
+bool is_smooth(const Segment& before, const Segment& behind) {
+  constexpr double slight = 0.02;  // of a turn a corner begins there, as a sine
+  const Vector in = tangent_at_end(before);
+  const Vector out = tangent_at_start(behind);
+  return in.dot(out) > 0 && std::abs(cross(in, out)) < slight;
+}
+
+}  // namespace
+
+bool is_lead_across_walls(const ContourView& contour, const EndsMeeting& meeting, double tolerance,
+                          double tool_radius) {
+  constexpr double slight = 0.03;  // along each other, but for rounding: the sine of the crossing
+  constexpr std::size_t most_blocks = 2;
+  const auto& [in, along_in] = meeting.first;
+  const auto& [out, along_out] = meeting.second;
+  const Segment first = contour.segment(in);
+  const Segment last = contour.segment(out);
+  const double left_in = length_of(first) - along_in;
+  const double left_out = length_of(last) - along_out;
+  if (std::min({along_in, along_out, left_in, left_out}) <= tolerance) return false;
+  if (std::abs(cross(tangent_along(first, along_in), tangent_along(last, along_out))) < slight)
+    return false;
+  const auto is_mostly_lead = [&](double wall, double lead) {
+    return wall < lead && wall < 2 * tool_radius;
+  };
+  const bool leads_out = out + most_blocks >= contour.count && out > 0 &&
+                         (is_mostly_lead(along_out, left_out) ||
+                          (is_arc(last) && is_smooth(contour.segment(out - 1), last)));
+  const bool leads_in =
+      in < most_blocks && (is_mostly_lead(left_in, along_in) ||
+                           (is_arc(first) && is_smooth(first, contour.segment(in + 1))));
+  return leads_out || leads_in;
+}
+
+}  // namespace trc

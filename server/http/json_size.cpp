@@ -1,0 +1,47 @@
+#include "server/http/json_size.h"
+
+#include <cstddef>
+#include <string>
+
+namespace trc::server::http {
+namespace {
+
+// More than any block has.
+constexpr std::size_t most_objects_of_block = 8;
+constexpr std::size_t most_values_of_block = 64;
+
+struct Size {
+  std::size_t objects = 0;
+  std::size_t values = 0;
+};
+
+// Without looking whether the rest of it is JSON.
+Size size_of(std::string_view json) {
+  Size size;
+  bool is_text = false;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const char c = json[i];
+    if (c == '"') is_text = !is_text;
+    if (is_text) {
+      i += c == '\\' ? 1 : 0;
+      continue;
+    }
+    size.objects += c == '{' || c == '[' ? 1 : 0;
+    size.values += c == ',' ? 1 : 0;
+  }
+  return size;
+}
+
+}  // namespace
+
+std::optional<Ending> refuse_size(std::string_view json, const Config& config) {
+  const std::size_t most = config.max_blocks_per_batch;
+  const Size size = size_of(json);
+  if (size.objects <= most_objects_of_block * most && size.values <= most_values_of_block * most)
+    return std::nullopt;
+  return refuse(
+      Refusal::batch_too_large, {},
+      {{"max_blocks_per_batch", std::to_string(most)}, {"got", "> " + std::to_string(most)}});
+}
+
+}  // namespace trc::server::http

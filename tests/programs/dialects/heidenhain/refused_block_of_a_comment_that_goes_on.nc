@@ -1,0 +1,8 @@
+; radius 5
+; refused 900001 line 6
+0 BEGIN PGM GOES_ON MM
+1 TOOL CALL 1 Z S4000 F500
+2 L X-20 Y-20 R0 FMAX M3
+3 ~ ; nothing to go on with
+4 L Z+50 R0 FMAX M2
+5 END PGM GOES_ON MM
