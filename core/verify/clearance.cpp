@@ -585,6 +585,8 @@ void ClearanceReport::add(const ClearanceReport& other) {
 ClearanceReport measure_clearance(const HeldPath& held, std::size_t end,
                                   const ClearanceSettings& settings, Checkpoint& checkpoint) {
   ClearanceReport report;
+  const std::size_t all = held.path().end() - held.path().begin();
+  if (settings.progress) settings.progress(0, all);
   std::size_t next = held.path().begin();
   for (std::size_t begin = held.programmed().begin(); begin < end;) {
     const std::size_t behind = end_of_selection(held, begin, end);
@@ -600,6 +602,7 @@ ClearanceReport measure_clearance(const HeldPath& held, std::size_t end,
     if (settings.uncut) selection.tell_uncut(settings.uncut);
     begin = behind;
   }
+  if (settings.progress) settings.progress(all, all);
   return report;
 }
 
