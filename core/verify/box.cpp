@@ -56,17 +56,13 @@ Box around(const Box& a, const Box& b) {
 }
 
 double least_gap(const Box& a, const Box& b, double enough) {
+  // Most are far apart: so are the circles around them.
+  const double around = a.half.sum() + b.half.sum() + std::max(enough, 0.0);
+  if ((a.center - b.center).squaredNorm() >= around * around) return enough;
   const double cosine = a.along.dot(b.along);
   const double sine = cross(a.along, b.along);
   const double gap = gap_in_frame_of(a, b, cosine, sine);
   return gap >= enough ? gap : std::max(gap, gap_in_frame_of(b, a, cosine, -sine));
-}
-
-void BoxAlong::add(const Box& box) {
-  const Vector half = half_in(box.half, along_.dot(box.along), cross(along_, box.along));
-  const Vector seen = in_frame(along_, box.center);
-  low_ = low_.cwiseMin(Vector(seen - half));
-  high_ = high_.cwiseMax(Vector(seen + half));
 }
 
 Box BoxAlong::box() const {

@@ -26,17 +26,12 @@ struct Box {
 class BoxAlong {
  public:
   explicit BoxAlong(const Vector& along = Vector::UnitX()) : along_(along) {}
-  void add(const Point& point) {
-    const Vector seen{along_.dot(point), cross(along_, point)};
-    low_ = low_.cwiseMin(seen);
-    high_ = high_.cwiseMax(seen);
-  }
-  void add(const Box& box);
   // All within `margin` of a point.
   void add(const Point& point, double margin) {
-    const Vector seen{along_.dot(point), cross(along_, point)};
-    low_ = low_.cwiseMin(Vector(seen.array() - margin));
-    high_ = high_.cwiseMax(Vector(seen.array() + margin));
+    const double along = along_.dot(point);
+    const double across = cross(along_, point);
+    low_ = {std::min(low_.x(), along - margin), std::min(low_.y(), across - margin)};
+    high_ = {std::max(high_.x(), along + margin), std::max(high_.y(), across + margin)};
   }
   // Of what is not empty.
   [[nodiscard]] Box box() const;

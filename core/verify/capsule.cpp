@@ -8,13 +8,13 @@ namespace trc::verify {
 
 Capsule capsule_of(const Piece& piece) {
   const Vector chord = piece.end - piece.start;
-  const double length = chord.norm();
+  const double length = magnitude(chord);
   Capsule capsule{
       .center = 0.5 * (piece.start + piece.end), .half = 0.5 * chord, .half_length = 0.5 * length};
   if (length > 0) capsule.normal = left_of(chord) / length;
   if (!piece.is_arc()) return capsule;
   const double radius = piece.radius();
-  const double end_radius = (piece.end - piece.center).norm();
+  const double end_radius = magnitude(piece.end - piece.center);
   const double largest = std::max(radius, end_radius);
   if (std::abs(piece.sweep) > std::numbers::pi || length == 0)
     return {.center = piece.center, .margin = largest};

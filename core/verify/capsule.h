@@ -18,6 +18,11 @@ struct Capsule {
 
 // Holds all of the piece.
 [[nodiscard]] Capsule capsule_of(const Piece& piece);
+// It goes into the box around several.
+inline void add_to(BoxAlong& box, const Capsule& capsule) {
+  box.add(capsule.center + capsule.half, capsule.margin);
+  box.add(capsule.center - capsule.half, capsule.margin);
+}
 // Holds all of the box.
 [[nodiscard]] inline Capsule capsule_of(const Box& box) {
   return {.center = box.center,

@@ -70,7 +70,7 @@ class Selection {
     const ProgrammedPiece& first = held_.programmed()[begin_];
     has_one_rule_ = first.rule == held_.programmed()[end_ - 1].rule;
     required_by_rule_ = held_.rule_of(first).required;
-    report_.walls = tree_.walls();
+    report_.walls = walls_.count();
     report_.wall_length = walls_.length();
     if (settings.uncut) touched_.resize(end_ - begin_);
     if (sides_.sides.size() == 1 && !sides_.sides.front().rings.empty())
@@ -128,7 +128,7 @@ class Selection {
 
   void begin_group(std::size_t first) {
     group_ = {.first = first, .behind = first};
-    is_group_known_ = false;
+    is_group_known_ = has_near_ = false;
     auto pieces = held_.path().from(first);
     const Point& start = held_.path()[first].piece.start;
     const std::size_t last = std::min(first + most_of_group, held_.path().end());
@@ -137,14 +137,14 @@ class Selection {
       if (path.programmed >= end_) break;
       group_.required = std::max(group_.required, required_of(path));
       const double most = reach_of_group * group_.required;
-      if (group_.behind >= first + few_of_group &&
+      if (!winds_ && group_.behind >= first + few_of_group &&
           (path.piece.end - start).squaredNorm() > most * most)
         break;
     }
   }
 
   void measure(std::size_t number, const PathPiece& path) {
-    if (tree_.walls() == 0) return;
+    if (walls_.count() == 0) return;
     const ProgrammedPiece& own = held_.programmed()[path.programmed];
     // SUPPRESS_TRC: the path of no tool says nothing of the one that cuts.
     if (const Rule& rule = held_.rule_of(own); !rule.follows && rule.radius > 0) return;
@@ -159,7 +159,7 @@ class Selection {
     count_left_out(path.programmed < latest_ ? end_ : path.programmed, path.piece.start);
     place_ = path.piece.end;
     if (!is_clear_here(path.piece) && !was_clear(path)) {
-      search(number, path);
+      search(number, path, own);
       // What gouges has been compared with what is nearer than that alone.
       if (!is_near_ && !gouges_) keep_clear(number);
     }
@@ -231,16 +231,14 @@ class Selection {
   // Path that stands still, beside as many walls as a full circle has, or nearly so.
   [[nodiscard]] bool is_clear_here(const Piece& piece) const {
     return clear_ && clear_->required >= required_ && clear_->margin >= margin_of_interest() &&
-           !piece.is_arc() && (piece.start - clear_->place).norm() <= slack &&
-           (piece.end - clear_->place).norm() <= slack;
+           !piece.is_arc() && (piece.start - clear_->place).squaredNorm() <= slack * slack &&
+           (piece.end - clear_->place).squaredNorm() <= slack * slack;
   }
 
   // The walls that the pieces of the group are compared with. A box along its way is a narrow one.
   void find_near() {
     near_.clear();
-    has_near_ = false;
     is_group_known_ = true;
-    if (!report_.worst) return;
     const auto& path = held_.path();
     const Vector way = path[group_.behind - 1].piece.end - path[group_.first].piece.start;
     const double length = way.norm();
@@ -249,8 +247,7 @@ class Selection {
     for (std::size_t number = group_.first; number < group_.behind; ++number) {
       Capsule& capsule = capsules_[number - group_.first];
       capsule = capsule_of(pieces.next().piece);
-      around.add(capsule.center + capsule.half, capsule.margin);
-      around.add(capsule.center - capsule.half, capsule.margin);
+      add_to(around, capsule);
     }
     const Box box = around.box();
     const double reach = group_.required + widest_of_interest() + slack;
@@ -260,10 +257,11 @@ class Selection {
       winds_ = !has_near_;
     }
     if (winds_) {
+      tree_.make_rings(checkpoint_);
       has_near_ = tree_.find_near(box, ring_of_group(), reach, leaves_);
       winds_ = has_near_;
     }
-    if (!has_near_) return;
+    if (!has_near_) return tree_.make_own_rings(checkpoint_);
     report_.steps += leaves_.size();
     origin_ = box.center;
     tree_.gather(leaves_, origin_, winds_, near_);
@@ -280,24 +278,32 @@ class Selection {
     return ring;
   }
 
-  void search(std::size_t number, const PathPiece& path) {
+  void search(std::size_t number, const PathPiece& path, const ProgrammedPiece& own) {
     const double margin = margin_of_interest();
     is_near_ = false;
-    if (!is_group_known_) find_near();
+    // Before anything has been found, all walls are near.
+    if (!report_.worst && is_whole_wall(own)) compare(path, own, own.piece, own.number);
+    if (!is_group_known_ && report_.worst) find_near();
     if (has_near_)
-      search_near(path, number - group_.first);
+      search_near(path, number - group_.first, own);
     else
       search_all(path);
     if (!is_near_) clear_ = {.place = path.piece.start, .margin = margin, .required = required_};
   }
 
+  [[nodiscard]] bool is_whole_wall(const ProgrammedPiece& block) const {
+    return block.is_contour && tree_.is_whole(block.number);
+  }
+
   // `number`: in the group.
-  void search_near(const PathPiece& path, std::size_t number) {
+  void search_near(const PathPiece& path, std::size_t number, const ProgrammedPiece& own) {
     const Capsule& capsule = capsules_[number];
     const double reach = required_ + margin_of_interest() + slack;
-    Reached reached{
-        .piece = Compared(path.piece), .reach = reach, .around = {capsule, origin_, reach}};
+    Reached reached(path.piece, capsule, origin_, reach);
     if (winds_) reached.between = {rings_[number], reach};
+    // The wall that it runs beside is near for sure.
+    if (is_whole_wall(own) && reached.piece.is_apart_from(own.piece, reach))
+      reached.told_apart = path.programmed;
     double least = least_;
     for (const WallTree::FourLeaves& four : near_) {
       FourWalls::Bits leaves = near(reached, four.around, four.rings);
@@ -306,16 +312,19 @@ class Selection {
         if (least_ == least) continue;
         least = least_;
         reached.reach = required_ + margin_of_interest() + slack;
-        reached.around = {capsule, origin_, reached.reach};
+        reached.around = FourWalls::Surroundings(capsule, origin_, reached.reach);
       }
     }
   }
   // A piece of path and all that counts as near to it.
   struct Reached {
+    Reached(const Piece& path, const Capsule& around_path, const Point& origin, double within)
+        : piece(path), reach(within), around(around_path, origin, within) {}
     Compared piece;
     double reach;  // mm
     FourWalls::Surroundings around;
     FourRings::Surroundings between{};
+    std::size_t told_apart = none;  // a programmed piece
   };
   [[nodiscard]] FourWalls::Bits near(const Reached& reached, const FourWalls& walls,
                                      const FourRings& rings) const {
@@ -323,7 +332,7 @@ class Selection {
     return between == 0 ? 0 : between & walls.near(reached.around);
   }
   void search_near(const PathPiece& path, const WallTree::Leaf& leaf, const Reached& reached) {
-    tree_.for_each_of(leaf, near(reached, leaf.walls, leaf.rings),
+    tree_.for_each_of(leaf, near(reached, leaf.walls, leaf.rings), reached.told_apart,
                       [&](const ProgrammedPiece& block, const Piece& wall, std::size_t first) {
                         if (!reached.piece.is_apart_from(wall, reached.reach))
                           compare(path, block, wall, first);
@@ -546,14 +555,18 @@ class Selection {
   bool is_near_ = false;
 };
 
-// Behind the last piece of the selection that begins there.
-std::size_t end_of_selection(const HeldPath& held, std::size_t begin, std::size_t end,
-                             Checkpoint& checkpoint) {
-  const std::uint32_t selection = held.rule_of(held.programmed()[begin]).selection;
-  std::size_t number = begin + 1;
-  for (; number < end && held.rule_of(held.programmed()[number]).selection == selection; ++number)
-    checkpoint.pass();
-  return number;
+// Behind the last piece of the selection that begins there: rules count upwards.
+std::size_t end_of_selection(const HeldPath& held, std::size_t begin, std::size_t end) {
+  const auto selection_of = [&](std::size_t number) {
+    return held.rule_of(held.programmed()[number]).selection;
+  };
+  const std::uint32_t selection = selection_of(begin);
+  std::size_t behind = end;
+  while (begin + 1 < behind) {
+    const std::size_t middle = begin + (behind - begin) / 2;
+    (selection_of(middle) == selection ? begin : behind) = middle;
+  }
+  return behind;
 }
 
 }  // namespace
@@ -572,9 +585,11 @@ void ClearanceReport::add(const ClearanceReport& other) {
 ClearanceReport measure_clearance(const HeldPath& held, std::size_t end,
                                   const ClearanceSettings& settings, Checkpoint& checkpoint) {
   ClearanceReport report;
+  const std::size_t all = held.path().end() - held.path().begin();
+  if (settings.progress) settings.progress(0, all);
   std::size_t next = held.path().begin();
   for (std::size_t begin = held.programmed().begin(); begin < end;) {
-    const std::size_t behind = end_of_selection(held, begin, end, checkpoint);
+    const std::size_t behind = end_of_selection(held, begin, end);
     std::optional<SelectionWalls> own;
     const SelectionWalls& walls =
         settings.known_walls != nullptr
@@ -587,6 +602,7 @@ ClearanceReport measure_clearance(const HeldPath& held, std::size_t end,
     if (settings.uncut) selection.tell_uncut(settings.uncut);
     begin = behind;
   }
+  if (settings.progress) settings.progress(all, all);
   return report;
 }
 

@@ -68,19 +68,61 @@ Stretch beside_lines(const Piece& programmed, const Piece& path, double required
   return std::abs(apart - required) > most_apart ? Stretch{} : Stretch{.from = from, .to = to};
 }
 
+// All of the wall lies beside the path: both begin and end beside each other, and the path runs
+// that far from it. False: it may be so, or not. What comes of most blocks, without a root.
+bool is_all_beside(const Piece& programmed, const Piece& path, double required) {
+  const Vector along = programmed.end - programmed.start;
+  const Vector start = path.start - programmed.start;
+  const Vector end = path.end - programmed.start;
+  const double reach = required + most_apart;
+  if (start.squaredNorm() > reach * reach ||
+      (path.end - programmed.end).squaredNorm() > reach * reach)
+    return false;
+  const double square = along.squaredNorm();
+  const double from = start.dot(along);
+  const double to = end.dot(along);
+  if (!(from < to && from < square && to > 0)) return false;
+  const double at_start = cross(along, start);
+  const double at_end = cross(along, end);
+  const double least = required - most_apart;
+  const auto is_that_far = [&](double across) {
+    return across * across >= least * least * square && across * across <= reach * reach * square;
+  };
+  return least > 0 && at_start * at_end > 0 && is_that_far(at_start) && is_that_far(at_end);
+}
+
+// The same of arcs about one centre that are not short.
+bool is_arc_all_beside(const Piece& programmed, const Piece& path, double required) {
+  const double reach = required + most_apart;
+  const double square = reach * reach;
+  if ((path.start - programmed.start).squaredNorm() > square ||
+      (path.end - programmed.end).squaredNorm() > square ||
+      (programmed.end - programmed.start).squaredNorm() < 4 * square ||
+      std::abs(programmed.sweep) > std::numbers::pi || (path.sweep > 0) != (programmed.sweep > 0))
+    return false;
+  const double radius = path.radius();
+  return radius > 2 * most_apart &&
+         std::abs(std::abs(radius - programmed.radius()) - required) <= most_apart;
+}
+
 }  // namespace
 
 Stretch touched(const Piece& programmed, const Stretch& within, const Piece& path,
                 double required) {
   if (programmed.is_point()) return {};
+  const bool are_lines = !programmed.is_arc() && !path.is_arc();
+  if (are_lines && is_all_beside(programmed, path, required)) return within;
+  const bool are_concentric =
+      programmed.is_arc() && path.is_arc() && programmed.center == path.center;
+  if (are_concentric && is_arc_all_beside(programmed, path, required)) return within;
   // In one place it stands, or turns about the centre of an arc of its own radius.
   if ((path.is_point() || programmed.is_arc()) && is_touched_from(path.start, programmed, required))
     return within;
   if (path.is_point()) return {};
   Stretch stretch;
-  if (!programmed.is_arc() && !path.is_arc())
+  if (are_lines)
     stretch = beside_lines(programmed, path, required);
-  else if (!programmed.is_arc() || !path.is_arc() || programmed.center != path.center)
+  else if (!are_concentric)
     stretch = beside(programmed, path, required);
   else if (std::abs(std::abs(path.radius() - programmed.radius()) - required) <= most_apart)
     stretch = along_arc(programmed, path);

@@ -133,16 +133,16 @@ class FourWalls {
   static float rounded_up(double value) {
     return static_cast<float>(value + 1e-7 * std::abs(value));
   }
-  using Halves = std::array<std::uint64_t, 2>;
-  static bool is_any(Truths truths) {
-    const auto [first, second] = std::bit_cast<Halves>(truths);
-    return (first | second) != 0;
-  }
+  static bool is_any(Truths truths) { return bits_of(truths) != 0; }
   static Bits bits_of(Truths truths) {
+#ifdef __SSE__
+    return static_cast<Bits>(__builtin_ia32_movmskps(std::bit_cast<Floats>(truths)));
+#else
     const Truths places = truths & Truths{1, 2, 4, 8};
-    const auto [first, second] = std::bit_cast<Halves>(places);
+    const auto [first, second] = std::bit_cast<std::array<std::uint64_t, 2> >(places);
     const std::uint64_t both = first | second;
     return static_cast<Bits>((both | both >> 32U) & 15U);
+#endif
   }
 
   static constexpr float nowhere = 1e17F;  // its square is a float

@@ -42,8 +42,8 @@ class Bow {
         to_(arc.end - arc.center),
         turns_left_(arc.sweep > 0),
         is_minor_(std::abs(arc.sweep) <= std::numbers::pi),
-        radius_(from_.norm()),
-        end_radius_(to_.norm()) {}
+        radius_(magnitude(from_)),
+        end_radius_(magnitude(to_)) {}
   explicit Bow(const Piece& piece)
       : Bow(Arc{
             .start = piece.start, .end = piece.end, .center = piece.center, .sweep = piece.sweep}) {
@@ -227,11 +227,50 @@ Line line_of(const Piece& piece) { return {.start = piece.start, .end = piece.en
 
 }  // namespace
 
+bool Compared::is_beyond_ends(const Piece& other, const Circles& circles, double distance) const {
+  // Of arcs that go on in one another rounding leaves that much before the end.
+  constexpr double next_to_nothing = 1e-9;  // mm
+  const bool are_minor =
+      std::abs(piece_.sweep) <= std::numbers::pi && std::abs(other.sweep) <= std::numbers::pi;
+  if (!are_minor || circles.outer - circles.inner > same_radius || distance < 0) return false;
+  const bool turns_left = piece_.sweep > 0;
+  const Vector first = (turns_left ? piece_.start : piece_.end) - piece_.center;
+  const Vector last = (turns_left ? piece_.end : piece_.start) - piece_.center;
+  const Vector start = other.start - piece_.center;
+  const Vector end = other.end - piece_.center;
+  const double before = std::max(cross(first, start), cross(first, end));
+  const double behind = std::min(cross(last, start), cross(last, end));
+  const double nothing = next_to_nothing * circles_.inner;
+  if (before > nothing && behind < -nothing) return false;
+  const bool other_turns_left = other.sweep > 0;
+  const Vector other_first = (other_turns_left ? other.start : other.end) - other.center;
+  const Vector other_last = (other_turns_left ? other.end : other.start) - other.center;
+  // Where its bow reaches farthest back, it is not.
+  const bool is_beyond =
+      (before <= nothing && !is_between(other_first, other_last, left_of(first))) ||
+      (behind >= -nothing && !is_between(other_first, other_last, -left_of(last)));
+  const double apart = distance + next_to_nothing;
+  const auto is_far_from = [&](const Point& point) {
+    const Vector out = point - other.center;
+    const double square = out.squaredNorm();
+    if (!is_between(other_first, other_last, out))
+      return std::min((point - other.start).squaredNorm(), (point - other.end).squaredNorm()) >=
+             apart * apart;
+    const double within = circles.inner - apart;
+    const double beyond = circles.outer + apart;
+    return square >= beyond * beyond || (within >= 0 && square <= within * within);
+  };
+  return is_beyond && is_far_from(piece_.start) && is_far_from(piece_.end);
+}
+
 bool is_within(const Piece& arc, const Piece& other) {
-  const Bow bow(other);
+  const bool turns_left = other.sweep > 0;
+  const Vector first = (turns_left ? other.start : other.end) - other.center;
+  const Vector last = (turns_left ? other.end : other.start) - other.center;
   // A sweep that has come round leads out of it and back.
-  return std::abs(arc.sweep) <= std::numbers::pi && bow.holds(arc.start - arc.center) &&
-         bow.holds(arc.end - arc.center);
+  return std::abs(arc.sweep) <= std::numbers::pi &&
+         is_between(first, last, arc.start - arc.center) &&
+         is_between(first, last, arc.end - arc.center);
 }
 
 Point nearest_point(const Segment& segment, const Point& point) {

@@ -40,7 +40,7 @@ struct Circles {
 };
 [[nodiscard]] inline Circles circles_of(const Piece& arc) {
   const double start = arc.radius();
-  const double end = (arc.end - arc.center).norm();
+  const double end = magnitude(arc.end - arc.center);
   return {.center = arc.center, .inner = std::min(start, end), .outer = std::max(start, end)};
 }
 
@@ -73,14 +73,21 @@ class Compared {
       : piece_(piece), circles_(piece.is_arc() ? circles_of(piece) : Circles{}) {}
   // No point of the other one is nearer than `distance`, mm. False: it may be nearer, or not.
   [[nodiscard]] bool is_apart_from(const Piece& other, double distance) const {
-    if (piece_.is_arc())
-      return other.is_arc() ? are_apart(circles_, circles_of(other), distance)
-                            : are_apart(circles_, other, distance);
+    if (piece_.is_arc() && other.is_arc()) {
+      const Circles circles = circles_of(other);
+      return are_apart(circles_, circles, distance) || is_beyond_ends(other, circles, distance);
+    }
+    if (piece_.is_arc()) return are_apart(circles_, other, distance);
     if (other.is_arc()) return are_apart(circles_of(other), piece_, distance);
     return is_beside(piece_, other, distance) || is_beside(other, piece_, distance);
   }
 
  private:
+  // Of two arcs: seen from the centre of the first one, all of the other one lies beyond one of its
+  // ends, so that its ends are nearest to that. Tells arcs apart that go on in one another.
+  [[nodiscard]] bool is_beyond_ends(const Piece& other, const Circles& circles,
+                                    double distance) const;
+
   const Piece& piece_;
   Circles circles_;  // of an arc
 };

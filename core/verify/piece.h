@@ -8,6 +8,11 @@
 
 namespace trc::verify {
 
+// As norm(), but always inlined: it is taken of every block several times.
+[[nodiscard]] inline double magnitude(const Vector& vector) {
+  return std::sqrt(vector.x() * vector.x() + vector.y() * vector.y());
+}
+
 // A line or an arc, as small as it can be kept: a selection may have millions of them.
 struct Piece {
   Point start = Point::Zero();
@@ -16,10 +21,10 @@ struct Piece {
   double sweep = 0;              // rad, as Arc::sweep; 0: a line
 
   [[nodiscard]] bool is_arc() const { return sweep != 0; }
-  [[nodiscard]] double radius() const { return (start - center).norm(); }
+  [[nodiscard]] double radius() const { return magnitude(start - center); }
   // mm, of a line or an arc.
   [[nodiscard]] double length() const {
-    return is_arc() ? radius() * std::abs(sweep) : (end - start).norm();
+    return is_arc() ? radius() * std::abs(sweep) : magnitude(end - start);
   }
   // It has no length.
   [[nodiscard]] bool is_point() const {
@@ -40,13 +45,6 @@ struct Piece {
 // A box that holds all of the piece: along its chord, or upright around the whole circle where the
 // arc is more than half of one.
 [[nodiscard]] Box box_of(const Piece& piece);
-
-// Such a box, or for a line the line itself, goes into the one around several pieces.
-inline void add_to(BoxAlong& box, const Piece& piece) {
-  if (piece.is_arc()) return box.add(box_of(piece));
-  box.add(piece.start);
-  box.add(piece.end);
-}
 
 // The distances from `center` of all points of the piece lie between these, mm.
 [[nodiscard]] Ring ring_of(const Piece& piece, const Point& center);

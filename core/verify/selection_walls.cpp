@@ -15,11 +15,21 @@ SelectionWalls::SelectionWalls(const HeldPath& held, std::size_t begin, std::siz
     sides_ = find_walls(view, changes_, settings, largest_radius());
   are_plain_ = sides_.sides.size() == 1 && sides_.sides.front().are_plain();
   tree_.emplace(held, begin, end, sides_, checkpoint);
-  auto pieces = held.programmed().from(begin);
-  for (std::size_t place = begin; place < end; ++place) {
+  count_walls(checkpoint);
+}
+
+void SelectionWalls::count_walls(Checkpoint& checkpoint) {
+  count_ = contour_.size();
+  length_ = contour_length_;
+  if (tree_->are_whole()) return;
+  length_ = 0;
+  auto pieces = held_->programmed().from(begin_);
+  for (std::size_t place = begin_; place < end_; ++place) {
     checkpoint.pass();
     const ProgrammedPiece& block = pieces.next();
-    if (block.is_contour) length_ += wall_of(block).length();
+    if (!block.is_contour) continue;
+    length_ += wall_of(block).length();
+    if (sides_.is_lead(block.number)) --count_;
   }
 }
 
@@ -34,6 +44,7 @@ void SelectionWalls::find_contour(Checkpoint& checkpoint) {
     if (!contour_.empty() && side != side_of(block)) changes_.push_back(contour_.size());
     side = side_of(block);
     contour_.push_back(static_cast<std::uint32_t>(place - begin_));
+    contour_length_ += block.piece.length();
     has_roles_ = has_roles_ || block.role != ContourRole::unspecified;
   }
 }

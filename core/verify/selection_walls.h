@@ -28,6 +28,7 @@ class SelectionWalls {
   [[nodiscard]] const WallTree& tree() const { return *tree_; }
   // All of the contour is a wall for all of the path.
   [[nodiscard]] bool are_plain() const { return are_plain_; }
+  [[nodiscard]] std::size_t count() const { return count_; }
   [[nodiscard]] double length() const { return length_; }  // mm, of all of them
 
   // What of a contour block is a wall; nothing where none of it is.
@@ -46,7 +47,10 @@ class SelectionWalls {
  private:
   // Of a contour block that is not a wall from end to end.
   [[nodiscard]] Stretch part_of(const ProgrammedPiece& block) const;
+  // With the length of all of it.
   void find_contour(Checkpoint& checkpoint);
+  // What of it are walls.
+  void count_walls(Checkpoint& checkpoint);
   [[nodiscard]] ContourView contour(Checkpoint& checkpoint) const;
   [[nodiscard]] double largest_radius() const;
   [[nodiscard]] const ProgrammedPiece& piece(std::size_t number) const {
@@ -61,6 +65,8 @@ class SelectionWalls {
   bool has_roles_ = false;
   SidedWalls sides_;
   bool are_plain_ = false;
+  double contour_length_ = 0;  // mm
+  std::size_t count_ = 0;
   double length_ = 0;
   std::optional<WallTree> tree_;
 };

@@ -35,10 +35,9 @@ WallTree::WallTree(const HeldPath& held, std::size_t begin, std::size_t end,
     total += size;
     if (size == 1) break;
   }
-  find_middle(checkpoint);
   hide_copies(checkpoint);
   nodes_.reserve(total);
-  leaves_.resize(levels_.front().size);
+  leaves_.reserve(levels_.front().size);
   build_buckets(checkpoint);
   for (std::size_t level = 1; level < levels_.size(); ++level)
     build_level(levels_[level - 1], checkpoint);
@@ -87,16 +86,18 @@ void WallTree::find_special() {
   has_special_ = !special_.empty();
 }
 
-void WallTree::find_middle(Checkpoint& checkpoint) {
-  BoxAlong all;
+Point WallTree::find_middle(Checkpoint& checkpoint) const {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Point low = Point::Constant(infinity);
+  Point high = Point::Constant(-infinity);
   for (std::size_t number = begin_; number < end_; ++number) {
     checkpoint.pass();
     visit_wall(number, [&](const ProgrammedPiece&, const Piece& wall, std::uint32_t) {
-      all.add(wall.start);
-      ++walls_;
+      low = low.cwiseMin(wall.start);
+      high = high.cwiseMax(wall.start);
     });
   }
-  if (walls_ > 0) middle_ = all.box().center;
+  return low.x() <= high.x() ? Point(0.5 * (low + high)) : Point::Zero();
 }
 
 void WallTree::hide_copies(Checkpoint& checkpoint) {
@@ -140,14 +141,13 @@ void WallTree::build_buckets(Checkpoint& checkpoint) {
   std::array<std::size_t, bucket_size> places{};
   for (std::size_t index = 0; index < levels_.front().size; ++index) {
     Node& node = nodes_.emplace_back();
+    KeptLeaf& leaf = leaves_.emplace_back();
     std::size_t count = 0;
-    std::size_t longest = 0;
     const std::size_t first = begin_ + index * bucket_size;
     for (std::size_t place = 0; place < bucket_size && first + place < end_; ++place)
       visit_wall(first + place, [&](const ProgrammedPiece& block, const Piece& wall, std::size_t) {
         checkpoint.pass();
         node.required = std::max(node.required, held_->rule_of(block).required);
-        if (std::abs(wall.sweep) > std::abs(walls[longest].sweep) || count == 0) longest = count;
         places[count] = place;
         walls[count++] = wall;
       });
@@ -155,24 +155,13 @@ void WallTree::build_buckets(Checkpoint& checkpoint) {
     const Vector way = walls[count - 1].end - walls[0].start;
     const double length = way.norm();
     BoxAlong box(length > 0 ? Vector(way / length) : Vector::UnitX());
-    const bool is_bow = std::abs(walls[longest].sweep) > long_sweep;
-    Ring about_middle;
-    KeptLeaf& leaf = leaves_[index];
     leaf.origin = walls[0].start;
     for (std::size_t number = 0; number < count; ++number) {
-      const Piece& wall = walls[number];
-      add_to(box, wall);
-      leaf.walls.set(places[number], capsule_of(wall), leaf.origin);
-      const Ring of_wall = ring_of(wall, middle_);
-      about_middle = about_middle.exists() ? around(about_middle, of_wall) : of_wall;
-      if (!is_bow) continue;
-      const Ring own = ring_of(wall, walls[longest].center);
-      node.ring = node.ring.exists() ? around(node.ring, own) : own;
+      const Capsule capsule = capsule_of(walls[number]);
+      add_to(box, capsule);
+      leaf.walls.set(places[number], capsule, leaf.origin);
     }
     node.box = box.box();
-    node.inner = about_middle.inner;
-    node.outer = about_middle.outer;
-    if (!is_bow) node.ring = about_middle;
   }
 }
 
@@ -182,28 +171,105 @@ void WallTree::build_level(const Level& below, Checkpoint& checkpoint) {
     Node node = nodes_[index];
     if (index + 1 < below.first + below.size) {
       const Node& second = nodes_[index + 1];
-      node = node.required < 0 ? second : second.required < 0 ? node : both(node, second);
+      if (node.required < 0)
+        node = second;
+      else if (second.required >= 0)
+        node = {.box = around(node.box, second.box),
+                .required = std::max(node.required, second.required)};
     }
     nodes_.push_back(node);
   }
 }
 
-// The ring is about the centre of one of the two, whatever is narrowest.
-WallTree::Node WallTree::both(const Node& a, const Node& b) {
-  Node node{.box = around(a.box, b.box),
-            .inner = std::min(a.inner, b.inner),
-            .outer = std::max(a.outer, b.outer),
-            .required = std::max(a.required, b.required)};
-  if (a.ring.center == b.ring.center) {
-    node.ring = around(a.ring, b.ring);
-    return node;
+template <class OfBucket, class OfBoth>
+std::vector<Ring> WallTree::rings_of_nodes(const OfBucket& of_bucket, const OfBoth& of_both,
+                                           Checkpoint& checkpoint) const {
+  std::vector<Ring> rings;
+  rings.reserve(nodes_.size());
+  for (std::size_t index = 0; index < levels_.front().size; ++index)
+    rings.push_back(of_bucket(index));
+  for (std::size_t level = 1; level < levels_.size(); ++level) {
+    const Level& below = levels_[level - 1];
+    for (std::size_t first = below.first; first < below.first + below.size; first += 2) {
+      checkpoint.pass();
+      const std::size_t second = first + 1;
+      if (second == below.first + below.size || nodes_[second].required < 0)
+        rings.push_back(Ring(rings[first]));
+      else if (nodes_[first].required < 0)
+        rings.push_back(Ring(rings[second]));
+      else
+        rings.push_back(of_both(rings, first, second));
+    }
   }
-  for (const Point& center : {a.ring.center, b.ring.center}) {
-    const Ring ring = around(seen_from(center, a.box, a.ring), seen_from(center, b.box, b.ring));
-    if (!node.ring.exists() || ring.outer - ring.inner < node.ring.outer - node.ring.inner)
-      node.ring = ring;
-  }
-  return node;
+  return rings;
+}
+
+void WallTree::make_rings(Checkpoint& checkpoint) const {
+  if (!rings_.nodes.empty()) return;
+  rings_.middle = find_middle(checkpoint);
+  rings_.leaves.reserve(leaves_.size());
+  rings_.nodes = rings_of_nodes(
+      [&](std::size_t index) {
+        return ring_of_bucket(index, rings_.leaves.emplace_back(), checkpoint);
+      },
+      [](const std::vector<Ring>& rings, std::size_t first, std::size_t second) {
+        return around(rings[first], rings[second]);
+      },
+      checkpoint);
+}
+
+Ring WallTree::ring_of_bucket(std::size_t index, FourRings& leaf, Checkpoint& checkpoint) const {
+  Ring ring;
+  const std::size_t first = begin_ + index * bucket_size;
+  for (std::size_t place = 0; place < bucket_size && first + place < end_; ++place)
+    visit_wall(first + place, [&](const ProgrammedPiece&, const Piece& wall, std::size_t) {
+      checkpoint.pass();
+      const Ring of_wall = about_middle(wall);
+      leaf.set(place, of_wall);
+      ring = ring.exists() ? around(ring, of_wall) : of_wall;
+    });
+  return ring;
+}
+
+void WallTree::make_own_rings(Checkpoint& checkpoint) const {
+  if (!own_rings_.empty()) return;
+  make_rings(checkpoint);
+  own_rings_ = rings_of_nodes(
+      [&](std::size_t index) {
+        checkpoint.pass();
+        return own_ring_of_bucket(index);
+      },
+      // About the centre of one of the two, whatever is narrowest.
+      [&](const std::vector<Ring>& rings, std::size_t first, std::size_t second) {
+        const Ring& a = rings[first];
+        const Ring& b = rings[second];
+        if (a.center == b.center) return around(a, b);
+        Ring narrowest;
+        for (const Point& center : {a.center, b.center}) {
+          const Ring ring = around(seen_from(center, nodes_[first].box, a),
+                                   seen_from(center, nodes_[second].box, b));
+          if (!narrowest.exists() || ring.outer - ring.inner < narrowest.outer - narrowest.inner)
+            narrowest = ring;
+        }
+        return narrowest;
+      },
+      checkpoint);
+}
+
+// Of walls with a long arc among them about the centre of that.
+Ring WallTree::own_ring_of_bucket(std::size_t index) const {
+  std::array<Piece, bucket_size> walls;
+  std::size_t count = 0;
+  std::size_t longest = 0;
+  visit_bucket(index, [&](const ProgrammedPiece&, const Piece& wall, std::size_t) {
+    if (std::abs(wall.sweep) > std::abs(walls[longest].sweep)) longest = count;
+    walls[count++] = wall;
+  });
+  if (std::abs(walls[longest].sweep) <= long_sweep) return rings_.nodes[index];
+  Ring ring = ring_of(walls[0], walls[longest].center);
+  for (std::size_t number = 1; number < count; ++number)
+    ring = around(ring, ring_of(walls[number], walls[longest].center));
+  return ring;
 }
 
 // Two leaves beside each other are hardly ever told apart by the box around a whole group: they are
@@ -221,8 +287,8 @@ bool WallTree::find_leaves(const IsNear& is_near, std::vector<std::size_t>& foun
   for (std::size_t looked_at = 0; count > 0; ++looked_at) {
     if (looked_at > most_nodes) return false;
     const Stretch stretch = open[--count];
-    const Node& node = node_at(stretch);
-    if (node.required < 0 || !is_near(node)) continue;
+    const std::size_t place = place_of(stretch);
+    if (nodes_[place].required < 0 || !is_near(place)) continue;
     if (stretch.level == 0) {
       add(stretch.index);
       continue;
@@ -242,20 +308,21 @@ bool WallTree::find_leaves(const IsNear& is_near, std::vector<std::size_t>& foun
 }
 
 bool WallTree::find_near(const Box& box, double reach, std::vector<std::size_t>& found) const {
-  return find_leaves([&](const Node& node) { return least_gap(node.box, box, reach) < reach; },
-                     found);
+  return find_leaves(
+      [&](std::size_t place) { return least_gap(nodes_[place].box, box, reach) < reach; }, found);
 }
 
 bool WallTree::find_near(const Box& box, const Ring& about_middle, double reach,
                          std::vector<std::size_t>& found) const {
   const double inner = about_middle.inner - reach;
   const double outer = about_middle.outer + reach;
-  // A box that holds a whole winding is near to everything within.
-  const auto goes_round = [](const Node& node) { return node.box.half.sum() > 1.5 * node.outer; };
   return find_leaves(
-      [&](const Node& node) {
-        return node.outer > inner && node.inner < outer &&
-               (goes_round(node) || least_gap(node.box, box, reach) < reach);
+      [&](std::size_t place) {
+        const Box& own = nodes_[place].box;
+        const Ring& ring = rings_.nodes[place];
+        // A box that holds a whole winding is near to everything within.
+        return ring.outer > inner && ring.inner < outer &&
+               (own.half.sum() > 1.5 * ring.outer || least_gap(own, box, reach) < reach);
       },
       found);
 }
@@ -273,24 +340,21 @@ void WallTree::gather(const std::vector<std::size_t>& found, const Point& origin
     leaf.walls.move_origin(origin - kept.origin);
     four.around.set(place, capsule_of(node.box), origin);
     if (!with_rings) continue;
-    four.rings.set(place, {.center = middle_, .inner = node.inner, .outer = node.outer});
-    const std::size_t first = begin_ + index * bucket_size;
-    for (std::size_t wall = first; wall < std::min(first + bucket_size, end_); ++wall)
-      visit_wall(wall, [&](const ProgrammedPiece&, const Piece& piece, std::size_t) {
-        leaf.rings.set(wall - first, ring_of(piece, middle_));
-      });
+    four.rings.set(place, rings_.nodes[index]);
+    leaf.rings = rings_.leaves[index];
   }
 }
 
 double WallTree::gap_of(const Probe& probe, const Stretch& stretch, double reach) const {
   const Node& node = node_at(stretch);
   double gap = least_gap(node.box, probe.box, reach);
-  if (gap >= reach) return gap;
+  if (gap >= reach || own_rings_.empty()) return gap;
   if (probe.ring.exists() && std::abs(probe.piece.sweep) > long_sweep)
     gap = std::max(gap, least_gap(probe.ring, ring_of(node.box, probe.ring.center)));
-  const Ring& ring = node.ring;
-  return std::max(gap, least_gap(ring, ring.center == middle_ ? probe.about_middle
-                                                              : ring_of(probe.piece, ring.center)));
+  const Ring& ring = own_rings_[place_of(stretch)];
+  return std::max(
+      gap, least_gap(ring, ring.center == rings_.middle ? probe.about_middle
+                                                        : ring_of(probe.piece, ring.center)));
 }
 
 }  // namespace trc::verify

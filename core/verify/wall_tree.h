@@ -28,8 +28,9 @@ struct Probe {
 };
 
 // Finds the walls near to a piece of path. Neighbours in the program are neighbours in the plane:
-// a node holds a stretch of the contour in a box that lies as the stretch does, and in a ring, so
-// that neither slanted nor parallel nor concentric walls are all near to one another.
+// a node holds a stretch of the contour in a box that lies as the stretch does, so that neither
+// slanted nor parallel walls are all near to one another. Concentric walls are told apart by rings,
+// which are made when they are asked for first.
 class WallTree {
  public:
   // Over the walls among the pieces from `begin` to `end` of one selection, which must not change.
@@ -40,13 +41,17 @@ class WallTree {
   // else: pieces from `begin` on that are what its own are, as far as walls go.
   void move_to(const HeldPath& held, std::size_t begin, Checkpoint& checkpoint);
 
-  [[nodiscard]] std::size_t walls() const { return walls_; }
   // A piece of path to be compared.
   [[nodiscard]] Probe probe(const Piece& path) const {
     Probe made(path);
-    made.about_middle = ring_of(path, middle_);
+    if (!own_rings_.empty()) made.about_middle = about_middle(path);
     return made;
   }
+
+  // What tells windings apart is made when it is needed first: before anything is asked about the
+  // middle of all walls, and before single pieces are compared with many of them.
+  void make_rings(Checkpoint& checkpoint) const;
+  void make_own_rings(Checkpoint& checkpoint) const;
 
   // A stretch of the contour.
   struct Stretch {
@@ -63,7 +68,7 @@ class WallTree {
   // The same of what is in the box and in the ring, which is about the middle of all walls.
   bool find_near(const Box& box, const Ring& about_middle, double reach,
                  std::vector<std::size_t>& found) const;
-  [[nodiscard]] Ring about_middle(const Piece& path) const { return ring_of(path, middle_); }
+  [[nodiscard]] Ring about_middle(const Piece& path) const { return ring_of(path, rings_.middle); }
 
   // Calls `visit(block, wall, first)` for all walls that may be nearer than
   // `reach(required)`, where `required` is what the wall, or any of those in a node, asks for; the
@@ -120,16 +125,20 @@ class WallTree {
   // Places those found at the end of `near`, four by four.
   void gather(const std::vector<std::size_t>& found, const Point& origin, bool with_rings,
               std::vector<FourLeaves>& near) const;
-  // Calls `visit(block, wall, first)`, as for_each_near() does, for some walls of the leaf.
+  // Calls `visit(block, wall, first)`, as for_each_near() does, for some walls of the leaf, but for
+  // one programmed piece.
   template <class Visit>
-  void for_each_of(const Leaf& leaf, FourWalls::Bits wanted, const Visit& visit) const {
+  void for_each_of(const Leaf& leaf, FourWalls::Bits wanted, std::size_t unwanted,
+                   const Visit& visit) const {
     for (; wanted != 0; wanted &= wanted - 1) {
       const std::size_t number =
           begin_ + leaf.index * bucket_size + static_cast<std::size_t>(std::countr_zero(wanted));
-      if (number < end_) visit_wall(number, visit);
+      if (number < end_ && number != unwanted) visit_wall(number, visit);
     }
   }
 
+  // Whether all contour blocks are walls from end to end.
+  [[nodiscard]] bool are_whole() const { return !has_special_; }
   // Whether all of a contour block is a wall.
   [[nodiscard]] bool is_whole(std::size_t number) const {
     return !has_special_ || !special_[number];
@@ -137,8 +146,8 @@ class WallTree {
 
   // Of a tree over so many pieces.
   [[nodiscard]] static std::size_t bytes_for(std::size_t pieces) {
-    return sizeof(Node) * (2 * (pieces / bucket_size) + most_levels) +
-           sizeof(KeptLeaf) * (pieces / bucket_size + 1) +
+    return (sizeof(Node) + 2 * sizeof(Ring)) * (2 * (pieces / bucket_size) + most_levels) +
+           (sizeof(KeptLeaf) + sizeof(FourRings)) * (pieces / bucket_size + 1) +
            pieces * (2 * sizeof(std::size_t) + sizeof(std::uint32_t));
   }
 
@@ -148,14 +157,17 @@ class WallTree {
 
   struct Node {
     Box box{};
-    Ring ring{};       // about an arc's centre, or about the middle of all walls
-    double inner = 0;  // of the ring about the middle, mm
-    double outer = -1;
     double required = -1;  // the largest of its walls; negative: it has none
   };
   struct KeptLeaf {
     Point origin = Point::Zero();
     FourWalls walls{};
+  };
+  // What tells concentric walls apart: about the middle of all walls.
+  struct Rings {
+    Point middle = Point::Zero();
+    std::vector<Ring> nodes{};  // as the nodes of the tree
+    std::vector<FourRings> leaves{};
   };
   struct Level {
     std::size_t first = 0;  // of the nodes
@@ -169,6 +181,7 @@ class WallTree {
   [[nodiscard]] const Node& node_at(const Stretch& stretch) const {
     return nodes_[place_of(stretch)];
   }
+  // `is_near` is asked for the place of a node.
   template <class IsNear>
   bool find_leaves(const IsNear& is_near, std::vector<std::size_t>& found) const;
   // Only whether it is below `reach` need be right.
@@ -193,10 +206,16 @@ class WallTree {
   void find_special();
   // Laps on top of each other would make every wall as many as there are laps.
   void hide_copies(Checkpoint& checkpoint);
-  void find_middle(Checkpoint& checkpoint);
+  [[nodiscard]] Point find_middle(Checkpoint& checkpoint) const;
   void build_buckets(Checkpoint& checkpoint);
   void build_level(const Level& below, Checkpoint& checkpoint);
-  [[nodiscard]] static Node both(const Node& a, const Node& b);
+  [[nodiscard]] Ring ring_of_bucket(std::size_t index, FourRings& leaf,
+                                    Checkpoint& checkpoint) const;
+  [[nodiscard]] Ring own_ring_of_bucket(std::size_t index) const;
+  // Level by level, as the nodes: of buckets, and of two nodes that both have walls.
+  template <class OfBucket, class OfBoth>
+  [[nodiscard]] std::vector<Ring> rings_of_nodes(const OfBucket& of_bucket, const OfBoth& of_both,
+                                                 Checkpoint& checkpoint) const;
   // What the walls of each node require, and nothing else of it.
   void find_required(Checkpoint& checkpoint);
 
@@ -207,14 +226,14 @@ class WallTree {
   // Blocks that are not walls from end to end; none: not kept.
   std::vector<bool> special_;
   bool has_special_ = false;
-  std::size_t walls_ = 0;
-  Point middle_ = Point::Zero();  // of all walls
   // For each piece the first of those like it, as a contour block; none: no wall is there twice.
   std::vector<std::uint32_t> first_;
   static constexpr std::uint32_t hidden = std::numeric_limits<std::uint32_t>::max();
   std::vector<Node> nodes_;  // level by level, buckets first
   std::vector<Level> levels_;
   std::vector<KeptLeaf> leaves_;
+  mutable Rings rings_;                  // empty: nobody has asked for them
+  mutable std::vector<Ring> own_rings_;  // about an arc's own centre, or about the middle
 };
 
 }  // namespace trc::verify

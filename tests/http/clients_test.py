@@ -11,7 +11,7 @@ import time
 import unittest
 import urllib.request
 
-from server import NOTCH, SQUARE, Server, trc
+from server import NOTCH, SQUARE, THROUGH_A_WALL, Server, trc
 
 TEXT = {"Content-Type": "text/plain; charset=utf-8"}
 JSON = {"Content-Type": "application/json"}
@@ -261,6 +261,17 @@ class Programs(unittest.TestCase):
             {"Content-Type": "application/connect+json", "Accept-Language": "de"})
         end = json.loads(answer[answer.rindex(b'{"error"'):])
         self.assertTrue(localized(end["error"]))
+
+    def test_a_clearance_of_zero_is_told(self):
+        # A tool without a radius runs on its walls.
+        _, answer = self.server.ask_json("POST", "/v1/programs:verify?tool_radius=0", SQUARE, TEXT)
+        certificate = answer["summary"]["certificate"]
+        self.assertEqual((certificate["clearance"], certificate["toolRadius"]), (0, 0))
+        self.assertEqual(answer["summary"]["minClearance"]["distance"], 0)
+        _, view = self.server.ask_json(
+            "POST", "/v1/views?tool_radius=5&verify=report", THROUGH_A_WALL, TEXT)
+        self.assertEqual(view["summary"]["path"]["minClearance"]["distance"], 0)
+        self.server.ask("DELETE", "/v1/views/" + view["id"])
 
     def test_the_head_of_a_connect_call_is_checked(self):
         def code(**headers):

@@ -26,6 +26,9 @@ N70 G01 X60 Y0
 N80 G40 G01 X80 Y-20
 N90 M30
 `;
+// The path beside N30 runs through the wall N70, behind a change of side.
+const through = ['N10 G00 X-20 Y0 F1000', 'N20 G138 G26 G141', 'N25 G41 G01 X0 Y0', 'N30 X60', 'N40 G42 X70 Y20', 'N50 Y40',
+  'N60 X30', 'N70 Y3', 'N80 X20', 'N90 Y40', 'N100 X0', 'N110 G40 X-20', 'N120 M30', ''].join('\n');
 
 function waves(blocks) {
   const lines = ['N1 G00 X-20 Y0', 'N2 G41 G01 X0 Y0 F1000'];
@@ -125,6 +128,12 @@ const tests = {
     assert.equal(readFileSync(await download.path(), 'utf8'), trc('compensate', path).stdout);
     const [svg] = await Promise.all([page.waitForEvent('download'), page.click('#save-svg')]);
     assert.match(readFileSync(await svg.path(), 'utf8'), /^<\?xml[^]*<path d="M[^]*>20<\/text>[^]*>X \/ mm<\/text>/);
+  },
+
+  async 'a distance of 0 is one'(page) {
+    await show(page, file('through.nc', through));
+    await page.waitForFunction(() => /smallest distance0 mm, needed 5 mm/.test(document.getElementById('certificate').textContent));
+    assert.match(await page.textContent('#certificate'), /too near\s*1/);
   },
 
   async 'a dropped file, a click on the path, the tool on its way, a second radius'(page) {

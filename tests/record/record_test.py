@@ -17,7 +17,7 @@ TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))
 sys.path += [os.path.join(TOP, "tests/http"), os.path.join(TOP, "tests/record")]
 
 import schema  # noqa: E402
-from server import BUILD, NOTCH, SQUARE, Server  # noqa: E402
+from server import BUILD, NOTCH, SQUARE, THROUGH_A_WALL, Server  # noqa: E402
 
 CHECKED = jsonschema.Draft202012Validator(json.loads(schema.filed()))
 
@@ -206,6 +206,14 @@ class Records(unittest.TestCase):
         path = self.compensated("--set", "nominal_radius=5", "--wear=-0.1", "--set",
                                 "allowance=0.3", name="square.nc")["summary"]["path"]
         self.assertEqual((path["nominalRadius"], path["wear"], path["allowance"]), (5, -0.1, 0.3))
+        self.assertEqual(self.trc("verify", "--record", "record.json")[0], 0)
+
+    def test_of_a_clearance_of_zero(self):
+        self.write("through.nc", THROUGH_A_WALL)
+        path = self.compensated("--radius", "5", "--set", "verify=report",
+                                name="through.nc")["summary"]["path"]
+        self.assertEqual(path["certificate"]["clearance"], 0)
+        self.assertEqual(path["minClearance"]["distance"], 0)
         self.assertEqual(self.trc("verify", "--record", "record.json")[0], 0)
 
     def test_of_refused_programs(self):

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <memory>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -272,20 +274,65 @@ TEST(Judged, ShapesWithRoomCostTheSameABlock) {
     }
 }
 
-// Whoever has gone is not measured for: work passes by its checkpoint all the time.
+// Whoever has gone is not measured for: work passes by its checkpoint all the time, and says how
+// far it is. A thousand blocks take no more than some milliseconds.
 TEST(Judged, IsInterruptedAllTheTime) {
-  for (const BigShape shape : {BigShape::wave, BigShape::gear}) {
+  for (const BigShape shape : {BigShape::wave, BigShape::gear, BigShape::spiral}) {
     const Measured given = measured_with_room(shape, 100'000);
     verify::HeldPath held;
     for (const Block& block : given.programmed) held.add(std::get<MotionBlock>(block));
     for (const CompensatedBlock& block : given.path) held.add(block);
+    const std::size_t all = held.path().end() - held.path().begin();
+    std::vector<std::size_t> told;
     std::size_t passed = 0;
-    Checkpoint checkpoint([&] { ++passed; });
-    const ClearanceReport found =
-        measure_clearance(held, held.programmed().end(), {.allowed = allowed}, checkpoint);
+    std::size_t passed_before = 0;
+    std::size_t told_before = 0;
+    std::size_t most_blocks = 0;  // between two times that it passes by
+    Checkpoint checkpoint([&] {
+      ++passed;
+      if (told.size() == 1) ++passed_before;
+      most_blocks = std::max(most_blocks, told.back() - std::exchange(told_before, told.back()));
+    });
+    const ClearanceReport found = measure_clearance(held, held.programmed().end(),
+                                                    {.allowed = allowed,
+                                                     .progress =
+                                                         [&](std::size_t measured, std::size_t of) {
+                                                           EXPECT_EQ(of, all);
+                                                           told.push_back(measured);
+                                                         }},
+                                                    checkpoint);
     EXPECT_GE(found.checked, 100'000U);
     EXPECT_GT(passed, 1'000U) << name_of(shape);
+    EXPECT_GT(passed_before, 1'000U) << name_of(shape) << ", while walls are looked for";
+    EXPECT_LT(most_blocks, 1'000U) << name_of(shape);
+    EXPECT_EQ(told.front(), 0U);
+    EXPECT_EQ(told.back(), all);
+    EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+    EXPECT_GT(told.size(), 1'000U) << name_of(shape);
   }
+}
+
+// What is thrown on the way ends it there.
+TEST(Judged, IsMeasuredNoFurtherOnceNobodyWaits) {
+  const Measured given = measured_with_room(BigShape::wave, 100'000);
+  verify::HeldPath held;
+  for (const Block& block : given.programmed) held.add(std::get<MotionBlock>(block));
+  for (const CompensatedBlock& block : given.path) held.add(block);
+  struct Gone {};
+  std::size_t measured = 0;
+  bool is_gone = false;
+  Checkpoint checkpoint([&] {
+    if (is_gone) throw Gone{};
+    is_gone = measured > 50'000;
+  });
+  EXPECT_THROW(static_cast<void>(measure_clearance(
+                   held, held.programmed().end(),
+                   {.allowed = allowed,
+                    .progress = [&](std::size_t blocks, std::size_t) { measured = blocks; }},
+                   checkpoint)),
+               Gone);
+  EXPECT_GT(measured, 50'000U);
+  EXPECT_LT(measured, 52'000U);
 }
 
 }  // namespace

@@ -55,6 +55,20 @@ void join(const Piece& first, Piece& second) {
   second.center += way;
 }
 
+// An arc that begins where another one ends, or beside that, in the same direction or against it.
+Piece going_on_from(Random& random, const Piece& arc) {
+  const Vector out = arc.end - arc.center;
+  const Point start = arc.center + random.between(0.2, 2) * out;
+  const Point center = start + random.between(-3, 3) * out;
+  const double begin = std::atan2(start.y() - center.y(), start.x() - center.x());
+  const double sweep = random.between(0.01, pi) * (random.chance(0.5) ? 1 : -1);
+  const double radius = (start - center).norm();
+  return {.start = start,
+          .end = on_circle(center, begin + sweep, radius),
+          .center = center,
+          .sweep = sweep};
+}
+
 TEST(QuickRejects, CapsulesHoldTheirPieces) {
   for (std::uint64_t seed = 0; seed < 20'000; ++seed) {
     Random random(seed);
@@ -65,6 +79,25 @@ TEST(QuickRejects, CapsulesHoldTheirPieces) {
       const Point point = verify::place_at(segment_of(piece), place / 20.0).point;
       const double apart = (verify::nearest_point(segment_of(line), point) - point).norm();
       ASSERT_LE(apart, capsule.margin + 1e-9) << seed;
+    }
+  }
+}
+
+TEST(QuickRejects, RingsHoldTheirPieces) {
+  for (std::uint64_t seed = 20'000; seed < 40'000; ++seed) {
+    Random random(seed);
+    const Piece piece = any_piece(random, Point::Zero(), 10, 1e-3);
+    // Also about its own centre, and about a place on its way.
+    const Point center = random.chance(0.1) ? piece.center
+                         : random.chance(0.1)
+                             ? piece.end
+                             : Point(random.between(-20, 20), random.between(-20, 20));
+    const verify::Ring ring = verify::ring_of(piece, center);
+    for (int place = 0; place <= 50; ++place) {
+      const Point point = verify::place_at(segment_of(piece), place / 50.0).point;
+      const double apart = (point - center).norm();
+      ASSERT_GE(apart, ring.inner - 1e-9) << seed;
+      ASSERT_LE(apart, ring.outer + 1e-9) << seed;
     }
   }
 }
@@ -142,8 +175,9 @@ TEST(QuickRejects, EnoughIsTrue) {
     const Piece a = any_piece(random, Point::Zero(), 10, random.chance(0.5) ? 0 : 1e-6);
     Piece b = any_piece(random, Point::Zero(), 10, random.chance(0.5) ? 0 : 1e-6);
     if (random.chance(0.3)) join(a, b);
+    if (a.is_arc() && random.chance(0.3)) b = going_on_from(random, a);
     const double exact = verify::gap_between(a, b, all).distance;
-    const double enough = exact * random.between(0.5, 1.5);
+    const double enough = exact * random.between(0.5, 1.5) - (random.chance(0.1) ? 2e-6 : 0);
     const double told = verify::gap_between(a, b, enough).distance;
     if (exact < enough - 1e-7) {
       EXPECT_NEAR(told, exact, 1e-12) << seed;

@@ -57,6 +57,19 @@ TEST(JsonLines, PassthroughHasTextAlone) {
       "\n");
 }
 
+// A path through the wall, or a tool of radius 0: what is measured there is no absent field.
+TEST(JsonLines, ClearanceOfZeroIsTold) {
+  v1::PathItem item;
+  to_proto(PathSummary{.clearance = {.worst = verify::Clearance{.distance = 0, .required = 0}}},
+           *item.mutable_summary());
+  const std::string line = line_of(item);
+  const std::string clearance = R"({"distance":0,"toolRadius":0,"point":{"x":0,"y":0,"z":0}})";
+  const std::string certificate =
+      R"({"clearance":0,"toolRadius":0,"point":{"x":0,"y":0,"z":0},"methodVersion":2})";
+  EXPECT_NE(line.find(R"("minClearance":)" + clearance), std::string::npos) << line;
+  EXPECT_NE(line.find(R"("certificate":)" + certificate), std::string::npos) << line;
+}
+
 TEST(JsonLines, DiagnosticWithValuesInTheOrderOfTheirNames) {
   Diagnostic diagnostic{.code = Code::line_reversed,
                         .severity = Severity::error,

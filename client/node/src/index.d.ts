@@ -196,7 +196,7 @@ export interface SurveyedRadius {
   /** Share of the wall length in masked blocks and removed loops, 0 to 1. */
   maskedShare: number;
   /** The Certificate of the protocol; none: it was refused, or nothing is compensated. */
-  certificate?: { clearance?: number; toolRadius: number; point: Point; [field: string]: unknown };
+  certificate?: { clearance: number; toolRadius: number; point: Point; [field: string]: unknown };
   /** mm, in the plane; none: it was refused. */
   compensatedLength?: number;
   /** mm, in the plane; none: it was refused. */

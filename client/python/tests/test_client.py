@@ -285,6 +285,32 @@ N60 G40 X-20 Y4
 M30
 """
 
+# The path beside N30 runs through the wall N70, behind a change of side.
+THROUGH_A_WALL = """N10 G00 X-20 Y0 F1000
+N20 G138 G26 G141
+N25 G41 G01 X0 Y0
+N30 X60
+N40 G42 X70 Y20
+N50 Y40
+N60 X30
+N70 Y3
+N80 X20
+N90 Y40
+N100 X0
+N110 G40 X-20
+N120 M30
+"""
+
+
+class Measuring(unittest.TestCase):
+    def test_a_clearance_of_zero_is_told(self):
+        with trc.Client() as client:
+            measured = client.compensate(THROUGH_A_WALL, radius=5, verify="report")
+        certificate = measured.summary.path.certificate
+        self.assertTrue(certificate.HasField("clearance"))
+        self.assertEqual(certificate.clearance, 0)
+        self.assertTrue(measured.summary.path.min_clearance.HasField("distance"))
+
 
 class Surveys(unittest.TestCase):
     def test_radii_that_fit_and_one_that_does_not(self):
