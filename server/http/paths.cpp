@@ -68,7 +68,8 @@ void compensate(Api& api, const ExchangePointer& exchange, bool verify,
                 std::shared_ptr<Format> format) {
   const auto ask = [verify](v1::PreviewPathRequest& path) -> std::vector<grpc::ByteBuffer> {
     path.mutable_setup()->set_response_layout(v1::RESPONSE_LAYOUT_BLOCKS);
-    if (verify) path.mutable_setup()->set_verify(v1::VERIFICATION_ENFORCE);
+    if (verify && path.setup().verify() != v1::VERIFICATION_REPORT)
+      path.mutable_setup()->set_verify(v1::VERIFICATION_ENFORCE);
     return {RpcCall::bytes_of(path)};
   };
   start<v1::PreviewPathRequest>(api, exchange, preview_path_rpc, ask, std::move(format));

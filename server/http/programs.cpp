@@ -84,10 +84,14 @@ void compensate_program(Api& api, const ExchangePointer& exchange) {
 void verify_program(Api& api, const ExchangePointer& exchange) {
   using Measured = PathAnswerFormat<v1::CompensateProgramResponse>;
   v1::ProgramSetup setup;
+  setup.mutable_path()->set_verify(v1::VERIFICATION_ENFORCE);
   if (!read_setup(*exchange, exchange->request().query, setup)) return;
+  if (setup.path().verify() == v1::VERIFICATION_OFF)
+    return answer_problem(*exchange, problem(400, "SETTING_INVALID",
+                                             "A query parameter is no setting that can be taken",
+                                             "verify: it takes enforce, report"));
   setup.set_output(v1::PROGRAM_OUTPUT_BLOCKS);
   setup.mutable_path()->set_response_layout(v1::RESPONSE_LAYOUT_COLUMNS);
-  setup.mutable_path()->set_verify(v1::VERIFICATION_ENFORCE);
   start(api, exchange, setup,
         std::make_shared<Measured>(Measured::Blocks::left_out, api.most_message_bytes()));
 }

@@ -405,6 +405,20 @@ class Programs(unittest.TestCase):
         self.assertAlmostEqual(answer["summary"]["minClearance"]["distance"], 5, places=4)
         self.assertNotIn("blocks", answer)
 
+    def test_verify_refuses_or_reports_as_asked(self):
+        def verified(how):
+            return self.server.ask_json(
+                "POST", f"/v1/programs:verify?tool_radius=5{how}", THROUGH_A_WALL, TEXT)
+
+        self.assertEqual(verified("")[0], 422)
+        self.assertEqual(verified("&verify=enforce")[0], 422)
+        status, answer = verified("&verify=report")
+        self.assertEqual(status, 200)
+        self.assertEqual(answer["summary"]["minClearance"]["distance"], 0)
+        status, problem = verified("&verify=off")
+        self.assertEqual((status, problem["reason"]), (400, "SETTING_INVALID"))
+        self.assertIn("enforce, report", problem["detail"])
+
     def test_a_record_is_what_trc_files(self):
         with tempfile.TemporaryDirectory() as folder:
             program, record = (os.path.join(folder, name) for name in ("part.nc", "part.json"))
