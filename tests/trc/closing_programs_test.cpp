@@ -339,6 +339,8 @@ TEST(ClosingPrograms, LeadsLongerThanAPostMayCrossOrBeChords) {  // D-38
   const Post aslant({Post::beyond(0, Vector(6, -6)), Post::corner(0)},
                     {Post::beyond(0, Vector(6, 6))});
   for (const char* modes : {removing, "G140 G26"}) aslant.expect_all_of_it(modes);
+  const Post without_lead_in({Post::corner(0)}, {Post::beyond(0, Vector(-1, 6))});
+  for (const char* modes : {removing, "G140 G26"}) without_lead_in.expect_all_of_it(modes);
   std::vector<Point> in;
   std::vector<Point> out;
   for (int chord = 0; chord <= 8; ++chord) {

@@ -128,8 +128,13 @@ bool is_between_long_leads(const ContourView& contour, const EndsMeeting& closin
   ring.append(contour, closing.first, closing.second);
   const bool tool_is_outside = (ring.area() > 0) != (contour.tool_side == Side::left);
   if (!is_plain && (!tool_is_outside || ring.is_slender(length))) return false;
-  return ring.has_on(contour.tool_side, start_of(contour.segment(0))) &&
-         ring.has_on(contour.tool_side, end_of(contour.segment(contour.count - 1)));
+  // Where one is missing, the contour begins or ends on the ring itself.
+  const bool has_in = into(contour, closing.first).has_value();
+  const bool has_out = out_of(contour, closing.second).has_value();
+  const Point begin = start_of(contour.segment(0));
+  const Point end = end_of(contour.segment(contour.count - 1));
+  return (!has_in || ring.has_on(contour.tool_side, begin)) &&
+         (!has_out || ring.has_on(contour.tool_side, end));
 }
 
 }  // namespace trc
