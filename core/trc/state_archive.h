@@ -56,8 +56,8 @@ void serialize(Archive& archive, Walls& walls) {
 
 template <class Archive>
 void serialize(Archive& archive, LeftOut& stretch) {
-  auto& [first, last, length, of_walls, tool_radius, in_all] = stretch;
-  archive(first, last, length, of_walls, tool_radius, in_all);
+  auto& [first, last, length, of_walls, tool_radius, in_all, is_a_part] = stretch;
+  archive(first, last, length, of_walls, tool_radius, in_all, is_a_part);
 }
 
 template <class Archive>

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <variant>
 
+#include "core/base/tolerances.h"
 #include "core/trc/selection/selection_limit.h"
 
 namespace trc::verify {
@@ -22,6 +24,20 @@ Diagnostic gouge(const ClearanceReport& found) {
   append_place(problem.values, "other", worst.contour);
   problem.point = DiagnosticPoint{.x = worst.place[0], .y = worst.place[1], .z = worst.place[2]};
   return problem;
+}
+
+// Where the contour closes, and does not quite: the path comes nearer there by more than rounding
+// makes. That stops nothing, whatever is told of gouges (D-101).
+std::optional<Diagnostic> open_closing(const ClearanceReport& found) {
+  if (found.gouging > 0 || !found.worst || found.worst->margin() >= -Tolerances{}.on_top)
+    return std::nullopt;
+  const Clearance& worst = *found.worst;
+  Diagnostic warning = diagnostic(Code::bottleneck, worst.path);
+  warning.severity = Severity::warning;
+  warning.values = {{"clearance", worst.distance}, {"tool_radius", worst.required}};
+  append_place(warning.values, "other", worst.contour);
+  warning.point = DiagnosticPoint{.x = worst.place[0], .y = worst.place[1], .z = worst.place[2]};
+  return warning;
 }
 
 }  // namespace
@@ -94,6 +110,7 @@ bool Verification::measure_before(std::uint64_t end) {
   const std::size_t behind = held_.first_from(end);
   const ClearanceReport found = measure_clearance(held_, behind, setup_.clearance, checkpoint_);
   report_.add(found);
+  if (auto warning = open_closing(found)) diagnostics_.report(std::move(*warning));
   Diagnostic problem;
   if (found.gouging > 0) {
     problem = gouge(found);

@@ -48,9 +48,11 @@ struct Result {
   }
 };
 
-Result run(const std::string& modes, double radius, const std::string& contour) {
+Result run(const std::string& modes, double radius, const std::string& contour,
+           Verify verify = Verify::off) {
   ProgramSessionSetup setup;
   setup.nc_text = false;
+  setup.session.verify = verify;
   ProgramSession session(setup);
   Answers out;
   const std::string program =
@@ -271,6 +273,136 @@ TEST(ClosingPrograms, APocketOfChordsMayBeEnteredAtACorner) {  // D-44
     const Result outcome = run(removing, 3, contour + "G40 G1 X10 Y0\n");
     ASSERT_TRUE(outcome.whole) << chords << " chords";
     EXPECT_NEAR(outcome.clearance_to(walls), 3, 0.001) << chords << " chords";
+  }
+}
+
+// A post of 2 mm as ten chords, counter-clockwise, with what leads to it and from it. Its path
+// keeps clear of it, and goes round all of it.
+class Post {
+ public:
+  static Point corner(int number) {
+    const double angle = 2 * std::numbers::pi * number / 10;
+    return {std::cos(angle), std::sin(angle)};
+  }
+  static Point beyond(int number, const Vector& by) { return corner(number) + by; }
+  static std::string to(const Point& point) {
+    std::array<char, 80> words{};
+    std::snprintf(words.data(), words.size(), " X%.3f Y%.3f\n", point.x(), point.y());
+    return words.data();
+  }
+
+  Post(const std::vector<Point>& in, const std::vector<Point>& out) {
+    program_ = "N1 G0" + to(in.front() + Vector(2, -1)) + "G138 F800 G42 G1" + to(in.front());
+    for (std::size_t point = 1; point < in.size(); ++point) program_ += to(in[point]);
+    for (int side = 1; side <= 10; ++side)
+      program_ += "N" + std::to_string(100 + side) + to(corner(side));
+    for (const Point& point : out) program_ += "N200" + to(point);
+    program_ += "G40" + to(out.back() + Vector(1, 3));
+  }
+
+  [[nodiscard]] const std::string& program() const { return program_; }
+  void expect_all_of_it(const std::string& modes) const {
+    std::vector<Segment> walls;
+    for (int side = 0; side < 10; ++side) walls.emplace_back(Line{corner(side), corner(side + 1)});
+    const Result outcome = run(modes, 2.5, program_, Verify::enforce);
+    EXPECT_TRUE(outcome.whole) << program_;
+    EXPECT_TRUE(outcome.diagnostics.empty()) << program_;
+    const std::set<std::int64_t> travelled = outcome.travelled();
+    for (int side = 1; side <= 10; ++side)
+      EXPECT_TRUE(travelled.contains(100 + side)) << program_ << side;
+    EXPECT_GE(outcome.clearance_to(walls), 2.499) << program_;
+  }
+
+ private:
+  std::string program_;
+};
+
+// What leads out goes along the first sides once more, and straight on.
+TEST(ClosingPrograms, LeadsLongerThanAPostMayGoAlongIt) {  // D-38
+  for (const double in : {1.0, 3.0, 8.0})
+    for (const double out : {1.0, 3.0})
+      for (const int overrun : {0, 1, 2})
+        for (const double part : {0.0, 0.3}) {
+          const Vector first = Post::corner(1) - Post::corner(0);
+          const Vector last = Post::corner(overrun + 1) - Post::corner(overrun);
+          std::vector<Point> end;
+          for (int side = 1; side <= overrun; ++side) end.push_back(Post::corner(side));
+          if (part > 0) end.push_back(Post::beyond(overrun, part * last));
+          end.push_back(Post::beyond(overrun, part * last + out * last.normalized()));
+          const Post post({Post::beyond(0, -in * first.normalized()), Post::corner(0)}, end);
+          for (const char* modes : {removing, "G140 G26"}) post.expect_all_of_it(modes);
+        }
+}
+
+// Lines aslant, which cross beside it; and quarter circles of 5 mm that CAM has made chords of.
+TEST(ClosingPrograms, LeadsLongerThanAPostMayCrossOrBeChords) {  // D-38
+  const Post aslant({Post::beyond(0, Vector(6, -6)), Post::corner(0)},
+                    {Post::beyond(0, Vector(6, 6))});
+  for (const char* modes : {removing, "G140 G26"}) aslant.expect_all_of_it(modes);
+  const Post without_lead_in({Post::corner(0)}, {Post::beyond(0, Vector(-1, 6))});
+  for (const char* modes : {removing, "G140 G26"}) without_lead_in.expect_all_of_it(modes);
+  std::vector<Point> in;
+  std::vector<Point> out;
+  for (int chord = 0; chord <= 8; ++chord) {
+    const double angle = std::numbers::pi / 16 * chord;
+    out.push_back(Post::beyond(0, 5 * Vector(1 - std::cos(angle), std::sin(angle))));
+    in.insert(in.begin(), Post::beyond(0, 5 * Vector(1 - std::cos(angle), -std::sin(angle))));
+  }
+  out.erase(out.begin());
+  for (const char* modes : {removing, "G140 G26"}) Post(in, out).expect_all_of_it(modes);
+}
+
+// The finishing lap rounds the corners of the roughing lap. Where the first lap ends is within a
+// block, of which the begin belongs to that lap.
+TEST(ClosingPrograms, ALapMayEndWithinABlock) {  // D-100
+  const std::string finishing =
+      "G2 X10 Y50 R10\nG1 X70\nG2 X80 Y40 R10\nG1 Y10\nG2 X70 Y0 R10\nG1 X10\nG2 X0 Y10 R10\n";
+  const std::string with_leads =
+      "G0 X-30 Y25 F300\nG41 G1 X-12 Y17\nG3 X0 Y25 R10\nG1 Y50\nX80\nY0\nX0\nN100 Y40\n" +
+      finishing + "G1 Y25\nG3 X-10 Y35 R10\nG40 G1 X-30\n";
+  const std::string without = "G0 X-30 Y-30 F300\nG41 G1 X0\nY50\nX80\nY0\nX0\nN100 Y40\n" +
+                              finishing + "G1 Y20\nG40 X-30\n";
+  for (const std::string& contour : {with_leads, without})
+    for (const char* modes : {removing, "G140 G26"}) {
+      const Result outcome = run(modes, 4, contour, Verify::enforce);
+      EXPECT_TRUE(outcome.whole) << contour;
+      EXPECT_TRUE(outcome.diagnostics.empty()) << contour;
+      EXPECT_TRUE(outcome.travelled().contains(100)) << contour;
+    }
+}
+
+// A bore in circles of 9.75 mm; half circles lead to the finishing circle of 10 mm and back,
+// however often it was roughed.
+TEST(ClosingPrograms, AFinishingLapMayHaveLeadsOfItsOwn) {  // D-100
+  for (int laps = 1; laps <= 4; ++laps) {
+    std::string contour = "G162 G0 X20 Y20 F300\nG41 G1 X0 Y9.75\n";
+    for (int lap = 0; lap < laps; ++lap) contour += "G3 X0 Y9.75 I0 J-9.75\n";
+    contour += "G3 X0 Y-10 I0 J-9.875\nG3 X0 Y-10 I0 J10\nG3 X0 Y9.75 I0 J9.875\nG40 G1 X5 Y5\n";
+    for (const char* modes : {removing, "G140 G26"}) {
+      const Result outcome = run(modes, 6.35, contour, Verify::enforce);
+      EXPECT_TRUE(outcome.whole) << laps;
+      EXPECT_TRUE(outcome.diagnostics.empty()) << laps;
+    }
+  }
+}
+
+// The last wall ends so much deeper than the first one begins. Rounding makes up to 4 um.
+TEST(ClosingPrograms, AContourThatDoesNotQuiteCloseIsTold) {  // D-101
+  for (const double step : {0.001, 0.003, 0.005, 0.009}) {
+    const std::string y = std::to_string(-step);
+    const Result outcome =
+        run(removing, 1,
+            "N1 G162 G0 X-1 Y3 F800\nN2 G138 G26 G41 G1 X-2 Y2\nN3 G3 X0 Y0 I2 J0\nN4 G1 X6\n"
+            "N5 Y12\nN6 X-6\nN7 Y" +
+                y + "\nN8 X0\nN9 G3 X2 Y" + std::to_string(2 - step) + " I0 J2\nN10 G40 G1 X1 Y3\n",
+            Verify::enforce);
+    ASSERT_TRUE(outcome.whole) << step;
+    ASSERT_EQ(outcome.diagnostics.size(), step > 0.004 ? 1U : 0U) << step;
+    if (outcome.diagnostics.empty()) continue;
+    const Diagnostic& told = outcome.diagnostics.front();
+    EXPECT_EQ(told.code, Code::bottleneck);
+    EXPECT_EQ(told.severity, Severity::warning);
+    EXPECT_NEAR(told.values.front().value, 1 - step, 1e-5);
   }
 }
 

@@ -478,7 +478,7 @@ TEST(Walls, LongLeadsMayHaveAnOverrunOfSeveralBlocks) {  // D-38
   for (int side = 1; side <= 15; ++side)
     drawing.line(5 * std::cos(side * pi / 6), -5 * std::sin(side * pi / 6));
   const Walls walls = walls_of(drawing.arc(20, -5, pi / 2), Side::left);
-  EXPECT_EQ((Ranges{{0, 2}, {14, 17}}), walls.leads) << "all of the twelve sides between";
+  EXPECT_EQ((Ranges{{0, 4}, {16, 17}}), walls.leads) << "all of the twelve sides between";
 }
 
 // As it is put on at an outside corner, to keep that sharp: the tool is on its inside.

@@ -54,9 +54,9 @@ Measured measured(const Contour& contour, const TrcMode& given,
 
 void expect_as_judged(const Measured& given, const std::string& what) {
   SCOPED_TRACE(what);
-  const ClearanceReport found =
-      measure_clearance(given.programmed, given.path, allowed, {.input_resolution = 0});
-  const ClearanceReport judged = slow_verification(given.programmed, given.path, allowed);
+  const LeadSettings leads{.input_resolution = 0};
+  const ClearanceReport found = measure_clearance(given.programmed, given.path, allowed, leads);
+  const ClearanceReport judged = slow_verification(given.programmed, given.path, allowed, leads);
   EXPECT_EQ(found.checked, judged.checked);
   EXPECT_EQ(found.gouging, judged.gouging);
   if (!judged.worst) {

@@ -1,8 +1,10 @@
 #include "core/trc/loops/loop_release.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -16,6 +18,7 @@ void LoopRelease::begin() {
   left_to_ = none_left;
   longest_left_out_ = {};
   contour_length_ = 0;
+  is_most_left_out_ = false;
 }
 
 void LoopRelease::leave_out_rest(const Point& place, PathBlocks& out) {
@@ -160,6 +163,8 @@ void LoopRelease::report_masked(const PathPlace& next, const Point& place) {
   LeftOut stretch = left_out(left_to_.block + 1 == next_ ? left_to_ : PathPlace{next_, 0}, next);
   stretch.first = path_.source_of(number_of(first));
   stretch.last = path_.source_of(number_of(last));
+  stretch.is_a_part = is_most_left_out_ || (stretch.length > stretch.tool_radius / 2 &&
+                                            go_round_a_part(number_of(first), number_of(last)));
   if (window_ > 0) longest_left_out_.add(stretch);
   if (!stretch.is_long() && leaves_nothing_of(number_of(first), number_of(last), place)) return;
   Diagnostic note = note_of(stretch);
@@ -218,6 +223,24 @@ bool LoopRelease::holds_a_whole(const PathPlace& from, const PathPlace& to,
   return walls.goes_round(first, last) && stretch.length > 0.1 * lap;
 }
 
+bool LoopRelease::go_round_a_part(std::size_t first, std::size_t last) const {
+  const auto turn_into = [](const Vector& from, const Vector& to) {
+    return std::atan2(cross(from, to), from.dot(to));
+  };
+  double turn = 0;  // to the left
+  std::optional<Vector> from;
+  for (std::size_t number = first; number <= last; ++number) {
+    if (obstacles_.is_lead(number)) continue;
+    const Segment wall = path_.contour_block(number).programmed;
+    if (from) turn += turn_into(*from, tangent_at_start(wall));
+    if (const Arc* arc = std::get_if<Arc>(&wall)) turn += arc->sweep;
+    from = tangent_at_end(wall);
+  }
+  constexpr double most_of_a_turn = 1.25 * std::numbers::pi;
+  const Side side = path_.mode_of(path_.contour_block(first).block).cutting_side();
+  return (side == Side::left ? -turn : turn) >= most_of_a_turn;
+}
+
 bool LoopRelease::is_parted_by_rapid(std::size_t first, std::size_t end) const {
   end = std::min(end, path_.end_of_contour() - 1);
   for (std::size_t number = std::max(first, path_.begin_of_contour() + 1); number < end; ++number)
@@ -243,12 +266,14 @@ bool LoopRelease::check_left_out() {
     return *known_length;
   };
   std::optional<LeftOut> whole_part;
+  double left_out_in_all = 0;
   PathPlace reached{next_, 0};
   const auto consider = [&](const PathPlace& next) {
     if (next.block <= reached.block) return;
     LeftOut stretch = left_out(reached, next);
     if (stretch.length > 0) stretch.of_walls = of_walls();
     longest.add(stretch);
+    left_out_in_all += stretch.length;
     if (!whole_part && holds_a_whole(reached, next, stretch)) whole_part = stretch;
   };
   for (std::size_t number = walked_.begin(); number < walked_.end(); ++number) {
@@ -260,6 +285,7 @@ bool LoopRelease::check_left_out() {
   consider({end_of_path(), 0});
   if (longest.length == 0) return true;
   longest.of_walls = of_walls();
+  is_most_left_out_ = left_out_in_all > 0.5 * longest.of_walls;
   // Of several contours linked by rapid motion the walls are unknown, and so is what share of them
   // a stretch is.
   const bool is_parted =

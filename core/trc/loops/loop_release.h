@@ -62,7 +62,7 @@ class LoopRelease {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(next_, left_to_, longest_left_out_, contour_length_);
+    archive(next_, left_to_, longest_left_out_, contour_length_, is_most_left_out_);
   }
 
  private:
@@ -96,6 +96,9 @@ class LoopRelease {
   // goes a lap, a change of depth or a rapid motion.
   [[nodiscard]] bool holds_a_whole(const PathPlace& from, const PathPlace& to,
                                    const LeftOut& stretch) const;
+  // Whether the walls among these contour blocks go round something on the side of the workpiece:
+  // a part of it, which a tool of any size can reach.
+  [[nodiscard]] bool go_round_a_part(std::size_t first, std::size_t last) const;
   // Whether one of the contour blocks is rapid, but for the first and the last one of the path.
   [[nodiscard]] bool is_parted_by_rapid(std::size_t first, std::size_t end) const;
 
@@ -113,6 +116,7 @@ class LoopRelease {
   // For a window only: of what has left, and of all contour blocks, mm.
   LeftOut longest_left_out_{};
   double contour_length_ = 0;
+  bool is_most_left_out_ = false;  // of the walls
 };
 
 }  // namespace trc

@@ -415,6 +415,31 @@ std::pmr::vector<EndsMeeting> meetings_of_ends(const ContourView& contour, doubl
                        0.5 * length_of_all(contour), memory);
 }
 
+namespace {
+
+using Candidates = std::pmr::vector<Candidate>;
+
+template <class MayClose>
+std::optional<Closing> search_inward(const ContourView& contour, const Candidates& candidates,
+                                     double tolerance, double tool_radius, Overruns overruns,
+                                     const MayClose& may_close) {
+  InwardSearch inward(contour, tolerance, overruns, candidates.get_allocator().resource());
+  for (const Candidate& candidate : candidates)
+    if (may_close(candidate) && !is_lead_across_walls(contour, candidate, tolerance, tool_radius))
+      inward.consider(candidate);
+  return inward.result(candidates);
+}
+
+std::optional<Closing> between_long_leads(const ContourView& contour, const Candidates& candidates,
+                                          double tolerance, double tool_radius) {
+  return search_inward(contour, candidates, tolerance, tool_radius, Overruns::along_the_begin,
+                       [&](const Candidate& candidate) {
+                         return is_between_long_leads(contour, candidate, tolerance, tool_radius);
+                       });
+}
+
+}  // namespace
+
 std::optional<Closing> find_closing(const ContourView& contour, double closing_tolerance,
                                     double tool_radius) {
   Scratch scratch;
@@ -423,30 +448,29 @@ std::optional<Closing> find_closing(const ContourView& contour, double closing_t
   const auto candidates =
       candidates_of(contour, reach_in_radii * tool_radius, closing_tolerance, most, memory);
   if (candidates.empty()) return std::nullopt;
-  const auto search = [&](Overruns overruns, const auto& may_close) {
-    InwardSearch inward(contour, closing_tolerance, overruns, memory);
-    for (const Candidate& candidate : candidates)
-      if (may_close(candidate) &&
-          !is_lead_across_walls(contour, candidate, closing_tolerance, tool_radius))
-        inward.consider(candidate);
-    return inward.result(candidates);
+  const auto search = [&](Overruns overruns) {
+    return search_inward(
+        contour, candidates, closing_tolerance, tool_radius, overruns,
+        [&](const Candidate& candidate) { return candidate.before + candidate.behind <= most; });
   };
-  const auto leaves_half = [&](const Candidate& candidate) {
-    return candidate.before + candidate.behind <= most;
-  };
-  auto closing = search(Overruns::along_the_begin, leaves_half);
+  auto closing = search(Overruns::along_the_begin);
   if (closing) {
     closing->is_alone = visits_of(contour, *closing, closing_tolerance, memory).size() == 2;
-    if (!closing->is_alone) closing = search(Overruns::along_the_last_lap, leaves_half);
+    if (!closing->is_alone) closing = search(Overruns::along_the_last_lap);
   }
-  const auto between_long_leads =
-      search(Overruns::along_the_begin, [&](const Candidate& candidate) {
-        return is_between_long_leads(contour, candidate, closing_tolerance);
-      });
-  if (!closing || (between_long_leads && lies_within(*between_long_leads, *closing) &&
+  const auto long_leads = between_long_leads(contour, candidates, closing_tolerance, tool_radius);
+  if (!closing || (long_leads && lies_within(*long_leads, *closing) &&
                    visits_of(contour, *closing, closing_tolerance, memory).size() == 2))
-    return between_long_leads;
+    return long_leads;
   return closing;
+}
+
+std::optional<Closing> find_closing_of_long_leads(const ContourView& contour,
+                                                  double closing_tolerance, double tool_radius) {
+  Scratch scratch;
+  const auto candidates = candidates_of(contour, reach_in_radii * tool_radius, closing_tolerance,
+                                        0.5 * length_of_all(contour), scratch.memory());
+  return between_long_leads(contour, candidates, closing_tolerance, tool_radius);
 }
 
 }  // namespace trc

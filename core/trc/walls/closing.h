@@ -87,6 +87,11 @@ struct Closing {
 [[nodiscard]] std::optional<Closing> find_closing(const ContourView& contour,
                                                   double closing_tolerance, double tool_radius);
 
+// That of a ring between leads that may be longer than it is.
+[[nodiscard]] std::optional<Closing> find_closing_of_long_leads(const ContourView& contour,
+                                                                double closing_tolerance,
+                                                                double tool_radius);
+
 // What of a contour is a wall. `tool_radius`: the largest one, mm.
 [[nodiscard]] Walls find_walls(const ContourView& contour, const LeadSettings& settings,
                                double tool_radius);

@@ -85,6 +85,8 @@ class Leads {
     }
     if (first < behind) ranges_.push_back({first, behind});
   }
+  // A lap ends within a block: what of it is before that is no wall for the next one (D-100).
+  void add_end_of_lap(const ContourPlace& end) { limit({.number = end.number, .from = end.along}); }
   void mark(std::size_t number, ContourRole role) {
     if (role == ContourRole::lead) ranges_.push_back({number, number + 1});
     if (role == ContourRole::wall) walls_.push_back(number);
@@ -144,7 +146,9 @@ std::size_t block_from(const ContourView& contour, const ContourPlace& place) {
   return place.number + (is_at_end ? 1 : 0);
 }
 
-void add_rings(const ContourView& contour, const Laps& laps, Leads& leads, Walls& walls) {
+// `near`: up to so much of a block, mm, is the end of the lap before or the begin of the next one.
+void add_rings(const ContourView& contour, const Laps& laps, double near, Leads& leads,
+               Walls& walls) {
   const std::span<const Visit> visits = laps.visits();
   if (!laps.go_over_one_another()) return;
   for (std::size_t ring = 1; ring < visits.size(); ++ring) {
@@ -152,6 +156,9 @@ void add_rings(const ContourView& contour, const Laps& laps, Leads& leads, Walls
     if (laps.is_lead(ring)) leads.add(visits[ring - 1].place, end);
     if (ring + 1 == visits.size()) break;
     walls.rings.push_back(block_from(contour, end));
+    const double left = length_of(contour.segment(end.number)) - end.along;
+    const bool is_within_block = end.along > near && left > near;
+    if (is_within_block && !laps.is_lead(ring + 1)) leads.add_end_of_lap(end);
   }
 }
 
@@ -181,6 +188,25 @@ std::pmr::vector<Direction> directions_at(const ContourView& contour, const Clos
     }
   }
   return directions;
+}
+
+// The lap that finishes what others have roughed may have leads of its own: then it does not close
+// where they do.
+void add_leads_of_last_lap(const ContourView& contour, const Laps& laps, double closing_tolerance,
+                           double tool_radius, Leads& leads) {
+  const std::span<const Visit> visits = laps.visits();
+  if (!laps.go_over_one_another() || !laps.last_one_finishes()) return;
+  const ContourPlace& begin = visits[visits.size() - 2].place;
+  const ContourPlace& end = visits.back().place;
+  const std::size_t first = block_from(contour, begin);
+  if (end.number < first) return;
+  ContourView lap = contour;
+  lap.count = end.number + 1 - first;
+  lap.segment = [&contour, first](std::size_t number) { return contour.segment(first + number); };
+  const auto closing = find_closing_of_long_leads(lap, closing_tolerance, tool_radius);
+  if (!closing) return;
+  leads.add(begin, {first + closing->first.number, closing->first.along});
+  leads.add({first + closing->second.number, closing->second.along}, end);
 }
 
 // How much nearer to one end of the contour than the tool the other one leads, mm, as they meet, or
@@ -286,11 +312,12 @@ Walls find_walls(const ContourView& contour, const LeadSettings& settings, doubl
                                                  settings.input_resolution, scratch.memory()));
     reach_along_leads(contour, *closing, settings.input_resolution, walls);
     // What comes by once goes over nothing of its own.
-    if (!closing->is_alone || closing->overrun)
-      add_rings(
-          contour,
-          Laps(contour, where_laps_meet(*closing), settings.closing_tolerance, scratch.memory()),
-          leads, walls);
+    if (!closing->is_alone || closing->overrun) {
+      const double tolerance = settings.closing_tolerance;
+      const Laps laps(contour, where_laps_meet(*closing), tolerance, scratch.memory());
+      add_rings(contour, laps, 2 * tolerance, leads, walls);
+      add_leads_of_last_lap(contour, laps, tolerance, tool_radius, leads);
+    }
     if (closing->overrun) {
       walls.blocks_of_overrun = closing->first.number - closing->overrun->first.number;
       walls.blocks_of_round = block_from(contour, closing->overrun->second) -
@@ -305,9 +332,9 @@ Walls find_walls(const ContourView& contour, const LeadSettings& settings, doubl
       leads.mark(number, contour.role(number));
     }
   leads.give_to(walls);
-  // Where a lead meets the contour, rounding has it cut in by next to nothing (D-14).
+  // Where a lead meets the contour, rounding has it cut in by next to nothing (D-44).
   if (walls.touch > 0 || !walls.leads.empty())
-    walls.touch = std::max(walls.touch, Tolerances{}.on_contour);
+    walls.touch = std::max({walls.touch, Tolerances{}.on_contour, settings.input_resolution});
   if (contour.shift != 0)
     untie(contour, largest_bow_tie(settings.input_resolution, tool_radius), walls);
   return walls;

@@ -29,7 +29,11 @@ Laps::Laps(const ContourView& contour, const Closing& closing, double tolerance,
     find_neighbours(ring, about);
     are_leads_[ring] = leads_on(ring, about);
     if (are_leads_[ring]) continue;
-    if (lap > 0 && !goes_over(ring, lap)) go_over_one_another_ = false;
+    last_one_finishes_ = false;
+    if (lap > 0 && !goes_over(ring, lap)) {
+      last_one_finishes_ = finishes(ring, lap);
+      go_over_one_another_ = go_over_one_another_ && last_one_finishes_;
+    }
     lap = ring;
   }
 }
@@ -99,6 +103,35 @@ bool Laps::goes_over(std::size_t ring, std::size_t earlier) const {
     if (comes_by(earlier, point_along(contour_.segment(number), along), guess)) ++on_it;
   }
   return 2 * on_it >= probes;
+}
+
+bool Laps::finishes(std::size_t ring, std::size_t earlier) const {
+  if (contour_.tool_side == Side::off) return false;
+  const auto outline_of = [&](std::size_t number, Outline& outline) {
+    outline.append(contour_, visits_[number - 1].place, visits_[number].place);
+  };
+  Scratch scratch;
+  Outline finished(scratch.memory());
+  Outline roughed(scratch.memory());
+  outline_of(ring, finished);
+  outline_of(earlier, roughed);
+  if ((finished.area() > 0) != (roughed.area() > 0)) return false;
+  // Where they meet neither is behind the other one: there they are as near as the visit.
+  const auto lies_on = [&](Side side, const Outline& outline, std::size_t probed,
+                           std::size_t other) {
+    Visit from = visits_[probed - 1];
+    for (int probe = 0; probe < probes; ++probe) {
+      const double way = visits_[probed - 1].way + length_of_ring(probed) * (probe + 0.5) / probes;
+      from = {.place = place_at(way, from), .way = way};
+      const auto& [number, along] = from.place;
+      const Point point = point_along(contour_.segment(number), along);
+      const bool is_on = outline.has_on(contour_.tool_side, point) == (side == contour_.tool_side);
+      if (!is_on && !comes_by(other, point, visits_[other - 1].place.number)) return false;
+    }
+    return true;
+  };
+  return lies_on(contour_.tool_side, finished, earlier, ring) &&
+         lies_on(opposite(contour_.tool_side), roughed, ring, earlier);
 }
 
 bool Laps::comes_by(std::size_t ring, const Point& point, std::size_t guess) const {

@@ -23,6 +23,8 @@ class Laps {
   [[nodiscard]] bool is_lead(std::size_t ring) const { return are_leads_[ring]; }
   // Otherwise the contour goes round several parts that touch in one point.
   [[nodiscard]] bool go_over_one_another() const { return go_over_one_another_; }
+  // Whether the last one finishes what the others have roughed: it is deeper all the way (D-100).
+  [[nodiscard]] bool last_one_finishes() const { return last_one_finishes_; }
 
  private:
   // The next rings in front of a ring and behind it that are not short, and whether the one behind
@@ -44,6 +46,8 @@ class Laps {
   [[nodiscard]] ContourPlace place_at(double way, const Visit& from) const;
   // Whether at least half of a ring lies on another one.
   [[nodiscard]] bool goes_over(std::size_t ring, std::size_t earlier) const;
+  // Whether a ring goes round the same as an earlier one, which leaves something on it all the way.
+  [[nodiscard]] bool finishes(std::size_t ring, std::size_t earlier) const;
   // `guess`: the block that is likeliest to.
   [[nodiscard]] bool comes_by(std::size_t ring, const Point& point, std::size_t guess) const;
   [[nodiscard]] double length_of_ring(std::size_t ring) const {
@@ -56,6 +60,7 @@ class Laps {
   double longest_ = 0;
   std::pmr::vector<bool> are_leads_;
   bool go_over_one_another_ = true;
+  bool last_one_finishes_ = false;
 };
 
 }  // namespace trc

@@ -31,7 +31,7 @@ void LeftOut::add(const LeftOut& other) {
 
 Diagnostic note_of(const LeftOut& stretch) {
   Diagnostic note = diagnostic(Code::blocks_masked, stretch.first);
-  if (stretch.is_long()) note.severity = Severity::warning;
+  if (stretch.is_long() || stretch.is_a_part) note.severity = Severity::warning;
   give_values(stretch, note);
   return note;
 }

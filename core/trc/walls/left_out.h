@@ -17,6 +17,9 @@ struct LeftOut {
   double tool_radius = 0;
   // mm: of this one, or of all that are longer than 10 · R together, once they have been added.
   double in_all = 0;
+  // The walls go round a part of the workpiece, or most of them are left out, in stretches as short
+  // as they may be.
+  bool is_a_part = false;
 
   // Another stretch of the same selection; the longest one stays.
   void add(const LeftOut& other);
@@ -27,7 +30,7 @@ struct LeftOut {
   }
 };
 
-// What is said of it: a note, or a warning where it is longer than 10 · R.
+// What is said of it: a note; a warning where it is longer than 10 · R, or no local damage (D-99).
 [[nodiscard]] Diagnostic note_of(const LeftOut& stretch);
 // 900218, where that is more than the share of the walls that may be left out; nothing: where it is
 // what may not be left out whatever its share.
