@@ -254,6 +254,7 @@ bool Interpreter::read_block(ProgramLine& line) {
   ++blocks_read_;
   if (!(is_isg ? check_block(line, block) : check_feed(line, block))) return false;
   copy_plunge_from_nowhere(line, block);
+  copy_helix_with_pitch(line, block);
   sum_up_words(line);
   return apply(line, block);
 }
@@ -285,6 +286,12 @@ bool Interpreter::is_plain(ProgramLine& line, PlainMotion& plain) const {
 }
 
 bool Interpreter::apply(ProgramLine& line, const PlainMotion& plain) {
+  MoveRequest request;
+  plain.enter(request);
+  if (request.center[axes_of(state_.programmed_plane()).third].value_or(0) != 0) {  // a pitch
+    line.words.clear();
+    return read_block(line);
+  }
   line.source.number = plain.number();
   line.roles = plain.roles();
   line.main_axes = plain.main_axes();
@@ -294,8 +301,6 @@ bool Interpreter::apply(ProgramLine& line, const PlainMotion& plain) {
   motion_given_ = true;
   if (plain.has_feed()) feed_ = plain.feed() * feed_unit(inch_);
   state_.place(plain.first_coordinate() + 1);
-  MoveRequest request;
-  plain.enter(request);
   return move(line, request);
 }
 

@@ -155,6 +155,7 @@ class Interpreter {
   bool read_block(ProgramLine& line);
   bool read_words_of_dialect(ProgramLine& line, BlockWords& block);
   void copy_plunge_from_nowhere(ProgramLine& line, BlockWords& block) const;
+  void copy_helix_with_pitch(ProgramLine& line, BlockWords& block) const;
   [[nodiscard]] bool is_plain(ProgramLine& line, PlainMotion& plain) const;
 
   bool read_words(ProgramLine& line, BlockWords& block);
@@ -334,6 +335,10 @@ class Interpreter {
   bool take_point_between(ProgramLine& line, BlockWords& block);
   [[nodiscard]] bool has_one_radius() const {
     return state_.setup().tools.empty() && state_.setup().mode.tool_radius != 0;
+  }
+  // A table, or one radius for all.
+  [[nodiscard]] bool gives_radii() const {
+    return has_one_radius() || !state_.setup().tools.empty() || state_.setup().tool_radius_given;
   }
   bool take_only_register(const ProgramLine& line, BlockWords& block, std::int64_t number);
   bool take_only_spindle_tool();
