@@ -224,6 +224,8 @@ constexpr auto fragments = std::to_array<Fragment>({
     {"which may have been set by", "vielleicht gesetzt von"},
     {"which no function of the line takes", "das keine Funktion der Zeile braucht"},
     {"which repeats a compensated contour", "was eine korrigierte Kontur wiederholt"},
+    {"which sets a variable that DEF of the main program does not name",
+     "was eine Variable setzt, die kein DEF des Hauptprogramms nennt"},
     {"which was not programmed anew behind", "das nicht neu programmiert ist hinter"},
     {"which writes the radius of a tool", "das den Radius eines Werkzeugs schreibt"},
     {"while TRC is active", "bei aktiver Werkzeugradiuskorrektur"},

@@ -225,6 +225,11 @@ bool Interpreter::read_line_behind_end(ProgramLine& line) {
 }
 
 bool Interpreter::read_words_of_dialect(ProgramLine& line, BlockWords& block) {
+  if (sets_variables_) {
+    const auto end = static_cast<std::uint32_t>(line.text.size());
+    line.words.push_back({.begin = 0, .end = end, .role = WordRole::technology});
+    return true;
+  }
   switch (dialect_.name) {
     case DialectName::isg:
       return read_words(line, block);

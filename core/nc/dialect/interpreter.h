@@ -95,6 +95,7 @@ class Interpreter {
     std::string_view line_end{};
     std::uint32_t number = 0;        // of the line it comes from, 1-based
     bool is_as_written = true;       // that line itself: columns say where in it
+    bool sets_variables = false;     // for a call of the machine: copied as it stands
     bool calls_the_machine = false;  // what only the machine has: passes as ISG's calls do
     bool machine_follows = false;    // a macro of the machine, behind the motion of the line
   };
@@ -470,7 +471,8 @@ class Interpreter {
   double feed_ = 0;  // mm/min
   // A line of a motion and nothing else means what its words say.
   bool reads_plain_lines_ = true;
-  bool calls_the_machine_ = false;  // the line that is read
+  bool sets_variables_ = false;     // the line that is read
+  bool calls_the_machine_ = false;  // that line
   bool machine_follows_ = false;    // that line
   // A subprogram has been called, and the program has not said anew which motion holds and how
   // dimensions count.
