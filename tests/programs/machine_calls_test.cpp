@@ -192,7 +192,7 @@ TEST(MachineCalls, OfLinuxcncPassWhereTheyAreDeclared) {
   EXPECT_EQ(refusal_of(call + "M2\n", setup), std::pair(900306, 2U));
   setup.session.program.pass_words = {"PROBE"};
   EXPECT_EQ(flat_of(call + "G90 G0 X#1\nM2\n", setup),
-            "o<Probe> call [3] [4] (corner)\nG90 G0 X2\nM2\n");
+            "#40=7\n#<_depth>=3\no<Probe> call [3] [4] (corner)\nG90 G0 X2\nM2\n");
   const std::string plain = "G21 G90\nN5 o<probe> call\nG90 G0 X2\nM2\n";
   EXPECT_EQ(flat_of(plain, setup), plain);
   EXPECT_EQ(refusal_of(call + "G90 G0 X#40\nM2\n", setup), std::pair(900303, 3U));
