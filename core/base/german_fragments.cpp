@@ -19,6 +19,8 @@ constexpr auto fragments = std::to_array<Fragment>({
      "weg"},
     {"G40 … G42 between a smooth approach and its contour",
      "G40 … G42 zwischen weichem Anfahren und seiner Kontur"},
+    {"D of G41, G42 is the number of a tool: G41.1, G42.1 take a diameter",
+     "D von G41, G42 ist die Nummer eines Werkzeugs: einen Durchmesser nehmen G41.1, G42.1"},
     {"RL, RR in the contour of the cycles of line", "RL, RR in der Kontur der Zyklen von Zeile"},
     {"SPLIT needs a main axis (or SPLIT_PATH) and a positive DIST_SEG and FEED_SEG for each "
      "segment",
@@ -222,6 +224,8 @@ constexpr auto fragments = std::to_array<Fragment>({
     {"which may have been set by", "vielleicht gesetzt von"},
     {"which no function of the line takes", "das keine Funktion der Zeile braucht"},
     {"which repeats a compensated contour", "was eine korrigierte Kontur wiederholt"},
+    {"which sets a variable that DEF of the main program does not name",
+     "was eine Variable setzt, die kein DEF des Hauptprogramms nennt"},
     {"which was not programmed anew behind", "das nicht neu programmiert ist hinter"},
     {"which writes the radius of a tool", "das den Radius eines Werkzeugs schreibt"},
     {"while TRC is active", "bei aktiver Werkzeugradiuskorrektur"},

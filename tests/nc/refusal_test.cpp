@@ -133,7 +133,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Refused{"RadiiThatDifferUnderG164", "G164 G02 X10 I4", "1:10 21758"},
                       Refused{"NeitherCentreNorRadius", "G02 X10", "1:5 900101"},
                       Refused{"AHeightAloneUnderAModalCircle", "G02 X10 I5\nZ5", "2:1 900101"},
-                      Refused{"APitch", "G02 X10 I5 Z10 K2", "1:5 900003"},
+                      Refused{"APitch", "G41 G01 X5\nG02 X15 I5 Z10 K2", "2:5 900003"},
                       Refused{"ACentreUnderG01", "G01 X10 I5", "1:5 900003"},
                       Refused{"ARadiusUnderG01", "G01 X10 R5", "1:5 900003"},
                       Refused{"ACentreOutOfRange", "G02 X1 I2000000", "1:5 90133"},

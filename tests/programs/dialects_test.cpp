@@ -1493,7 +1493,12 @@ INSTANTIATE_TEST_SUITE_P(
         // From straight below the circle about (-16, 0): 3-4-5.
         Twins{"RoundAndStraightLeads",
               "L X-36 Y+0 F700\nAPPR LCT X+0 Y+0 R12 RL F300\nL Y+50\nDEP LCT X-36 Y+50 R12\n",
-              "G1 X-36 Y0 F700\nG41 D1 X-25.6 Y-12.8\nG3 X0 Y0 I9.6 J12.8 F300\nG1 Y50\n"
+              "G1 X-36 Y0 F700\nG41 D1 X-25.6 Y-12.8 F300\nG3 X0 Y0 I9.6 J12.8\nG1 Y50\n"
+              "G3 X-25.6 Y62.8 I-16 J0\nG40 G1 X-36 Y50\n"},
+        // D-86
+        Twins{"RoundAndStraightLeadsBehindFmax",
+              "L X-36 Y+0 FMAX\nAPPR LCT X+0 Y+0 R12 RL F300\nL Y+50\nDEP LCT X-36 Y+50 R12\n",
+              "G0 X-36 Y0\nG41 D1 G1 X-25.6 Y-12.8 F300\nG3 X0 Y0 I9.6 J12.8\nG1 Y50\n"
               "G3 X-25.6 Y62.8 I-16 J0\nG40 G1 X-36 Y50\n"},
         Twins{"NoRadius", "L X+0 Y+0 RL F300\nL Y+50\nL X-30 R0\n",
               "G41 D1 G1 X0 Y0 F300\nY50\nG40 X-30\n", 0.5}),

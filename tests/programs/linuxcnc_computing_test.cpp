@@ -294,5 +294,20 @@ INSTANTIATE_TEST_SUITE_P(Linuxcnc, Twins,
                          ::testing::ValuesIn(with_setup(twins(), DialectName::linuxcnc)),
                          name_of_twin);
 
+// What they print is there for whoever reads it: the written program has no parameters (D-84).
+TEST(LinuxcncMessages, HaveTheValuesOfParameters) {
+  EXPECT_EQ(flat("#1=12.4 #<Depth>=-3\n(print,#1 and #<depth>, %d #1 %.2f#1 %f #1)\n"
+                 "G0 X#1 ( DEBUG, #<depth> #<_unset> #5420)\n(msg, #1)\n(X#1)\n#1=7 (log,#1)\n"
+                 "o1 if [#1 GT 0] (print,#1)\no1 endif\nM2\n"),
+            "(print,12.400000 and -3.000000, %d 12 %.2f12.40 %f 12.4000)\n"
+            "G0 X12.4 ( DEBUG, -3.000000 #<_unset> #5420)\n(msg, #1)\n(X#1)\n(log,7.000000)\n"
+            "(print,7.000000)\nM2\n");
+}
+
+TEST(LinuxcncExpressions, StandInPolarWords) {
+  EXPECT_EQ(flat("#1=12\nG0 @#1 ^[360/17*17]\nG90 G0 X0 Y0\nM2\n"),
+            "G0 @12 ^360\nG90 G0 X0 Y0\nM2\n");
+}
+
 }  // namespace
 }  // namespace trc::support::linuxcnc_computing

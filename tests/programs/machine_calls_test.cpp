@@ -49,7 +49,58 @@ TEST(MachineCalls, OfFanucFindTheVariablesOfTheProgram) {  // D-95
 
 TEST(MachineCalls, OfSinumerikKeepTheirDeclaration) {  // D-95
   EXPECT_EQ(flat("EXTERN TASCHE(REAL)\nG90 G0 X0 Y0\nR1=80\nTASCHE(R1)\nM30\n", sinumerik),
-            "EXTERN TASCHE(REAL)\nG90 G0 X0 Y0\nTASCHE(80)\nM30\n");
+            "EXTERN TASCHE(REAL)\nG90 G0 X0 Y0\nR1=80\nTASCHE(80)\nM30\n");
+}
+
+// The flat program comes out as it is where it is read again.
+void expect_flat(const std::string& text, const std::string& expected) {
+  EXPECT_EQ(flat(text, sinumerik), expected);
+  EXPECT_EQ(flat(expected, sinumerik), expected);
+}
+
+TEST(MachineCalls, OfSinumerikFindTheVariablesOfTheProgram) {  // D-95
+  expect_flat(
+      "R1=80 R[2]=R1/4 ; LENGTH\nG90 G0 X=R1 Y0\nEXTCALL(\"TASCHE\")\nR2=-7.5\nKONTUR()\n"
+      "KONTUR()\nM30\n",
+      "; LENGTH\nG90 G0 X=80 Y0\nR1=80\nR2=20\nEXTCALL(\"TASCHE\")\nR2=-7.5\nKONTUR()\n"
+      "KONTUR()\nM30\n");
+  expect_flat("G90 G0 X0 Y0\nMCALL BORE(5)\nR1=3\nX10\nMCALL\nR1=4\nX20\nL6\nM30\n",
+              "G90 G0 X0 Y0\nMCALL BORE(5)\nR1=3\nX10\nMCALL\nX20\nR1=4\nL6\nM30\n");
+  ProgramSessionSetup setup = computing_setup(sinumerik);
+  setup.session.program.pass_words = {"BORE", "L77"};
+  EXPECT_EQ(flat_of("G90 G0 X0 Y0\nR1=3\nBORE\nR1=4\nBORE(R1)\nR1=5\nL77\nM30\n", setup),
+            "G90 G0 X0 Y0\nR1=3\nBORE\nR1=4\nBORE(R1)\nR1=5\nL77\nM30\n");
+}
+
+TEST(MachineCalls, OfSinumerikAreGivenVariables) {  // D-83
+  expect_flat(
+      "EXTERN WARMUP(REAL,VAR REAL)\nDEF REAL ERG=2, OTHER ; RESULT\nDEF INT ERR\n"
+      "DEF REAL A\nG90 G0 X=ERG Y0\nA=80\nERG=A/2\nWARMUP(A,ERG)\n"
+      "WRITE(ERR,\"LOG\",\"START\")\nERR=4\nWRITE(ERR,\"LOG\",\"END\")\nWARMUP(1,R7)\nM30\n",
+      "EXTERN WARMUP(REAL,VAR REAL)\nDEF REAL ERG=2, OTHER ; RESULT\nDEF INT ERR\n"
+      "G90 G0 X=2 Y0\nERG=40\nWARMUP(80,ERG)\nWRITE(ERR,\"LOG\",\"START\")\nERR=4\n"
+      "WRITE(ERR,\"LOG\",\"END\")\nWARMUP(1,R7)\nM30\n");
+  // Without EXTERN nobody knows how it takes them.
+  expect_flat("DEF REAL LIST[2,3]\nG90 G0 X0 Y0\nLIST[1,2]=5\nMEASURE(LIST,1+1)\nM30\n",
+              "DEF REAL LIST[2,3]\nG90 G0 X0 Y0\nLIST[1,2]=5\nMEASURE(LIST,2)\nM30\n");
+  const std::string asks = "DEF INT ERR\nWRITE(ERR,\"LOG\",\"A\")\nIF ERR==0\nG0 X1\nENDIF\nM30\n";
+  EXPECT_EQ(refused(asks, sinumerik), std::pair(900303, 3U));
+  ProgramSessionSetup setup = computing_setup(sinumerik);
+  setup.session.program.variables = {{"ERR", 0}};
+  EXPECT_EQ(flat_of(asks, setup), "DEF INT ERR\nWRITE(ERR,\"LOG\",\"A\")\nG0 X1\nM30\n");
+  // DEF of a subprogram stands behind the first motion of the flat program.
+  EXPECT_EQ(refused("G0 X1\nLOGS\nM30\n%_N_LOGS_SPF\nDEF INT ERR\nWRITE(ERR,\"LOG\",\"A\")\nM17\n",
+                    sinumerik),
+            std::pair(900003, 6U));
+}
+
+// What they have in a contour they have there.
+TEST(MachineCalls, OfSinumerikMayWriteInAContour) {
+  const std::string text = flat(
+      "DEF INT ERR\nG17 G90 G71\nG0 X-20 Y0 Z1\nG41 G1 X0 Y0 F300\nERR=1\n"
+      "WRITE(ERR,\"LOG\",\"A\")\nY40\nG40 X-20\nM30\n",
+      sinumerik);
+  EXPECT_NE(text.find("\nERR=1\nWRITE(ERR,\"LOG\",\"A\")\n"), std::string::npos) << text;
 }
 
 TEST(MachineCalls, AreNoCallsOfPrograms) {
@@ -127,7 +178,7 @@ TEST(MachineCalls, OfSinumerikPass) {
   EXPECT_EQ(flat("DEF REAL DEPTH=5\nCHECK_IT(DEPTH, 2*R1)\nM30\n", sinumerik).substr(0, 9),
             "2: 900303");
   EXPECT_EQ(flat("DEF REAL DEPTH=5\nR1=2\nCHECK_IT(1+1, 2*R1)\nM30\n", sinumerik),
-            "CHECK_IT(2, 4)\nM30\n");
+            "R1=2\nCHECK_IT(2, 4)\nM30\n");
   EXPECT_EQ(refused("G17 G90 G71\nG0 X-20 Y0 Z1\nTOOLCHECK()\n" + contour_of_edge, sinumerik),
             std::pair(900106, 4U));
   EXPECT_EQ(refused(text + contour_of_edge, sinumerik), std::pair(0, 0U));
@@ -141,7 +192,7 @@ TEST(MachineCalls, OfLinuxcncPassWhereTheyAreDeclared) {
   EXPECT_EQ(refusal_of(call + "M2\n", setup), std::pair(900306, 2U));
   setup.session.program.pass_words = {"PROBE"};
   EXPECT_EQ(flat_of(call + "G90 G0 X#1\nM2\n", setup),
-            "o<Probe> call [3] [4] (corner)\nG90 G0 X2\nM2\n");
+            "#40=7\n#<_depth>=3\no<Probe> call [3] [4] (corner)\nG90 G0 X2\nM2\n");
   const std::string plain = "G21 G90\nN5 o<probe> call\nG90 G0 X2\nM2\n";
   EXPECT_EQ(flat_of(plain, setup), plain);
   EXPECT_EQ(refusal_of(call + "G90 G0 X#40\nM2\n", setup), std::pair(900303, 3U));

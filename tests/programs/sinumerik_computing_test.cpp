@@ -226,7 +226,7 @@ TEST(SinumerikCalls, LeaveWhatTheyDoNotKnowToTheReader) {
   ProgramSessionSetup setup = sinumerik();
   setup.session.program.copies_unknown_words = true;
   EXPECT_EQ(flat_of("FOO\nBAR(1)\nR1=3\nBAR(R1)\nG0 X1\nM30\n", setup),
-            "FOO\nBAR(1)\nBAR(3)\nG0 X1\nM30\n");
+            "FOO\nBAR(1)\nR1=3\nBAR(R1)\nG0 X1\nM30\n");
 }
 
 TEST(SinumerikPrograms, EndWhereTheyReturn) {

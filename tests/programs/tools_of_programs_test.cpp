@@ -260,9 +260,10 @@ TEST(ToolsOfPrograms, AreCalledByParametersOfKlartext) {
   EXPECT_EQ(distance(program("Q5 = +0.2\nTOOL CALL 1 Z S1000 DR+Q5\n"), setup), 5.2);
   EXPECT_EQ(distance(program("FN 0: Q5 = +0.2 ; stock\nTOOL CALL 1 Z DR-Q5\n"), setup), 4.8);
   EXPECT_EQ(distance(program("FN 0: Q1 = +2\nTOOL CALL Q1 Z S Q3\n"), setup), 3);
+  EXPECT_EQ(distance(program("Q5 = 0.1 * 2\nTOOL CALL 1 Z DR+Q5\n"), setup), 5.2);  // D-85
   const std::string unknown = "900003 4 DR+Q5 of TOOL CALL, a variable\n";
   for (const std::string lost :
-       {"Q5 = 0.1 * 2", "FN 18: SYSREAD Q5 = ID50 NR2", "LBL 1", "CALL PGM A",
+       {"Q5 = SQRT 0.04", "FN 18: SYSREAD Q5 = ID50 NR2", "LBL 1", "CALL PGM A",
         "CYCL DEF 200 DRILLING ~\n Q5=1", "/ Q5 = 0.3", "TCH PROBE 419"}) {
     const std::string text = program("Q5 = 0.2\n" + lost + "\nTOOL CALL 1 Z DR+Q5\n");
     EXPECT_EQ(distance(text, setup), -1) << lost;

@@ -90,10 +90,10 @@ bool Interpreter::check_code_selection(ProgramLine& line, BlockWords& block) {
   const std::optional<ToolSaid> said =
       selects ? take_tool_of_selection(line, block) : ToolSaid::by_d;
   if (!said) return false;
+  const Code of_missing = gives_radii() ? Code::tool_unknown : Code::no_tool_radius;
   if (selects && !block.tool && !block.tool_radius && code_.missing_tool >= 0)
     return take_only_register(line, block, code_.missing_tool) ||
-           refuse_at(code_.edge_place, Code::tool_unknown,
-                     "D" + std::to_string(code_.missing_tool));
+           refuse_at(code_.edge_place, of_missing, "D" + std::to_string(code_.missing_tool));
   if (!block.tool && !block.tool_radius) return !selects || take_only_spindle_tool();
   if ((selects || trc_active()) && dialect_.name != DialectName::sinumerik)
     for (WordRange& word : line.words)
@@ -185,9 +185,14 @@ bool Interpreter::check_tool_of_table(const ProgramLine& line, BlockWords& block
   const bool matters = trc_active() || (block.has(side) && !block.of(side).is(40));
   const std::int64_t number = whole_number(block.tool->value);
   code_.missing_tool = -1;
-  if (!is_whole(block.tool->value))
-    return refuse(line,
-                  TextFault{.code = Code::nc_number, .begin = block.tool->begin, .detail = "D"});
+  if (!is_whole(block.tool->value)) {
+    const bool linuxcnc = dialect_.name == DialectName::linuxcnc;
+    return refuse(line, TextFault{.code = Code::nc_number,
+                                  .begin = block.tool->begin,
+                                  .detail = linuxcnc ? "D of G41, G42 is the number of a tool: "
+                                                       "G41.1, G42.1 take a diameter"
+                                                     : "D"});
+  }
   if (state_.tool().has_tool(number)) return true;
   if (matters && take_only_register(line, block, number)) return true;
   if (!matters) {
@@ -197,11 +202,12 @@ bool Interpreter::check_tool_of_table(const ProgramLine& line, BlockWords& block
     block.tool.reset();
     return true;
   }
+  const Code of_missing = gives_radii() ? Code::tool_unknown : Code::no_tool_radius;
   if (said == ToolSaid::by_spindle)
-    return refuse_at(code_.spindle_tool_place, Code::tool_unknown, "T" + std::to_string(number));
+    return refuse_at(code_.spindle_tool_place, of_missing, "T" + std::to_string(number));
   if (dialect_.name == DialectName::sinumerik && code_.only_register)
     return refuse_second_edge(number);
-  return refuse(line, TextFault{.code = Code::tool_unknown,
+  return refuse(line, TextFault{.code = of_missing,
                                 .begin = block.tool->begin,
                                 .detail = "D" + std::to_string(tool_of_row(number))});
 }

@@ -195,6 +195,26 @@ bool Interpreter::check_motion_before(const ProgramLine& line, const BlockWords&
   return true;
 }
 
+// The pitch of a helix is not followed: while TRC is off the control has it (D-87).
+void Interpreter::copy_helix_with_pitch(ProgramLine& line, BlockWords& block) const {
+  const Plane plane = block.of(GGroup::plane).is(17)   ? Plane::xy
+                      : block.of(GGroup::plane).is(18) ? Plane::zx
+                      : block.of(GGroup::plane).is(19) ? Plane::yz
+                                                       : state_.programmed_plane();
+  const double pitch = block.move.center[axes_of(plane).third].value_or(0);
+  const bool goes_on = motion_ == MotionKind::clockwise || motion_ == MotionKind::counter_clockwise;
+  const bool is_arc =
+      block.has(motion) ? block.of(motion).is(2) || block.of(motion).is(3) : goes_on;
+  if (block.copied || pitch == 0 || !is_arc || contour_open() || block.has(side) ||
+      block.has(dwell) || block.move.radius || dialect_.name == DialectName::linuxcnc)
+    return;
+  block.copied = true;
+  for (std::size_t axis = 0; axis < block.move.end.size(); ++axis)
+    if (block.move.end[axis]) block.forget |= static_cast<AxisBits>(1U << axis);
+  take_for_technology(line, WordRole::coordinate);
+  take_for_technology(line, WordRole::trc);
+}
+
 bool Interpreter::copy_code_block(ProgramLine& line, BlockWords& block) {
   if (block.axis && (block.of(axis_technology).is(5) || block.of(axis_technology).is(8)))
     return refuse(line, TextFault{.code = Code::nc_unsupported,

@@ -130,9 +130,11 @@ std::optional<DialectName> looks_like(std::string_view line) {
                    {" BEGIN PGM", " TOOL CALL", " TOOL DEF", " CYCL DEF", " L X", " BLK FORM"}))
     return DialectName::heidenhain;
   if (starts_with_any(words, {"TRANS ", "ATRANS ", "PROC ", "DEF REAL", "DEF INT", "CYCLE", "MCALL",
-                              "ROT ", "AROT ", "WORKPIECE"}) ||
+                              "ROT ", "AROT ", "WORKPIECE", "EXTERN ", "EXTCALL", "SUPA", "MSG",
+                              "STOPRE", "FFWON", "SOFT ", "BRISK"}) ||
       contains_any(words, {"CR=", "AC(", "IC(", " CYCLE", " TRANS ", "T=\"", " MCALL",
-                           "DISCL=", "DISR=", "RND=", "CHF=", "CHR="}))
+                           "DISCL=", "DISR=", "RND=", "CHF=", "CHR=", " SUPA", " EXTCALL"}) ||
+      has_word(words, 'G', "700") || has_word(words, 'G', "710") || has_word(words, 'G', "642"))
     return DialectName::sinumerik;
   // O100 SUB, O100 CALL
   const std::size_t keyword =

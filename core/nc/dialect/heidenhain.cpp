@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -70,6 +71,26 @@ std::optional<std::size_t> begin_of_statement(ProgramLine& line, bool& to_skip) 
   if (skip_blanks()) return at;
   line.words.clear();
   return {};
+}
+
+// X+Q1 and XQ1 as a word with the number that the program has given the parameter (D-85). A feed
+// is passed on as it stands.
+std::optional<KlartextWord> with_value(const KlartextWord& word, std::string_view text,
+                                       const std::map<std::string, double, std::less<>>& known) {
+  const std::string words = in_upper_case(text);
+  const std::size_t parameter = words.rfind('Q');
+  if (parameter == std::string::npos || words.front() == 'F') return {};
+  const auto found = known.find(std::string_view(words).substr(parameter));
+  if (found == known.end()) return {};
+  std::string_view name = std::string_view(words).substr(0, parameter);
+  if (name.ends_with('+') || name.ends_with('-')) name.remove_suffix(1);
+  name = without_blanks_behind(name);
+  if (name.empty() || !std::ranges::all_of(name, is_letter)) return {};
+  KlartextWord value = word;
+  value.kind = Kind::value;
+  value.name = name;
+  value.value = word.negative ? -found->second : found->second;
+  return value;
 }
 
 }  // namespace
@@ -200,6 +221,8 @@ bool Interpreter::read_klartext_word(const KlartextWord& word, ProgramLine& line
   }
   switch (word.kind) {
     case Kind::variable:
+      if (const auto known = with_value(word, text, klartext_.parameters))
+        return read_klartext_value(*known, line, block);
       return read_klartext_parameter(word, line, block);
     case Kind::name:
       return read_klartext_name(word, line, block);

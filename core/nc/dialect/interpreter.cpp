@@ -225,6 +225,11 @@ bool Interpreter::read_line_behind_end(ProgramLine& line) {
 }
 
 bool Interpreter::read_words_of_dialect(ProgramLine& line, BlockWords& block) {
+  if (sets_variables_) {
+    const auto end = static_cast<std::uint32_t>(line.text.size());
+    line.words.push_back({.begin = 0, .end = end, .role = WordRole::technology});
+    return true;
+  }
   switch (dialect_.name) {
     case DialectName::isg:
       return read_words(line, block);
@@ -254,6 +259,7 @@ bool Interpreter::read_block(ProgramLine& line) {
   ++blocks_read_;
   if (!(is_isg ? check_block(line, block) : check_feed(line, block))) return false;
   copy_plunge_from_nowhere(line, block);
+  copy_helix_with_pitch(line, block);
   sum_up_words(line);
   return apply(line, block);
 }
@@ -285,6 +291,12 @@ bool Interpreter::is_plain(ProgramLine& line, PlainMotion& plain) const {
 }
 
 bool Interpreter::apply(ProgramLine& line, const PlainMotion& plain) {
+  MoveRequest request;
+  plain.enter(request);
+  if (request.center[axes_of(state_.programmed_plane()).third].value_or(0) != 0) {  // a pitch
+    line.words.clear();
+    return read_block(line);
+  }
   line.source.number = plain.number();
   line.roles = plain.roles();
   line.main_axes = plain.main_axes();
@@ -294,8 +306,6 @@ bool Interpreter::apply(ProgramLine& line, const PlainMotion& plain) {
   motion_given_ = true;
   if (plain.has_feed()) feed_ = plain.feed() * feed_unit(inch_);
   state_.place(plain.first_coordinate() + 1);
-  MoveRequest request;
-  plain.enter(request);
   return move(line, request);
 }
 

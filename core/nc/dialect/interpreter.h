@@ -95,6 +95,7 @@ class Interpreter {
     std::string_view line_end{};
     std::uint32_t number = 0;        // of the line it comes from, 1-based
     bool is_as_written = true;       // that line itself: columns say where in it
+    bool sets_variables = false;     // for a call of the machine: copied as it stands
     bool calls_the_machine = false;  // what only the machine has: passes as ISG's calls do
     bool machine_follows = false;    // a macro of the machine, behind the motion of the line
   };
@@ -155,6 +156,7 @@ class Interpreter {
   bool read_block(ProgramLine& line);
   bool read_words_of_dialect(ProgramLine& line, BlockWords& block);
   void copy_plunge_from_nowhere(ProgramLine& line, BlockWords& block) const;
+  void copy_helix_with_pitch(ProgramLine& line, BlockWords& block) const;
   [[nodiscard]] bool is_plain(ProgramLine& line, PlainMotion& plain) const;
 
   bool read_words(ProgramLine& line, BlockWords& block);
@@ -335,6 +337,10 @@ class Interpreter {
   [[nodiscard]] bool has_one_radius() const {
     return state_.setup().tools.empty() && state_.setup().mode.tool_radius != 0;
   }
+  // A table, or one radius for all.
+  [[nodiscard]] bool gives_radii() const {
+    return has_one_radius() || !state_.setup().tools.empty() || state_.setup().tool_radius_given;
+  }
   bool take_only_register(const ProgramLine& line, BlockWords& block, std::int64_t number);
   bool take_only_spindle_tool();
   bool refuse_second_edge(std::int64_t row);
@@ -465,7 +471,8 @@ class Interpreter {
   double feed_ = 0;  // mm/min
   // A line of a motion and nothing else means what its words say.
   bool reads_plain_lines_ = true;
-  bool calls_the_machine_ = false;  // the line that is read
+  bool sets_variables_ = false;     // the line that is read
+  bool calls_the_machine_ = false;  // that line
   bool machine_follows_ = false;    // that line
   // A subprogram has been called, and the program has not said anew which motion holds and how
   // dimensions count.

@@ -85,10 +85,11 @@ bool Interpreter::read(const FlatLine& line, std::vector<LinePointer>& lines) {
                                     : line.line_end == "\r\n" ? "\r\n"
                                     : line.line_end == "\r"   ? "\r"
                                                               : "";
+  sets_variables_ = line.sets_variables;
   calls_the_machine_ = line.calls_the_machine;
   machine_follows_ = line.machine_follows;
   const bool goes_on = take_line(line.text, line_end, lines);
-  calls_the_machine_ = machine_follows_ = false;
+  sets_variables_ = calls_the_machine_ = machine_follows_ = false;
   return goes_on;
 }
 

@@ -314,6 +314,9 @@ bool Interpreter::check_block(ProgramLine& line, BlockWords& block) {
   }
   if (!watch_tool(line, block) || !restate_modes(line, block) || !note_unknown_call(line, block))
     return false;
+  if (const std::int64_t number = block.tool ? whole_number(block.tool->value) : 0;
+      !state_.tool().has_tool(number))
+    take_only_register(line, block, number);
   if (block.homes) {  // where the axes stand then only the machine knows
     block.copied = true;
     take_for_technology(line, WordRole::coordinate);

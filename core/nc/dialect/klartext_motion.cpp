@@ -357,9 +357,13 @@ bool Interpreter::lead_in_klartext(ProgramLine& line, KlartextBlock& block) {
     klartext_.rapid = block.rapid;
     return state_.depart_by(lead, request) && leave_out_bottlenecks(false, line.source);
   }
+  // LCT has its feed all the way, the others from where the lead begins on (D-86).
+  const bool has_own_feed = block.feed && block.lead.form == Lead::Form::arc_and_line;
   MoveRequest way = request;
-  way.kind = klartext_.rapid ? MotionKind::rapid : MotionKind::linear;
-  way.feed = klartext_.feed_before;
+  if (!has_own_feed) {
+    way.kind = klartext_.rapid ? MotionKind::rapid : MotionKind::linear;
+    way.feed = klartext_.feed_before;
+  }
   klartext_.rapid = false;
   return select_in_klartext(line, *block.side, block.side_begin) &&
          state_.approach_by(lead, request, way);

@@ -50,7 +50,9 @@ bool CodeFlow::scan_words() {
     } else {
       if (sign == ',') sign = ++at < line_.size() ? line_[at] : '\0';
       const bool is_name = at + 1 < line_.size() && is_letter(line_[at + 1]);
-      is_read_by_the_reader_ |= !is_letter(sign) || is_name;
+      const bool is_polar =
+          grammar_.dialect == DialectName::linuxcnc && (sign == '@' || sign == '^');
+      is_read_by_the_reader_ |= (!is_letter(sign) && !is_polar) || is_name;
       word.letter = upper(sign);
       at = behind_blanks(line_, at + 1);
       if (!is_read_by_the_reader_ && !scan_value(word, at)) return false;
@@ -188,8 +190,16 @@ void CodeFlow::write_as_it_is(std::string& flat) {
 }
 
 bool CodeFlow::write_line(std::string& flat) {
-  const bool changes = std::ranges::any_of(
-      words_, [](const ComputedWord& word) { return word.computed || word.left_out; });
+  for (ComputedWord& word : words_) {
+    const std::string_view text = line_.substr(word.begin, word.end - word.begin);
+    if (word.kind != ComputedWord::Kind::comment || text.find('#') == std::string_view::npos)
+      continue;
+    word.instead = with_values(text);
+    if (word.instead == text) word.instead.clear();
+  }
+  const bool changes = std::ranges::any_of(words_, [](const ComputedWord& word) {
+    return word.computed || word.left_out || !word.instead.empty();
+  });
   if (!changes) {
     write_as_it_is(flat);
     return true;
@@ -209,6 +219,8 @@ bool CodeFlow::write_line(std::string& flat) {
       if (word.computed) {
         flat.append(line_.substr(word.begin, line_[word.begin] == ',' ? 2 : 1));
         append_value(flat, word.value.number, style_of(word.letter), decimals_of(word.letter));
+      } else if (!word.instead.empty()) {
+        flat.append(word.instead);
       } else {
         flat.append(line_.substr(word.begin, word.end - word.begin));
       }
@@ -228,7 +240,7 @@ void CodeFlow::write_call(std::string& flat, std::string_view name) {
   }
   for (const ComputedWord& word : words_)
     if (word.kind == ComputedWord::Kind::comment)
-      text.append(" ").append(line_.substr(word.begin, word.end - word.begin));
+      text.append(" ").append(with_values(line_.substr(word.begin, word.end - word.begin)));
   write_behind_number(flat, text);
 }
 
@@ -243,7 +255,7 @@ bool CodeFlow::finish_statement(std::string& flat, std::size_t at) {
   const std::size_t behind = behind_blanks(line_, at);
   if (!is_over(line_, behind))
     return refuse(Code::expression_invalid, behind, name_of_character(line_.substr(behind)));
-  if (const std::string comments = comments_of(line_, behind); !comments.empty())
+  if (const std::string comments = with_values(comments_of(line_, behind)); !comments.empty())
     write_behind_number(flat, comments);
   return true;
 }

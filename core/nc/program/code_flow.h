@@ -27,6 +27,10 @@ class CodeFlow : public Flow, protected Variables {
 
   // Reads the words of the line, with their values.
   bool scan_words();
+  // Comments with the values of what they print, which only LinuxCNC has.
+  [[nodiscard]] virtual std::string with_values(std::string_view comments) {
+    return std::string(comments);
+  }
   // Reads what begins with `#` among words, which only LinuxCNC has; false where it is refused.
   virtual bool scan_assignment(std::size_t& at);
   [[nodiscard]] ComputedWord* word_of(char letter);

@@ -21,6 +21,7 @@ struct ComputedWord {
   Value value{};
   std::size_t begin = 0;  // bytes of the line; with the comma of `,R`
   std::size_t end = 0;
+  std::string instead{};  // of a comment whose text changes
 
   [[nodiscard]] bool is(char with_letter, double number) const {
     return kind == Kind::address && letter == with_letter && value.number == number;

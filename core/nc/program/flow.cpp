@@ -111,6 +111,7 @@ void Flow::forget_values() {
 
 Flow::Step Flow::step(std::string& flat) {
   refusals_.clear();
+  settings_.clear();
   calls_the_machine_ = machine_follows_ = false;
   return looks_ahead_ ? look_at_next(flat) : execute_next(flat);
 }

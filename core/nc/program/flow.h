@@ -63,6 +63,9 @@ class Flow {
   [[nodiscard]] bool calls_the_machine() const { return calls_the_machine_; }
   // Behind the motion of that line the machine executes what it alone has: G66.
   [[nodiscard]] bool machine_follows() const { return machine_follows_; }
+  // Lines that set variables for a call of the machine, in front of what the line has become: they
+  // are copied as they stand.
+  [[nodiscard]] const std::string& settings() const { return settings_; }
   // What the line executed last has become is that line itself.
   [[nodiscard]] bool is_as_written() const { return is_as_written_; }
   // Of the line that was executed last: its line in the program, of a given subprogram that of the
@@ -142,6 +145,7 @@ class Flow {
   std::vector<ProgramText> texts_{};  // the program first
   std::vector<Frame> frames_{};
   ModalState modes_{};
+  std::string settings_{};
   bool is_as_written_ = true;
   bool calls_the_machine_ = false;
   bool machine_follows_ = false;

@@ -98,9 +98,11 @@ bool LinuxcncFlow::execute_words(std::string& flat) {
   }
   if (head_.to_skip && (has_computed_ || call_word != nullptr))
     return refuse(Code::block_skip_undecided, 0, "/, a line to skip that computes");
+  // What the line prints it prints behind its assignments.
+  bool assigned = true;
+  for (const Assignment& assignment : assignments_) assigned = assigned && assign(assignment);
   if (call_word == nullptr) write_line(flat);
-  for (const Assignment& assignment : assignments_)
-    if (!assign(assignment)) return false;
+  if (!assigned) return false;
   if (call_word != nullptr)
     return call_word->value.number == 98 ? call_program(*call_word, flat)
                                          : return_from_program(*call_word, flat);
@@ -148,7 +150,7 @@ bool LinuxcncFlow::call_sub(const std::string& label, std::size_t at, std::strin
 
 // `at`: behind the arguments.
 bool LinuxcncFlow::enter_sub(Frame sub, std::size_t at, Locals locals, std::string& flat) {
-  const std::string comments = comments_of(line_, at);
+  const std::string comments = with_values(comments_of(line_, at));
   write_behind_number(flat, "(" + sub.name + ")" + (comments.empty() ? "" : " " + comments));
   if (!is_over(line_, at))
     return refuse(Code::expression_invalid, at, name_of_character(line_.substr(at)));
@@ -163,6 +165,7 @@ bool LinuxcncFlow::enter_sub(Frame sub, std::size_t at, Locals locals, std::stri
 void LinuxcncFlow::call_sub_of_machine(const std::string& label, const Arguments& arguments,
                                        std::span<const std::optional<double>> values,
                                        std::string& flat) {
+  write_values();
   calls_the_machine_ = true;
   lost_to_ = "o" + label;
   common_.clear();
@@ -175,7 +178,7 @@ void LinuxcncFlow::call_sub_of_machine(const std::string& label, const Arguments
     append_value(text, *value, PointStyle::as_whole);
     text += ']';
   }
-  const std::string comments = comments_of(line_, arguments.end);
+  const std::string comments = with_values(comments_of(line_, arguments.end));
   write_behind_number(flat, comments.empty() ? text : text + " " + comments);
 }
 
@@ -268,6 +271,12 @@ bool LinuxcncFlow::assign(const Assignment& assignment) {
     return refuse(number == 0 && name.empty() ? Code::value_invalid : Code::machine_state,
                   assignment.begin,
                   name.empty() ? "#" + std::to_string(number) : "#<" + name + ">");
+  if (!is_own(assignment.target)) {
+    if (name.empty())
+      unwritten_numbers_.insert(number);
+    else
+      unwritten_names_.insert(name);
+  }
   if (!name.empty())
     (name.front() == '_' ? globals_ : locals.named)[name] = assignment.value;
   else if (number < static_cast<std::int64_t>(locals.numbered.size()))

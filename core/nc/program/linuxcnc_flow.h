@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -120,6 +121,11 @@ class LinuxcncFlow : public CodeFlow {
   bool return_from_sub(std::size_t at, std::string& flat);
   bool return_from_program(ComputedWord& word, std::string& flat);
 
+  // linuxcnc_messages.cpp: what goes elsewhere.
+  [[nodiscard]] std::string with_values(std::string_view comments) override;
+  void append_message(std::string& out, std::string_view message) const;
+  void write_values();
+
   bool scan_assignment(std::size_t& at) override;
   bool assign(const Assignment& assignment);
   [[nodiscard]] Target target_at(ExpressionReader& expression);
@@ -133,6 +139,9 @@ class LinuxcncFlow : public CodeFlow {
   std::vector<Locals> locals_{1};
   std::map<std::int64_t, double> common_{};
   std::map<std::string, double, std::less<>> globals_{};
+  // Of both, set since they were last written.
+  std::set<std::int64_t> unwritten_numbers_{};
+  std::set<std::string> unwritten_names_{};
   std::vector<Assignment> assignments_{};  // of the line
   std::string lost_to_{};  // a call of the machine, which may have set what is everyone's
 };

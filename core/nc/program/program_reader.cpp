@@ -197,7 +197,11 @@ program::ModalState ProgramReader::modes() const {
 
 // All that one line has become is told by its place.
 bool ProgramReader::read_flat_lines(std::vector<LinePointer>& lines) {
-  const std::string_view flat = flat_;
+  return read_flat_lines(flow_->settings(), true, lines) && read_flat_lines(flat_, false, lines);
+}
+
+bool ProgramReader::read_flat_lines(std::string_view flat, bool sets_variables,
+                                    std::vector<LinePointer>& lines) {
   for (std::size_t begin = 0; begin < flat.size();) {
     const std::size_t end = std::min(flat.find_first_of("\r\n", begin), flat.size());
     const std::size_t next =
@@ -208,9 +212,10 @@ bool ProgramReader::read_flat_lines(std::vector<LinePointer>& lines) {
         .line_end = flat.substr(end, next - end),
         .number = flow_->line_in_program(),
         // Columns are those of the program.
-        .is_as_written = flow_->is_as_written() && flow_->line_within() == 0,
-        .calls_the_machine = flow_->calls_the_machine() && next == flat.size(),
-        .machine_follows = flow_->machine_follows() && next == flat.size()};
+        .is_as_written = !sets_variables && flow_->is_as_written() && flow_->line_within() == 0,
+        .sets_variables = sets_variables,
+        .calls_the_machine = !sets_variables && flow_->calls_the_machine() && next == flat.size(),
+        .machine_follows = !sets_variables && flow_->machine_follows() && next == flat.size()};
     if (!interpreter_.read(line, lines)) return false;
     begin = next;
   }

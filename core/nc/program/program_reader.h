@@ -65,6 +65,7 @@ class ProgramReader {
   bool begin_to_execute(std::vector<LinePointer>& lines);
   [[nodiscard]] program::ModalState modes() const;
   bool read_flat_lines(std::vector<LinePointer>& lines);
+  bool read_flat_lines(std::string_view flat, bool sets_variables, std::vector<LinePointer>& lines);
   bool take_refusals();
 
   ReaderLimits limits_;

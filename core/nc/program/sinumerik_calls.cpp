@@ -28,6 +28,7 @@ bool SinumerikFlow::scan_call_of_text(std::size_t& at, std::vector<Call>& calls)
     at = line_.size();
     keep(begin, at);
     calls_of_line_.push_back(word);
+    reads_variables_ = true;
     return true;
   }
   calls.push_back({.unit = unit, .begin = begin});
@@ -40,7 +41,7 @@ bool SinumerikFlow::scan_call_arguments(std::size_t begin, std::size_t& at) {
   const std::size_t open = line_.find('(', begin);
   std::string text(line_.substr(begin, open - begin));
   bool changes = false;
-  if (!append_arguments(open, at, text, changes)) return false;
+  if (!append_arguments(open, at, text, changes, name_at(line_, begin))) return false;
   pieces_.push_back({.begin = begin, .end = at});
   if (changes) pieces_.back().instead = std::move(text);
   return true;
@@ -48,10 +49,11 @@ bool SinumerikFlow::scan_call_arguments(std::size_t begin, std::size_t& at) {
 
 // What stands between the bracket at `open` and its end in front of `end`, with its values.
 bool SinumerikFlow::append_arguments(std::size_t open, std::size_t end, std::string& text,
-                                     bool& changes) {
+                                     bool& changes, std::string_view call) {
   text += line_[open];
+  called_ = call;
   std::size_t argument = open + 1;
-  while (argument < end) {
+  for (std::size_t place = 0; argument < end; ++place) {
     std::size_t next = argument;
     bool quoted = false;
     for (int depth = 0; next < end; ++next) {
@@ -63,32 +65,43 @@ bool SinumerikFlow::append_arguments(std::size_t open, std::size_t end, std::str
       if (sign == ')' || sign == ']') --depth;
     }
     if (next == end) break;  // blanks behind the bracket
-    const std::size_t first = behind_blanks(line_, argument);
-    const std::string_view words = without_blanks_behind(line_.substr(first, next - first));
-    const std::string name = name_at(line_, first);
-    const bool is_name = !name.empty() && name.size() == words.size();
-    const bool is_known = declared(name) != nullptr || is_variable_name(name) ||
-                          given(name) != nullptr || name == "TRUE" || name == "FALSE";
-    double number = 0;
-    bool whole = false;
-    const bool is_text =
-        words.size() > 1 && words.front() == '"' && words.find('"', 1) == words.size() - 1;
-    if (is_name && declared(name) != nullptr) given_to_calls_.push_back(name);
-    if (words.empty() || is_text || (is_name && !is_known) ||
-        read_named_number(words, number, whole) == words.size()) {
-      text.append(line_.substr(argument, next - argument));
-    } else {
-      ExpressionReader expression = expression_at(first);
-      const Value value = expression.expression();
-      if (expression.failed()) return refuse(expression.fault());
-      if (expression.at() != next)
-        return refuse(Code::expression_invalid, first, std::string(words));
-      text.append(line_.substr(argument, first - argument)).append(text_of_value(value));
-      changes = true;
-    }
+    if (!append_argument(argument, next, passing_to(call, place), text, changes)) return false;
     text += line_[next];
     argument = next + 1;
   }
+  return true;
+}
+
+// A variable that the call may set stays one, where its DEF does.
+bool SinumerikFlow::append_argument(std::size_t begin, std::size_t end, Passing passing,
+                                    std::string& text, bool& changes) {
+  const std::size_t first = behind_blanks(line_, begin);
+  const std::string_view words = without_blanks_behind(line_.substr(first, end - first));
+  const std::string name = name_at(line_, first);
+  const bool is_name = !name.empty() && name.size() == words.size();
+  const bool is_variable = is_name && (declared(name) != nullptr || is_variable_name(name));
+  const bool is_known = is_variable || given(name) != nullptr || name == "TRUE" || name == "FALSE";
+  double number = 0;
+  bool whole = false;
+  const bool is_text =
+      words.size() > 1 && words.front() == '"' && words.find('"', 1) == words.size() - 1;
+  const bool stays = is_variable && passing != Passing::by_value && is_kept(name);
+  if (is_variable && passing != Passing::by_value) given_to_calls_.push_back(name);
+  if (words.empty() || is_text || (is_name && !is_known) || stays ||
+      read_named_number(words, number, whole) == words.size()) {
+    text.append(line_.substr(begin, end - begin));
+    return true;
+  }
+  if (passing == Passing::by_reference)
+    return refuse(Code::nc_unsupported, first,
+                  called_ + "(" + std::string(words) +
+                      "), which sets a variable that DEF of the main program does not name");
+  ExpressionReader expression = expression_at(first);
+  const Value value = expression.expression();
+  if (expression.failed()) return refuse(expression.fault());
+  if (expression.at() != end) return refuse(Code::expression_invalid, first, std::string(words));
+  text.append(line_.substr(begin, first - begin)).append(text_of_value(value));
+  changes = true;
   return true;
 }
 
@@ -189,14 +202,6 @@ bool SinumerikFlow::return_from(std::string& flat) {
   scopes_.pop_back();
   frames_.pop_back();
   return true;
-}
-
-// R parameters, and what the calls were given by its name.
-void SinumerikFlow::lose_values() {
-  if (calls_of_line_.empty()) return;
-  lost_to_ = calls_of_line_.back();
-  parameters_.clear();
-  for (const std::string& name : given_to_calls_) declared(name)->is_lost = true;
 }
 
 }  // namespace trc::program

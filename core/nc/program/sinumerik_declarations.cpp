@@ -49,13 +49,18 @@ bool SinumerikFlow::define(std::string& flat) {
     if (in_upper_case(expression.name()) == kind) expression.go_to(expression.at() + kind.size());
   const auto type = type_at(expression);
   if (!type) return refuse(expression.fault());
+  bool stays = false;
   do {
+    expression.pass_blanks();
+    stays |= scopes_.size() == 1 && kept_.contains(in_upper_case(expression.name()));
     if (!define_one(expression, *type)) return false;
     expression.pass_blanks();
     if (expression.peek() != ',') break;
     expression.go_to(expression.at() + 1);
   } while (true);
-  return finish_statement(flat, expression.at());
+  if (stays) settings_.append(line_).append(line_end());
+  std::string comment;
+  return finish_statement(stays ? comment : flat, expression.at());
 }
 
 bool SinumerikFlow::define_one(ExpressionReader& expression, Type type) {

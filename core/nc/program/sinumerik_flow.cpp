@@ -40,6 +40,7 @@ SinumerikFlow::SinumerikFlow(const ProgramSetup& setup, CallPlaces& calls, Progr
     texts_.emplace_back(name, given_text);
     add_units(texts_.size() - 1);
   }
+  find_what_calls_are_given(main);
   frames_.push_back({.begin = main.begin,
                      .end = main.end,
                      .next = start,

@@ -90,6 +90,8 @@ class SinumerikFlow : public Flow, private Variables {
     std::map<std::size_t, std::size_t> behind{};  // by ELSE: its ENDIF
     std::map<std::size_t, std::size_t> heads{};   // by the end
   };
+  // How a call takes an argument.
+  enum class Passing : std::uint8_t { by_value, by_reference, unknown };
   enum class Direction : std::uint8_t { forward, backward, both, to_the_beginning };
   // Part of a line of words.
   struct Piece {
@@ -154,10 +156,24 @@ class SinumerikFlow : public Flow, private Variables {
   // sinumerik_calls.cpp
   bool scan_call_of_text(std::size_t& at, std::vector<Call>& calls);
   bool scan_call_arguments(std::size_t begin, std::size_t& at);
-  bool append_arguments(std::size_t open, std::size_t end, std::string& text, bool& changes);
+  // `call`: whose arguments they are; empty: indices and the like.
+  bool append_arguments(std::size_t open, std::size_t end, std::string& text, bool& changes,
+                        std::string_view call = {});
+  bool append_argument(std::size_t begin, std::size_t end, Passing passing, std::string& text,
+                       bool& changes);
   bool call(std::string& flat, const Call& call);
   bool pass_arguments(const Call& call, Scope& scope);
   bool return_from(std::string& flat);
+
+  // sinumerik_machine.cpp: calls that only the machine has, and variables.
+  [[nodiscard]] Passing passing_to(std::string_view call, std::size_t place) const;
+  void know_external(std::string_view line, std::size_t at);
+  void find_what_calls_are_given(const Unit& main);
+  [[nodiscard]] bool is_kept(std::string_view name) const;
+  void note_setting(const Place& place);
+  void write_setting(std::string_view name, const Value& value);
+  void write_element(const std::string& name, std::size_t element);
+  void write_values();
   void lose_values();
 
   // sinumerik_declarations.cpp
@@ -171,6 +187,7 @@ class SinumerikFlow : public Flow, private Variables {
   [[nodiscard]] bool is_variable_at(std::size_t at) const;
   // Of an R parameter, given or not.
   [[nodiscard]] static bool is_variable_name(std::string_view name);
+  [[nodiscard]] static std::int64_t number_of_parameter(std::string_view name);
   [[nodiscard]] std::optional<Place> place_at(ExpressionReader& expression);
   [[nodiscard]] std::size_t element_at(ExpressionReader& expression, const Variable& variable);
   [[nodiscard]] Variable* declared(std::string_view name);
@@ -191,6 +208,14 @@ class SinumerikFlow : public Flow, private Variables {
   std::map<std::pair<std::size_t, std::size_t>, Outline> outlines_{};  // by text and end
   std::vector<Scope> scopes_{1};
   std::map<std::int64_t, double> parameters_{};  // R
+  std::set<std::int64_t> unwritten_{};           // of these, set since they were last written
+  // By the names of what EXTERN declares: places of arguments by reference.
+  std::map<std::string, std::set<std::size_t>, std::less<>> externals_{};
+  // Variables of the main program that are given to calls which stay, and their elements that were
+  // set since they were last written.
+  std::set<std::string, std::less<>> kept_{};
+  std::set<std::pair<std::string, std::size_t>> unwritten_elements_{};
+  bool modal_call_reads_ = false;  // MCALL of what only the machine has
   // What FOR counts to, by the depth of calls and its line.
   std::map<std::pair<std::size_t, std::size_t>, double> counts_{};
 
@@ -201,6 +226,9 @@ class SinumerikFlow : public Flow, private Variables {
   bool has_computed_ = false;                  // an assignment, or a call
   std::vector<std::string> calls_of_line_{};   // of what only the machine has
   std::vector<std::string> given_to_calls_{};  // variables, which such a call may change
+  std::string called_{};                       // what they are given to
+  bool reads_variables_ = false;               // a call that stays may read them
+  bool begins_modal_call_ = false;             // MCALL
   std::string lost_to_{};  // the last of all of these, which may have set any R parameter
   // Where a variable is assigned a value that has the name of an address.
   std::optional<std::size_t> addressed_{};

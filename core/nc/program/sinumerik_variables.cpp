@@ -15,8 +15,10 @@ namespace {
 constexpr std::int64_t most_parameters = 100'000;
 constexpr std::size_t longest_text = 400;
 
+}  // namespace
+
 // The number of R12; -1: the name is none.
-std::int64_t number_of_parameter(std::string_view name) {
+std::int64_t SinumerikFlow::number_of_parameter(std::string_view name) {
   constexpr std::size_t most_digits = 6;
   if (name.size() < 2 || name.size() > most_digits + 1 || upper(name.front()) != 'R') return -1;
   std::int64_t number = 0;
@@ -26,8 +28,6 @@ std::int64_t number_of_parameter(std::string_view name) {
   }
   return number;
 }
-
-}  // namespace
 
 SinumerikFlow::Variable* SinumerikFlow::declared(std::string_view name) {
   const auto found = scopes_.back().find(name);
@@ -123,8 +123,12 @@ bool SinumerikFlow::assign_at(ExpressionReader& expression) {
   expression.go_to(expression.at() + 1);
   expression.pass_blanks();
   const std::string word = in_upper_case(expression.name());
-  if (place->parameter < 0 && (word == "SET" || word == "REP"))
-    return initialise(expression, scopes_[place->scope][place->name], place->element);
+  if (place->parameter < 0 && (word == "SET" || word == "REP")) {
+    Variable& variable = scopes_[place->scope][place->name];
+    Place set = *place;
+    for (; set.element < variable.elements.size(); ++set.element) note_setting(set);
+    return initialise(expression, variable, place->element);
+  }
   const Value value = expression.expression();
   if (expression.failed()) return refuse(expression.fault());
   return store(*place, value, begin);
@@ -135,6 +139,7 @@ bool SinumerikFlow::store(const Place& place, const Value& value, std::size_t be
   const bool is_parameter = place.parameter >= 0;
   Variable* const variable = is_parameter ? nullptr : &scopes_[place.scope][place.name];
   if (!convert(converted, is_parameter ? Type::real : variable->type, begin)) return false;
+  note_setting(place);
   if (is_parameter) {
     parameters_[place.parameter] = converted.number;
   } else {
@@ -168,9 +173,9 @@ Value SinumerikFlow::content_of(const Place& place, ExpressionReader& expression
   const std::string lost = lost_to_.empty() ? "" : ", which may have been set by " + lost_to_;
   if (place.parameter < 0) {
     const Variable& variable = scopes_[place.scope][place.name];
-    return variable.is_lost
-               ? without_value(expression, Code::variable_unset, begin, place.name + lost)
-               : variable.elements[place.element];
+    if (!variable.is_lost) return variable.elements[place.element];
+    if (const double* const value = given(place.name)) return {.number = *value};
+    return without_value(expression, Code::variable_unset, begin, place.name + lost);
   }
   if (const auto known = parameters_.find(place.parameter); known != parameters_.end())
     return {.number = known->second};

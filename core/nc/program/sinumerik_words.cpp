@@ -36,6 +36,7 @@ bool SinumerikFlow::execute_words(std::string& flat) {
   has_computed_ = false;
   calls_of_line_.clear();
   given_to_calls_.clear();
+  reads_variables_ = begins_modal_call_ = false;
   addressed_.reset();
   std::vector<Call> calls;
   for (std::size_t at = behind_blanks(line_, head_.behind); at < line_.size();
@@ -48,8 +49,10 @@ bool SinumerikFlow::execute_words(std::string& flat) {
   }
   if (head_.to_skip && (has_computed_ || !calls.empty()))
     return refuse(Code::block_skip_undecided, 0, "/, a line to skip that computes");
-  if (calls.size() > 1)
-    return refuse(Code::expression_invalid, calls[1].begin, "a second call in one line");
+  const bool calls_twice = calls.size() > 1 || (!calls.empty() && !calls_of_line_.empty());
+  if (calls_twice)
+    return refuse(Code::expression_invalid, calls.back().begin, "a second call in one line");
+  if (begins_modal_call_) modal_call_reads_ = reads_variables_;
   // I=5 is a variable where DEF has named it, and a centre beside a motion: the reader of the
   // program may take it for either. X=5 always looks like a motion.
   const bool is_left = std::ranges::any_of(
@@ -74,6 +77,7 @@ bool SinumerikFlow::execute_words(std::string& flat) {
     if (!is_main) piece.instead = std::string();
   }
   if (!calls.empty()) return call(flat, calls.front());
+  write_values();
   write_words(flat);
   lose_values();
   if (returns) return return_from(flat);
@@ -223,6 +227,7 @@ bool SinumerikFlow::scan_address(std::size_t& at, std::vector<Call>& calls) {
     const Unit* const unit = unit_named(name);
     if (unit == nullptr && (name == standard_tool_change || setup_.pass_words.contains(name))) {
       calls_of_line_.push_back(name);
+      reads_variables_ = true;
       keep(begin, at);
       return true;
     }
@@ -338,14 +343,16 @@ bool SinumerikFlow::scan_name(std::size_t& at, const std::string& name, std::vec
     leave_out(begin, at);
     return true;
   }
+  const bool is_of_control = is_sinumerik_name(name) || is_sinumerik_call(name);
+  reads_variables_ |= !is_of_control;
+  begins_modal_call_ |= name == "MCALL";
   if (!has_arguments) {
     keep(begin, at);
     return true;
   }
   if (!scan_call_arguments(begin, at)) return false;
   // Which of them the machine changes is not known (D-64).
-  if (!is_sinumerik_name(name) && !is_sinumerik_call(name) && !setup_.pass_words.contains(name))
-    calls_of_line_.push_back(name);
+  if (!is_of_control && !setup_.pass_words.contains(name)) calls_of_line_.push_back(name);
   return true;
 }
 

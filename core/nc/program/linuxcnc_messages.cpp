@@ -1,0 +1,107 @@
+#include <algorithm>
+#include <array>
+
+#include "core/nc/program/linuxcnc_flow.h"
+#include "core/nc/text/characters.h"
+
+// What the flat program says of the parameters of the program: to whoever reads its messages, and
+// to subprograms that only the machine has (D-84).
+
+namespace trc::program {
+namespace {
+
+constexpr std::size_t npos = std::string_view::npos;
+constexpr int usual_decimals = 6;
+
+bool prints_values(std::string_view comment) {
+  constexpr auto words = std::to_array<std::string_view>({"PRINT,", "DEBUG,", "LOG,"});
+  const std::string begin = in_upper_case(without_blanks_in_front(comment.substr(1, 12)));
+  return std::ranges::any_of(words, [&](std::string_view word) { return begin.starts_with(word); });
+}
+
+// Of %d, %f or %.3f at `at`, which goes behind it; -1: it is none of them.
+int decimals_at(std::string_view message, std::size_t& at) {
+  const std::string format = in_upper_case(message.substr(at, 4));
+  const bool has_decimals =
+      format.size() == 4 && format[1] == '.' && is_digit(format[2]) && format[3] == 'F';
+  constexpr int of_float = 4;
+  int decimals = -1;
+  if (has_decimals)
+    decimals = format[2] - '0';
+  else if (format.size() > 1 && (format[1] == 'D' || format[1] == 'I'))
+    decimals = 0;
+  else if (format.size() > 1 && format[1] == 'F')
+    decimals = of_float;
+  at += decimals < 0 ? 1 : has_decimals ? 4 : 2;
+  return decimals;
+}
+
+}  // namespace
+
+std::string LinuxcncFlow::with_values(std::string_view comments) {
+  std::string text;
+  for (std::size_t at = 0; at < comments.size();) {
+    const bool opens = comments[at] == '(';
+    const std::size_t end =
+        opens ? behind_comment(comments, at) : std::min(comments.find('(', at), comments.size());
+    const bool is_rest = comments[at] == ';' || end == 0;
+    const std::string_view part = comments.substr(at, is_rest ? npos : end - at);
+    if (opens && prints_values(part))
+      append_message(text, part);
+    else
+      text.append(part);
+    at += part.size();
+  }
+  return text;
+}
+
+// (print,#<depth> %d #1): with so many decimals as the control prints. What it does not know it
+// prints as it stands, and what only the machine holds it prints itself.
+void LinuxcncFlow::append_message(std::string& out, std::string_view message) const {
+  int decimals = usual_decimals;
+  for (std::size_t at = 0; at < message.size();) {
+    const std::size_t begin = at;
+    Target target;
+    if (message[at] == '%') {
+      const int format = decimals_at(message, at);
+      if (format >= 0) decimals = format;
+      out.append(message.substr(begin, at - begin));
+      continue;
+    }
+    if (message[at++] == '#' && at < message.size()) {
+      if (const std::size_t close = message.find('>', at); message[at] == '<' && close != npos) {
+        target.name = plain_name(message.substr(at + 1, close - at - 1));
+        at = close + 1;
+      }
+      constexpr std::size_t most_digits = 6;
+      for (const std::size_t digits = at;
+           at < message.size() && is_digit(message[at]) && at - digits < most_digits; ++at)
+        target.number = target.number * 10 + (message[at] - '0');
+    }
+    const bool is_parameter = !target.name.empty() || target.number > 0;
+    const std::optional<double> value = is_parameter ? content_of(target) : std::nullopt;
+    if (value)
+      append_fixed(out, *value, decimals);
+    else
+      out.append(message.substr(begin, at - begin));
+  }
+}
+
+// For a subprogram that only the machine has, as D-95 does it.
+void LinuxcncFlow::write_values() {
+  const auto write = [&](const std::string& name, double value) {
+    settings_.append("#").append(name).append("=");
+    append_value(settings_, value, PointStyle::as_whole);
+    settings_.append(line_end());
+  };
+  for (const std::int64_t number : unwritten_numbers_)
+    if (const auto known = common_.find(number); known != common_.end())
+      write(std::to_string(number), known->second);
+  for (const std::string& name : unwritten_names_)
+    if (const auto known = globals_.find(name); known != globals_.end())
+      write("<" + name + ">", known->second);
+  unwritten_numbers_.clear();
+  unwritten_names_.clear();
+}
+
+}  // namespace trc::program

@@ -1,0 +1,9 @@
+; tool 1 5
+; refused 900008 line 6
+G21 G17 G90 G40
+T1 M6
+G0 X-30 Y-30
+G41 D3.175 G1 X0 Y-20 F300
+Y40
+G40 X-20
+M2
