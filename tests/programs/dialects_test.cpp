@@ -40,7 +40,6 @@ namespace fs = std::filesystem;
 const fs::path folder = fs::path(testing_support::source_dir()) / "tests" / "programs" / "dialects";
 
 struct DialectProgram {
-  std::string name{};
   std::string text{};
   int refused = 0;  // code
   std::uint32_t line = 0;
@@ -51,10 +50,6 @@ struct DialectProgram {
   std::vector<End> path{};
   ProgramSessionSetup setup{};
 };
-
-std::ostream& operator<<(std::ostream& out, const DialectProgram& program) {
-  return out << program.name;
-}
 
 void read_head(DialectProgram& program) {
   std::istringstream lines(program.text);
@@ -98,25 +93,37 @@ void read_head(DialectProgram& program) {
   }
 }
 
-std::vector<DialectProgram> all_programs() {
-  std::vector<DialectProgram> programs;
+// A program by its name. Each test is a process of its own, which would read all of them otherwise.
+struct ProgramFile {
+  std::string name{};
+  fs::path path{};
+  const Dialect* dialect = nullptr;
+};
+
+std::ostream& operator<<(std::ostream& out, const ProgramFile& file) { return out << file.name; }
+
+DialectProgram read(const ProgramFile& file) {
+  std::ifstream stream(file.path, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  DialectProgram program{.text = text.str()};
+  ProgramSetup& setup = program.setup.session.program;
+  setup.dialect = file.dialect->name;
+  file.dialect->begin(setup.mode);
+  read_head(program);
+  return program;
+}
+
+std::vector<ProgramFile> all_programs() {
+  std::vector<ProgramFile> programs;
   for (const Dialect& dialect : all_dialects()) {
     if (!fs::exists(folder / dialect.spelling)) continue;
-    for (const auto& entry : fs::directory_iterator(folder / dialect.spelling)) {
-      std::ifstream stream(entry.path(), std::ios::binary);
-      std::ostringstream text;
-      text << stream.rdbuf();
-      DialectProgram program{
-          .name = std::string(dialect.spelling) + "_" + entry.path().stem().string(),
-          .text = text.str()};
-      ProgramSetup& setup = program.setup.session.program;
-      setup.dialect = dialect.name;
-      dialect.begin(setup.mode);
-      read_head(program);
-      programs.push_back(std::move(program));
-    }
+    for (const auto& entry : fs::directory_iterator(folder / dialect.spelling))
+      programs.push_back({.name = std::string(dialect.spelling) + "_" + entry.path().stem().string(),
+                          .path = entry.path(),
+                          .dialect = &dialect});
   }
-  std::ranges::sort(programs, {}, &DialectProgram::name);
+  std::ranges::sort(programs, {}, &ProgramFile::name);
   return programs;
 }
 
@@ -187,10 +194,12 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-class OfADialect : public ::testing::TestWithParam<DialectProgram> {};
+class OfADialect : public ::testing::TestWithParam<ProgramFile> {
+ protected:
+  const DialectProgram program = read(GetParam());
+};
 
 TEST_P(OfADialect, IsAcceptedOrRefusedForTheReasonOfItsHead) {
-  const DialectProgram& program = GetParam();
   const Written written = run(program.text, program.setup, true);
   if (program.refused == 0) {
     EXPECT_FALSE(written.stopped) << written.report();
@@ -204,7 +213,6 @@ TEST_P(OfADialect, IsAcceptedOrRefusedForTheReasonOfItsHead) {
 }
 
 TEST_P(OfADialect, MakesThePathOfItsHead) {
-  const DialectProgram& program = GetParam();
   if (program.path.empty()) return;
   std::vector<CompensatedBlock> path = moving(run(program.text, program.setup, false).blocks, 1e-6);
   path.erase(path.begin(), std::ranges::find_if(path, [](const CompensatedBlock& block) {
@@ -224,7 +232,6 @@ TEST_P(OfADialect, MakesThePathOfItsHead) {
 // No program of these comes too near to its contour, and what is measured finds none that does:
 // one line may have become several motions.
 TEST_P(OfADialect, IsMeasuredClear) {
-  const DialectProgram& program = GetParam();
   if (program.refused != 0) return;
   ProgramSessionSetup measured = program.setup;
   measured.session.verify = Verify::enforce;
@@ -240,7 +247,6 @@ TEST_P(OfADialect, IsMeasuredClear) {
 }
 
 TEST_P(OfADialect, GivesTheSameInPieces) {
-  const DialectProgram& program = GetParam();
   const Written whole = run(program.text, program.setup, true);
   for (const std::size_t piece : {1U, 3U, 17U}) {
     const Written pieces = run(program.text, program.setup, true, piece);
@@ -251,7 +257,6 @@ TEST_P(OfADialect, GivesTheSameInPieces) {
 
 // A state is saved and read again behind each piece, wherever that ends.
 TEST_P(OfADialect, GivesTheSameResumed) {
-  const DialectProgram& program = GetParam();
   const Written whole = run(program.text, program.setup, true);
   for (const std::size_t piece : {1U, 23U}) {
     const Written resumed = run_resumed(program.text, program.setup, piece);
@@ -269,7 +274,6 @@ Eigen::Vector3d place_at(const CompensatedBlock& block, double t) {
 
 // No word of TRC is left, and a reader of the output makes the compensated path.
 TEST_P(OfADialect, WritesThePathInItsDialect) {
-  const DialectProgram& program = GetParam();
   if (program.refused != 0) return;
   const Written written = run(program.text, program.setup, true);
   for (const std::string& line : lines_of(written.text)) {
@@ -300,7 +304,6 @@ TEST_P(OfADialect, WritesThePathInItsDialect) {
 
 // Without its selections a program is the same text again, byte for byte.
 TEST_P(OfADialect, ComesOutAsItIsWithoutSelections) {
-  const DialectProgram& program = GetParam();
   if (program.refused != 0) return;
   if (program.text.find("APPR") != std::string::npos) return;  // is one without a side, too
   if (program.setup.session.program.block_skip != BlockSkip::refuse) return;  // its `/` go
@@ -334,7 +337,6 @@ INSTANTIATE_TEST_SUITE_P(
 
 // What comes out in another dialect is the same path there, with the same feeds.
 TEST_P(OfADialect, IsTheSamePathInAnotherDialectOrRefused) {
-  const DialectProgram& program = GetParam();
   if (program.refused != 0) return;
   const Written written = run(program.text, program.setup, true);
   const ProgramSetup& setup = program.setup.session.program;

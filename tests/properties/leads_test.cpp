@@ -5,9 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <functional>
 #include <iterator>
 #include <numbers>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -153,25 +155,43 @@ std::size_t laps_of(const CamProgram& program) {
 // What is left of a micrometre by so many decimals, where passes lie on top of each other.
 constexpr double tolerance = 0.005;
 
-class CamPrograms : public ::testing::TestWithParam<CamProgram> {
+constexpr const char* with_removal = "G141\n#TRC[REMOVE_MASKED_BLOCKS=1]";
+
+// All programs round one contour that begin with the same lead.
+class CamPrograms : public ::testing::TestWithParam<std::tuple<std::string, Lead>> {
  protected:
-  const std::string removing = text_of(GetParam(), "G141\n#TRC[REMOVE_MASKED_BLOCKS=1]");
+  void for_each(const std::function<void(const CamProgram&)>& claim) const {
+    const auto& [contour, lead] = GetParam();
+    std::size_t tried = 0;
+    for (const CamProgram& program : cam_programs()) {
+      if (program.contour.name != contour || program.in != lead) continue;
+      SCOPED_TRACE(name_of(program));
+      claim(program);
+      ++tried;
+    }
+    EXPECT_GT(tried, 0U);
+  }
 };
 
+std::vector<std::string> names_of_contours() {
+  std::vector<std::string> names;
+  for (const CamContour& contour : cam_contours()) names.push_back(contour.name);
+  return names;
+}
+
 void expect_nothing_lost(const CamProgram& program) {
-  constexpr const char* modes = "G141\n#TRC[REMOVE_MASKED_BLOCKS=1]";
-  const std::string removing = text_of(program, modes);
-  const Outcome outcome = run(removing, {});
+  const std::string text = text_of(program, with_removal);
+  const Outcome outcome = run(text, {});
   if (!leaves_room(program)) {
     // The finishing lap goes round another ring.
     if (program.laps == Laps::rough_and_finish) return;
     // Whatever becomes of its leads, the tool does not touch what it must not.
     for (const Point& point : samples_of(path_of(outcome)))
       ASSERT_GE(distance_from(program.contour.ring, point), program.contour.tool_radius - tolerance)
-          << removing << text_of(outcome.blocks);
+          << text << text_of(outcome.blocks);
     return;
   }
-  SCOPED_TRACE(removing + reports_of(outcome));
+  SCOPED_TRACE(text + reports_of(outcome));
   ASSERT_FALSE(outcome.stopped);
   EXPECT_EQ(first_gap(outcome.blocks), "");
   EXPECT_EQ(count_of(outcome, Code::blocks_masked), program.contour.loops * laps_of(program));
@@ -182,38 +202,49 @@ void expect_nothing_lost(const CamProgram& program) {
 
   const CamProgram bare{
       .contour = program.contour, .decimals = program.decimals, .inch = program.inch};
-  const Outcome reference = run(text_of(bare, modes), {});
+  const Outcome reference = run(text_of(bare, with_removal), {});
   ASSERT_FALSE(reference.stopped) << reports_of(reference);
   const double beside_start =
       (2 * program.size_of_leads + 4) * program.contour.tool_radius + program.overrun_length;
   expect_same_walls(path_of(outcome), path_of(reference), program.contour.ring,
                     program.contour.tool_radius, beside_start, tolerance);
-  if (::testing::Test::HasFailure()) ADD_FAILURE() << removing << text_of(outcome.blocks);
+  if (::testing::Test::HasFailure()) ADD_FAILURE() << text << text_of(outcome.blocks);
 }
 
-TEST_P(CamPrograms, LoseNothingButTheirLoops) { expect_nothing_lost(GetParam()); }
+TEST_P(CamPrograms, LoseNothingButTheirLoops) { for_each(expect_nothing_lost); }
 
 TEST_P(CamPrograms, AreTheSameInAWindowThatHoldsThem) {
   SessionSetup setup;
   setup.compensator.limits.look_ahead_blocks = 5'000;
-  const Outcome whole = run(removing, {});
-  const Outcome window = run(removing, setup);
-  EXPECT_TRUE(same(whole, window)) << removing << reports_of(window);
+  for_each([&](const CamProgram& program) {
+    const std::string text = text_of(program, with_removal);
+    const Outcome whole = run(text, {});
+    const Outcome window = run(text, setup);
+    EXPECT_TRUE(same(whole, window)) << text << reports_of(window);
+  });
 }
 
 TEST_P(CamPrograms, HaveNoBottleneck) {
-  if (GetParam().contour.loops > 0 || !leaves_room(GetParam())) return;
-  const Outcome masking = run(text_of(GetParam(), "G141"), {});
-  EXPECT_FALSE(masking.stopped) << removing << reports_of(masking);
-  EXPECT_TRUE(masking.diagnostics.empty()) << removing << reports_of(masking);
   SessionSetup implicit;
   implicit.compensator.implicit_contour_masking = true;
-  const Outcome searched = run(text_of(GetParam(), "G140"), implicit);
-  EXPECT_FALSE(searched.stopped) << removing << reports_of(searched);
+  for_each([&](const CamProgram& program) {
+    if (program.contour.loops > 0 || !leaves_room(program)) return;
+    const std::string text = text_of(program, "G141");
+    const Outcome masking = run(text, {});
+    EXPECT_FALSE(masking.stopped) << text << reports_of(masking);
+    EXPECT_TRUE(masking.diagnostics.empty()) << text << reports_of(masking);
+    const Outcome searched = run(text_of(program, "G140"), implicit);
+    EXPECT_FALSE(searched.stopped) << text << reports_of(searched);
+  });
 }
 
-INSTANTIATE_TEST_SUITE_P(Leads, CamPrograms, ::testing::ValuesIn(cam_programs()),
-                         [](const auto& tested) { return name_of(tested.param); });
+INSTANTIATE_TEST_SUITE_P(Leads, CamPrograms,
+                         ::testing::Combine(::testing::ValuesIn(names_of_contours()),
+                                            ::testing::ValuesIn(all_leads)),
+                         [](const auto& tested) {
+                           return std::get<0>(tested.param) + "_" +
+                                  name_of(std::get<1>(tested.param));
+                         });
 
 // But for what the end of a lead along the contour overlaps it by its rounding.
 bool are_the_same(const std::vector<Segment>& one, const std::vector<Segment>& other) {
