@@ -119,9 +119,10 @@ std::vector<ProgramFile> all_programs() {
   for (const Dialect& dialect : all_dialects()) {
     if (!fs::exists(folder / dialect.spelling)) continue;
     for (const auto& entry : fs::directory_iterator(folder / dialect.spelling))
-      programs.push_back({.name = std::string(dialect.spelling) + "_" + entry.path().stem().string(),
-                          .path = entry.path(),
-                          .dialect = &dialect});
+      programs.push_back(
+          {.name = std::string(dialect.spelling) + "_" + entry.path().stem().string(),
+           .path = entry.path(),
+           .dialect = &dialect});
   }
   std::ranges::sort(programs, {}, &ProgramFile::name);
   return programs;
@@ -194,12 +195,7 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-class OfADialect : public ::testing::TestWithParam<ProgramFile> {
- protected:
-  const DialectProgram program = read(GetParam());
-};
-
-TEST_P(OfADialect, IsAcceptedOrRefusedForTheReasonOfItsHead) {
+void is_accepted_or_refused_for_the_reason_of_its_head(const DialectProgram& program) {
   const Written written = run(program.text, program.setup, true);
   if (program.refused == 0) {
     EXPECT_FALSE(written.stopped) << written.report();
@@ -212,7 +208,7 @@ TEST_P(OfADialect, IsAcceptedOrRefusedForTheReasonOfItsHead) {
   })) << written.report();
 }
 
-TEST_P(OfADialect, MakesThePathOfItsHead) {
+void makes_the_path_of_its_head(const DialectProgram& program) {
   if (program.path.empty()) return;
   std::vector<CompensatedBlock> path = moving(run(program.text, program.setup, false).blocks, 1e-6);
   path.erase(path.begin(), std::ranges::find_if(path, [](const CompensatedBlock& block) {
@@ -231,7 +227,7 @@ TEST_P(OfADialect, MakesThePathOfItsHead) {
 
 // No program of these comes too near to its contour, and what is measured finds none that does:
 // one line may have become several motions.
-TEST_P(OfADialect, IsMeasuredClear) {
+void is_measured_clear(const DialectProgram& program) {
   if (program.refused != 0) return;
   ProgramSessionSetup measured = program.setup;
   measured.session.verify = Verify::enforce;
@@ -246,7 +242,7 @@ TEST_P(OfADialect, IsMeasuredClear) {
   EXPECT_FALSE(removed.stopped) << removed.report();
 }
 
-TEST_P(OfADialect, GivesTheSameInPieces) {
+void gives_the_same_in_pieces(const DialectProgram& program) {
   const Written whole = run(program.text, program.setup, true);
   for (const std::size_t piece : {1U, 3U, 17U}) {
     const Written pieces = run(program.text, program.setup, true, piece);
@@ -256,7 +252,7 @@ TEST_P(OfADialect, GivesTheSameInPieces) {
 }
 
 // A state is saved and read again behind each piece, wherever that ends.
-TEST_P(OfADialect, GivesTheSameResumed) {
+void gives_the_same_resumed(const DialectProgram& program) {
   const Written whole = run(program.text, program.setup, true);
   for (const std::size_t piece : {1U, 23U}) {
     const Written resumed = run_resumed(program.text, program.setup, piece);
@@ -273,7 +269,7 @@ Eigen::Vector3d place_at(const CompensatedBlock& block, double t) {
 }
 
 // No word of TRC is left, and a reader of the output makes the compensated path.
-TEST_P(OfADialect, WritesThePathInItsDialect) {
+void writes_the_path_in_its_dialect(const DialectProgram& program) {
   if (program.refused != 0) return;
   const Written written = run(program.text, program.setup, true);
   for (const std::string& line : lines_of(written.text)) {
@@ -303,7 +299,7 @@ TEST_P(OfADialect, WritesThePathInItsDialect) {
 }
 
 // Without its selections a program is the same text again, byte for byte.
-TEST_P(OfADialect, ComesOutAsItIsWithoutSelections) {
+void comes_out_as_it_is_without_selections(const DialectProgram& program) {
   if (program.refused != 0) return;
   if (program.text.find("APPR") != std::string::npos) return;  // is one without a side, too
   if (program.setup.session.program.block_skip != BlockSkip::refuse) return;  // its `/` go
@@ -323,20 +319,8 @@ TEST_P(OfADialect, ComesOutAsItIsWithoutSelections) {
   EXPECT_EQ(written.text, plain);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Programs, OfADialect, ::testing::ValuesIn(all_programs()), [](const auto& tested) {
-      std::string name;
-      bool upper = true;
-      for (const char c : tested.param.name) {
-        if (c != '_')
-          name += upper ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
-        upper = c == '_';
-      }
-      return name;
-    });
-
 // What comes out in another dialect is the same path there, with the same feeds.
-TEST_P(OfADialect, IsTheSamePathInAnotherDialectOrRefused) {
+void is_the_same_path_in_another_dialect_or_refused(const DialectProgram& program) {
   if (program.refused != 0) return;
   const Written written = run(program.text, program.setup, true);
   const ProgramSetup& setup = program.setup.session.program;
@@ -359,6 +343,33 @@ TEST_P(OfADialect, IsTheSamePathInAnotherDialectOrRefused) {
     }
   }
 }
+
+// All claims in one process: to start one takes longer than a program.
+class OfADialect : public ::testing::TestWithParam<ProgramFile> {};
+
+TEST_P(OfADialect, IsWhatItsHeadSays) {
+  const DialectProgram program = read(GetParam());
+  is_accepted_or_refused_for_the_reason_of_its_head(program);
+  makes_the_path_of_its_head(program);
+  is_measured_clear(program);
+  gives_the_same_in_pieces(program);
+  gives_the_same_resumed(program);
+  writes_the_path_in_its_dialect(program);
+  comes_out_as_it_is_without_selections(program);
+  is_the_same_path_in_another_dialect_or_refused(program);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Programs, OfADialect, ::testing::ValuesIn(all_programs()), [](const auto& tested) {
+      std::string name;
+      bool upper = true;
+      for (const char c : tested.param.name) {
+        if (c != '_')
+          name += upper ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+        upper = c == '_';
+      }
+      return name;
+    });
 
 std::vector<Diagnostic> told(const std::string& text, DialectName dialect) {
   ProgramSessionSetup setup;
