@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "server/rpc/stream_reactor.h"
+#include "server/rpc/reactors_by_kind.h"
 
 namespace trc::server {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "server/backend.h"
-#include "server/rpc/stream_reactor.h"
+#include "server/rpc/reactors_by_kind.h"
 #include "tests/server/calls.h"
 
 namespace trc::server {
