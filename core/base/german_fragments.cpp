@@ -51,6 +51,7 @@ constexpr auto fragments = std::to_array<Fragment>({
     {"R in a straight motion", "R in einer geraden Bewegung"},
     {"R0 without a motion behind it", "R0 ohne eine Bewegung dahinter"},
     {"a block of DIN/ISO of Heidenhain", "ein Satz in DIN/ISO von Heidenhain"},
+    {"a full circle to the contour", "ein Vollkreis zur Kontur"},
     {"a function of DIN/ISO", "eine Funktion von DIN/ISO"},
     {"as G91 holds since line", "da G91 gilt seit Zeile"},
     {"counted from there", "von dort gezählt"},
@@ -137,6 +138,8 @@ constexpr auto fragments = std::to_array<Fragment>({
      "G347 mit einem Bogen, der kleiner als das Werkzeug ist, G147 mit DISR=, das keine Gerade "
      "übrig lässt"},
     {"an approach round the corner: NORM", "Anfahren um die Ecke: NORM"},
+    {"an arc to the contour that does not run on into its first block",
+     "ein Bogen zur Kontur, der nicht in ihren ersten Satz übergeht"},
     {"an arc directly behind G40 under G239, where the tool stands at the compensated point",
      "ein Bogen unmittelbar nach G40 unter G239, wo das Werkzeug auf dem korrigierten Punkt steht"},
     {"an increment from a place that is not known",

@@ -124,6 +124,15 @@ constexpr auto helps = std::to_array<ReasonHelp>({
     {"a work offset of Haas",
      "Program G113 in front of the contour; for the work offset of Haas write G154 P3.",
      "G113 vor der Kontur programmieren; für den Nullpunkt von Haas G154 P3 schreiben."},
+    {"does not run on into its first block",
+     "Let the arc end in the direction of the block behind it, or lead to the contour on a "
+     "straight "
+     "line.",
+     "Den Bogen in der Richtung des Satzes hinter ihm enden lassen, oder auf einer Geraden an die "
+     "Kontur fahren."},
+    {"a full circle to the contour",
+     "Lead to the contour on a line or a shorter arc, and go round behind it.",
+     "Auf einer Geraden oder einem kürzeren Bogen an die Kontur fahren und dahinter herumfahren."},
     {"a vector of the wall behind it",
      "Take I, J and K out: the path then leaves in a straight line. Check that way.",
      "I, J und K streichen: der Weg verlässt die Kontur dann auf einer Geraden. Diesen Weg "

@@ -254,19 +254,14 @@ bool Interpreter::move(ProgramLine& line, MoveRequest& request) {
   // Many post-processors write all three centre words.
   auto& across = request.center[axes_of(state_.mode().plane).third];
   if (dialect_.name != DialectName::isg && across == 0.0) across.reset();
-  if (dialect_.arcs_to_the_contour && state_.awaits_approach() &&
-      (motion_ == MotionKind::clockwise || motion_ == MotionKind::counter_clockwise)) {
-    // An arc leads to the contour tangentially, as G05 does it: which arc, the contour says.
-    request.kind = MotionKind::linear;
-    request.center = {};
-    request.radius.reset();
-    state_.approach_tangentially();
-  }
+  const bool leads_on_an_arc =
+      dialect_.arcs_to_the_contour && state_.awaits_approach() &&
+      (motion_ == MotionKind::clockwise || motion_ == MotionKind::counter_clockwise);
   line.is_motion = true;
   const PlaneAxes axes = axes_of(state_.mode().plane);
   if (request.end[axes.first] || request.end[axes.second])
     code_.leaves_contour = state_.contour_open();
-  return state_.move(request);
+  return leads_on_an_arc ? state_.approach_on_arc(request) : state_.move(request);
 }
 
 // From inch to mm.

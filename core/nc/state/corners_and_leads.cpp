@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 #include <utility>
 
 #include "core/nc/state/program_state.h"
@@ -237,6 +238,37 @@ bool ProgramState::approach_contour(const Segment& contour) {
   position_ = from_plane(mode_.plane, begin.point, height);
   std::ranges::move(held, std::back_inserter(blocks_));
   return true;
+}
+
+bool ProgramState::approach_on_arc(MoveRequest request) {
+  Position end;
+  if (!find_end(request, end)) return refuse(request.source, end_out_of_range(request));
+  if (auto refusal = unknown_start(request)) return refuse(request.source, std::move(*refusal));
+  ProgrammedCircle programmed;
+  if (auto refusal = circle(request, end, programmed))
+    return refuse(request.source, std::move(*refusal));
+  const Arc& arc = programmed.arc;
+  if ((arc.end - arc.start).norm() <= tolerances_.same_point)
+    return report(request.source, Code::nc_unsupported, "a full circle to the contour");
+  // Which arc leads beside the contour, the contour says.
+  request.kind = MotionKind::linear;
+  request.center = {};
+  request.radius.reset();
+  change_mode().tangential = true;
+  if (!move(request)) return false;
+  arc_to_contour_ = ArcToContour{.source = request.source, .tangent = tangent_at_end(arc)};
+  return true;
+}
+
+// With rounded coordinates an arc ends beside its tangent, a small one by some degrees.
+bool ProgramState::goes_on_from_arc(const Segment& contour) {
+  constexpr double largest_kink = 5 * std::numbers::pi / 180;
+  const ArcToContour arc = *std::exchange(arc_to_contour_, {});
+  const Vector tangent = tangent_at_start(contour);
+  const double kink = std::abs(std::atan2(cross(arc.tangent, tangent), arc.tangent.dot(tangent)));
+  if (!mode_.active() || kink <= largest_kink) return true;
+  return report(arc.source, Code::nc_unsupported,
+                "an arc to the contour that does not run on into its first block");
 }
 
 bool ProgramState::depart_by(const Lead& lead, const MoveRequest& request, bool climbs) {

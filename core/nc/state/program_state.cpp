@@ -288,6 +288,7 @@ bool ProgramState::move_straight(const MoveRequest& request, const Position& end
 template <class Shape>
 bool ProgramState::append_between_corners(const MoveRequest& request, const Shape& shape,
                                           const Position& end, TrackingTravel&& tracking) {
+  if (arc_to_contour_ && !goes_on_from_arc(shape)) return false;
   const bool is_plain =
       !request.corner && !corner_ && !lead_ && setup_.dialect != DialectName::heidenhain;
   if (is_plain) {

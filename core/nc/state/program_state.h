@@ -66,6 +66,17 @@ struct PendingLead {
   }
 };
 
+// An arc that leads to the contour: which way it ends.
+struct ArcToContour {
+  Source source{};
+  Vector tangent = Vector::Zero();
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(source, tangent);
+  }
+};
+
 // The modal state and the position of one NC channel: turns requests into
 // absolute blocks. NC text and motion messages both end here, so that a program
 // means the same however it arrives.
@@ -207,8 +218,9 @@ class ProgramState {
   void count_increments_since(const Source& source) { increments_since_ = source; }
   // TRC is selected; the motion that leads to the contour is still to come.
   [[nodiscard]] bool awaits_approach() const { return mode_.active() && in_plane_blocks_ == 0; }
-  // That motion becomes an arc into the contour, as if G05 stood beside the selection.
-  void approach_tangentially() { change_mode().tangential = true; }
+  // LINUXCNC: that motion is an arc. It becomes one that runs into the contour, as if G05 stood
+  // beside the selection; 900003 unless it ends in the direction of the block behind it (D-110).
+  bool approach_on_arc(MoveRequest request);
   // Of the blocks that are not given yet: the Source::index of the first, or the largest number.
   [[nodiscard]] std::uint64_t held_from() const {
     if (lead_) return lead_->request.source.index;
@@ -224,7 +236,7 @@ class ProgramState {
             known_, position_forgotten_, displaced_, tracking_, selected_, selections_,
             in_plane_blocks_, has_approach_, last_path_, last_index_, last_part_, last_mode_,
             retract_pending_, beside_contour_, just_deselected_, next_plane_, corner_,
-            corner_source_, corner_feed_, lead_, held_, ended_, increments_since_);
+            corner_source_, corner_feed_, lead_, arc_to_contour_, held_, ended_, increments_since_);
     terms_in_mode_ = tool_.terms();
   }
 
@@ -268,6 +280,7 @@ class ProgramState {
   void hold_for_corner(const MoveRequest& request);
   void release_held();
   bool approach_contour(const Segment& contour);
+  bool goes_on_from_arc(const Segment& contour);
   [[nodiscard]] ContourEnd contour_end(const Point& point, const Vector& tangent) const;
   [[nodiscard]] TrackingTravel standing_tracking() const;
   void travel_across(const MoveRequest& request);
@@ -355,6 +368,7 @@ class ProgramState {
   std::optional<Source> corner_source_{};  // of a line of its own
   double corner_feed_ = 0;
   std::optional<PendingLead> lead_{};
+  std::optional<ArcToContour> arc_to_contour_{};  // whose next block is still to come
   std::vector<Block> held_{};
   bool ended_ = false;
 };

@@ -1,0 +1,11 @@
+; radius 0.125 in
+; refused 900003 line 7
+G20 G90 G17
+G0 X2 Y0
+F10
+G41 D1
+G3 X1 Y0 I-0.5 J-0.5
+G2 X0 Y1 I0 J1
+G1 Y3
+G40 X-1
+M2

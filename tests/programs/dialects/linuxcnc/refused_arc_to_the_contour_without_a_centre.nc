@@ -1,0 +1,11 @@
+; radius 3
+; refused 20035 line 7
+G21 G90 G17
+G0 X20 Y0
+F100
+G41 D1
+G3 X0 Y10 I-3 J0
+G1 X-40
+Y-30
+G40 X-60
+M2

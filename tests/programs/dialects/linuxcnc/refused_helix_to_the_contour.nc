@@ -1,0 +1,11 @@
+; radius 3
+; refused 900003 line 7
+G21 G90 G17
+G0 X20 Y0 Z5
+F100
+G41 D1
+G3 I-10 J0 Z0
+G1 X40 Y0
+Y30
+G40 X60
+M2
