@@ -8,9 +8,11 @@ import {$, shown, withUnit} from './shown.js';
 import {currentLanguage, t} from './texts.js';
 
 export async function add(files) {
+  // Text or a link that was dropped has none.
+  if (!files.length) return;
   for (const file of files) shown.programs.push({name: file.name, text: file, settings: null});
   listPrograms();
-  if (shown.programs.length) await choose(shown.programs[shown.programs.length - files.length]);
+  await choose(shown.programs[shown.programs.length - files.length]);
 }
 
 export function listPrograms() {

@@ -178,6 +178,36 @@ const tests = {
     assert.equal(await page.getAttribute('html', 'lang'), 'de');
   },
 
+  async 'what is dropped and no file leaves all as it is'(page) {
+    await show(page, join(top, 'client/samples/bracket.nc'), {tool_radius: ''});
+    const before = await page.evaluate(() => document.body.dataset.view);
+    await page.evaluate(() => {
+      const data = new DataTransfer();
+      data.setData('text/plain', 'G41');
+      dispatchEvent(new DragEvent('drop', {dataTransfer: data, bubbles: true, cancelable: true}));
+      document.getElementById('file').dispatchEvent(new Event('change'));
+    });
+    await page.locator('#way').fill('5000');
+    await page.waitForFunction(() => /line/.test(document.getElementById('place').textContent));
+    assert.equal(await page.evaluate(() => document.body.dataset.view), before);
+  },
+
+  async 'several programs at once, of which each is shown'(page) {
+    await page.evaluate(texts => {
+      const data = new DataTransfer();
+      for (const [i, text] of texts.entries()) data.items.add(new File([text], `part${i}.nc`));
+      data.items.add(new File(['M30'], `${'long'.repeat(60)}.nc`));
+      dispatchEvent(new DragEvent('drop', {dataTransfer: data, bubbles: true, cancelable: true}));
+    }, [notch, readFileSync(join(top, 'client/samples/bracket.nc'), 'utf8')]);
+    await page.waitForSelector('body[data-view]');
+    assert.deepEqual((await page.locator('#programs option').allTextContents()).slice(0, 2), ['part0.nc', 'part1.nc']);
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), 'nothing sticks out');
+    assert.match(await page.textContent('#state'), /Refused/);
+    await page.selectOption('#programs', '1');
+    await page.waitForFunction(() => /nothing to complain/.test(document.getElementById('state').textContent));
+    assert.match(await page.textContent('#certificate'), /tool radius6 mm/);
+  },
+
   async 'arrows say which way it goes, along one line and along short ones'(page) {
     const arrows = () => page.evaluate(() => Number(document.body.dataset.arrows));
     const circle = Array.from({length: 1000}, (_, i) => `G01 X${(50 * Math.cos(i * Math.PI / 500)).toFixed(4)} Y${(50 * Math.sin(i * Math.PI / 500)).toFixed(4)}`);
