@@ -186,12 +186,14 @@ function forgetCompared(program) {
   program.compare = null;
 }
 
-$('compare-form').addEventListener('submit', event => {
+$('compare-form').addEventListener('submit', async event => {
   event.preventDefault();
   if (!shown.current?.view) return;
   $('compared').textContent = '';
   shown.current.compareWith = {[$('compare-setting').value]: $('compare-value').value.trim()};
-  compare(shown.current);
+  await compare(shown.current);
+  // On a low screen it lies below what is seen.
+  $('compared').scrollIntoView({block: 'nearest'});
 });
 $('compare-off').addEventListener('click', () => {
   if (!shown.current) return;

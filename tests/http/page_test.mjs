@@ -679,6 +679,46 @@ const tests = {
     await page.locator('#input').focus();
     await page.keyboard.press('ArrowDown');
     await page.waitForFunction(n => document.querySelector('#input [aria-selected=true] .number')?.textContent === String(n), first + 1);
+    // To the ends of both texts, whatever the last rows stem from.
+    await show(page, join(top, 'client/samples/bracket.nc'), {tool_radius: ''});
+    await page.waitForFunction(() => document.querySelectorAll('#output [role=option]').length > 0);
+    const marked = async (text, row) => page.waitForFunction(([id, n]) =>
+      document.querySelector(`#${id} [aria-selected=true] .number`)?.textContent === n, [text, String(row)]);
+    for (const [text, last, before] of [['input', 21, 20], ['output', 22, 21]]) {
+      await page.locator(`#${text}`).focus();
+      await page.keyboard.press('End');
+      await marked(text, last);
+      await page.keyboard.press('PageDown');
+      await page.keyboard.press('ArrowUp');
+      await page.waitForFunction(([id, n]) => Number(document.querySelector(`#${id} [aria-selected=true] .number`)?.textContent) <= n, [text, before]);
+      await page.keyboard.press('Home');
+      await page.waitForFunction(id => Number(document.querySelector(`#${id} [aria-selected=true] .number`)?.textContent) < 5, text);
+      await page.keyboard.press('PageDown');
+      await page.keyboard.press('PageDown');
+      await page.keyboard.press('PageDown');
+      await marked(text, last);
+    }
+  },
+
+  async 'a window of another size shows all again, and no more than was seen'(page) {
+    await show(page, join(top, 'client/samples/bracket.nc'), {tool_radius: ''});
+    const seen = () => page.evaluate(async () => {
+      const {camera} = await import('/page/picture.js');
+      const [left, bottom] = camera.toScreen({x: -25, y: -20}), [right, above] = camera.toScreen({x: 111, y: 86});
+      return {scale: camera.scale, width: camera.width, whole: left > 0 && above > 0 && right < camera.width && bottom < camera.height};
+    });
+    const resize = async size => {
+      const {width} = await seen();
+      await page.setViewportSize(size);
+      for (let i = 0; i < 200 && (await seen()).width === width; ++i) await page.waitForTimeout(50);
+      await page.waitForSelector('body[data-complete=true]');
+    };
+    await resize({width: 740, height: 360});
+    const {scale, whole} = await seen();
+    assert.ok(whole);
+    await page.click('#zoom-in');
+    await resize({width: 1400, height: 900});
+    assert.ok(Math.abs((await seen()).scale / scale - 1.4) < 1e-9);
   },
 
   async 'on a small screen all of it is there'(page) {
@@ -692,6 +732,13 @@ const tests = {
     // Nor is there anything below the last part.
     const below = await page.evaluate(() => document.documentElement.scrollHeight - scrollY - document.getElementById('listings').getBoundingClientRect().bottom);
     assert.ok(below < 20, `${below} pixels below the listings`);
+    // What a finger is to meet is large enough for it.
+    const touched = await open({viewport: {width: 360, height: 740}, hasTouch: true, isMobile: true});
+    await show(touched, file('notch.nc', notch));
+    const small = await touched.evaluate(() => [...document.querySelectorAll('button, select, summary, label.button, #layers label')]
+      .filter(e => e.offsetParent && (e.getBoundingClientRect().width < 40 || e.getBoundingClientRect().height < 36)).map(e => e.outerHTML));
+    assert.deepEqual(small, []);
+    await touched.context().close();
   },
 
   async 'everybody can use it'(page) {
