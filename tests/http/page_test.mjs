@@ -121,6 +121,8 @@ const tests = {
     const [, distance] = /smallest clearance ([\d.]+) mm/.exec(said);
     const certificate = await page.textContent('#certificate');
     assert.ok(Math.abs(Number(/smallest distance\s*([\d.]+)/.exec(certificate)[1]) - Number(distance)) < 1e-3, certificate + said);
+    const [, touched] = /touches ([\d.]+ %)/.exec(said);
+    assert.ok(certificate.includes(`wall touched${touched}`), certificate + said);
     const expected = trc('compensate', path).stdout.split('\n')[0];
     await page.waitForFunction(() => document.querySelectorAll('#output [role=option]').length > 0);
     assert.ok((await page.locator('#output [role=option]').first().textContent()).endsWith(expected));
@@ -258,7 +260,7 @@ const tests = {
       await page.waitForFunction(() => /planeYZ/.test(document.getElementById('certificate').textContent));
       await page.waitForSelector('body[data-complete=true]');
       assert.ok(Number(await page.evaluate(() => document.body.dataset.segments)) > 20);
-      assert.match(await page.textContent('#certificate'), /path length in the plane417\.5542 mm, 10 blocks.*heightX -20 … 105 mm/);
+      assert.match(await page.textContent('#certificate'), /path length in XY417\.5542 mm, 10 blocks.*heightX -20 … 105 mm/);
       // Upwards lies Z.
       const box = await page.locator('#over').boundingBox();
       const cursor = async y => {
