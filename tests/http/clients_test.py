@@ -314,6 +314,15 @@ class Programs(unittest.TestCase):
             "POST", "/v1/programs:compensate?tool_radius=1e9", SQUARE, TEXT)
         self.assertEqual((status, problem["reason"]), (400, "FIELD_INVALID"))
 
+    def test_a_field_of_json_that_is_given_twice_is_refused(self):
+        blocks = '"batch":{"blocks":[{"linear":{"end":{"x":1}}}]}'
+        for body in ('{"setup":{"toolRadius":5},"setup":{"toolRadius":6},%s}' % blocks,
+                     '{"setup":{"toolRadius":5,"tool_radius":6},%s}' % blocks,
+                     "{%s,%s}" % (blocks, blocks)):
+            status, problem = self.server.ask_json("POST", "/v1/paths:compensate", body, JSON)
+            self.assertEqual((status, problem["reason"]), (400, "JSON_INVALID"), body)
+            self.assertIn("is given more than once", problem["detail"])
+
     def test_a_setting_that_is_no_text_is_named(self):
         for name in ("client_tag", "language", "axis_names", "tools", "variables"):
             status, problem = self.server.ask_json(
