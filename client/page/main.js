@@ -104,7 +104,7 @@ $('language').addEventListener('change', () => {
 });
 
 async function begin() {
-  translate();
+  translate(inside?.language);
   $('language').value = currentLanguage();
   makeLayers();
   $('plane').replaceChildren(...planeNames.map((name, i) => new Option(`${name.slice(6)} (G${17 + i})`, name)));

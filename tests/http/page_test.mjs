@@ -623,6 +623,12 @@ const tests = {
       assert.equal(await page.evaluate(() => document.body.dataset.foreign), undefined);
       page.problems = page.problems.filter(problem => !/Content Security Policy/.test(problem));
     }
+    // Messages stay in their language, and the page speaks it.
+    trc('plot', file('notch.nc', notch), '-o', join(folder, 'german.html'), '--radius', '5', '--lang', 'de');
+    await page.goto(`file://${join(folder, 'german.html')}`);
+    await page.waitForSelector('body[data-complete=true]');
+    assert.equal(await page.inputValue('#language'), 'de');
+    assert.match(await page.textContent('#state'), /^Abgelehnt/);
     // Letters of Latin-1 are read as such, and come out in the bytes they came in.
     const latin = Buffer.from('O1 (FR\u00c4SEN)\nG0 X0 Y0\nG41 D1 G1 X10. Y0 F100.\nX40.\nG40 Y20.\nM30\n', 'latin1');
     const path = file('latin.nc', latin), written = join(folder, 'latin.html');
