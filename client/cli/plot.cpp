@@ -63,7 +63,7 @@ std::optional<std::string> page_of(std::string text, const v1::ProgramSetup& set
   const auto view = builder.finish("inside");
   if (view == nullptr) return std::nullopt;
   if (paths.exit == Exit::done) view->make_output([] {});
-  return standalone_page(*view);
+  return standalone_page(*view, setup.path().language());
 }
 
 Exit run(const Call& call) {

@@ -152,8 +152,10 @@ std::string columns_of(const Elements& elements) {
 // Text as base64 of its UTF-8: programs hold what they like.
 std::string text_of(const Lines& lines) { return "\"" + base64_of(lines.text()) + "\""; }
 
-std::string json_of(const View& view) {
-  std::string json = "{\"version\":\"" + std::string(version()) + "\",\"view\":";
+std::string json_of(const View& view, std::string_view language) {
+  std::string json = "{\"version\":\"" + std::string(version()) + "\",";
+  if (!language.empty()) json += "\"language\":\"" + std::string(language) + "\",";
+  json += "\"view\":";
   json += wire::json_of(view.said_by_now());
   json += ",\"text\":" + text_of(view.program());
   if (const auto output = view.output()) {
@@ -182,7 +184,7 @@ void replace(std::string& text, std::string_view old, const std::string& by) {
 
 }  // namespace
 
-std::string standalone_page(const View& view) {
+std::string standalone_page(const View& view, std::string_view language) {
   const std::string script = Bundle().of("main.js");
   const std::string style(page_file("style.css"));
   const std::string policy = "default-src 'none'; script-src " + hash_of(script) + "; style-src " +
@@ -194,7 +196,7 @@ std::string standalone_page(const View& view) {
               style + "</style>");
   replace(page, "<script type=\"module\" src=\"page/main.js\"></script>\n", "");
   replace(page, "</body>",
-          "<script type=\"application/json\" id=\"inside\">" + json_of(view) +
+          "<script type=\"application/json\" id=\"inside\">" + json_of(view, language) +
               "</script>\n<script>" + script + "</script>\n</body>");
   return page;
 }

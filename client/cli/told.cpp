@@ -56,6 +56,8 @@ constexpr auto rows = std::to_array<Sentence>({
      "--tools: die Seite nimmt Werkzeuge mit Nummer, keine mit Namen oder Schneide; trc plot -o "
      "part.html nimmt alle"},
     {"--tools: {}", "--tools: {}"},
+    {"--listen {}: the page is for this machine alone; trcd --http-listen serves others",
+     "--listen {}: die Seite ist nur für diesen Rechner da; anderen dient trcd --http-listen"},
     {"note: the radii of {} are read in mm, as the file names no unit, though the program counts "
      "in inch; a first line unit,inch or a column unit of a CSV says otherwise, --unit inch of "
      "other tables",

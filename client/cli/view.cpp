@@ -17,6 +17,7 @@
 #include "client/cli/program_options.h"
 #include "client/cli/told.h"
 #include "proto/wire/settings.h"
+#include "server/address.h"
 #include "server/http/view/store.h"
 #include "server/server.h"
 
@@ -89,6 +90,11 @@ Exit run(const Call& call) {
     complain(
         "--tools: the page takes tools by number, none with a name or an edge; trc plot -o "
         "part.html takes them all");
+    return Exit::wrong_call;
+  }
+  if (server::split_host_port(call.listen) && !server::is_local_address(call.listen)) {
+    complain("--listen " + call.listen +
+             ": the page is for this machine alone; trcd --http-listen serves others");
     return Exit::wrong_call;
   }
   Input input(call.program.file);

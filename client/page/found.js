@@ -141,6 +141,8 @@ function showCertificate(view) {
     if (c.point) add(t('at'), positionText(c.point));
     add(t('checked'), `${c.blocksChecked ?? 0}`);
     if (c.blocksGouging) add(t('tooNear'), `${c.blocksGouging}`);
+    const {coverage} = view.summary.path;
+    if (coverage !== undefined) add(t('touched'), `${(100 * coverage).toFixed(1)} %`);
   } else {
     add(t('smallest'), t(view.measuring ? 'measuring' : view.refused ? 'notMeasuredRefused' : view.toolRadius ? 'notMeasured' : 'none'));
   }
@@ -148,7 +150,8 @@ function showCertificate(view) {
   if (hasOwnRadius(view, shown.current.settings)) add('', t('ownRadius', {radius: withUnit(view.toolRadius)}));
   if (!view.pathBlocks) return $('certificate').replaceChildren(...rows);
   add(t('plane'), axesOf(view.plane).slice(0, 2).join('').toUpperCase());
-  add(t('length'), `${withUnit(lengthOf(view))}, ${view.pathBlocks} ${t(Number(view.pathBlocks) === 1 ? 'block' : 'blocks')}`);
+  const measured = axesOf(view.ownPlane).slice(0, 2).join('').toUpperCase();
+  add(isOwnPlane(view) ? t('length') : t('lengthIn', {plane: measured}), `${withUnit(lengthOf(view))}, ${view.pathBlocks} ${t(Number(view.pathBlocks) === 1 ? 'block' : 'blocks')}`);
   add(t('height'), `${axesOf(view.plane)[2].toUpperCase()} ${inUnit(view.lowest)} … ${withUnit(view.highest)}`);
   $('certificate').replaceChildren(...rows);
 }

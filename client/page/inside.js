@@ -241,10 +241,12 @@ const tilePixels = 512;
 
 class Inside {
   constructor(json) {
-    const {version, view, text, output, sources, contour, path} = JSON.parse(json);
+    const {version, language, view, text, output, sources, contour, path} = JSON.parse(json);
     this.version = version;
     this.said = view;
     this.name = view.name;
+    // Messages stay in the language they were written in.
+    this.language = language ?? view.diagnostics?.[0]?.language;
     this.outputBytes = output === undefined ? null : bytesOf(output);
     this.texts = {lines: linesOf(bytesOf(text)), output: this.outputBytes && linesOf(this.outputBytes)};
     this.sources = sources ?? [];

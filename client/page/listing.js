@@ -117,20 +117,25 @@ export class Listing {
   }
 
   onKey(event) {
-    const step = {ArrowDown: 1, ArrowUp: -1, PageDown: this.rows, PageUp: -this.rows}[event.key];
+    const {rows, count} = this;
+    const step = {ArrowDown: 1, ArrowUp: -1, PageDown: rows, PageUp: -rows, End: count, Home: -count}[event.key];
     if (!step) return;
     event.preventDefault();
     if (this.what === 'output') return this.step(step);
-    this.choose(Math.max(0, Math.min(this.count - 1, this.selected - 1 + step)));
+    this.choose(Math.max(0, Math.min(count - 1, this.selected - 1 + step)));
   }
 
-  // To the next row of compensated text that stems from another line.
-  step(rows) {
-    const way = Math.sign(rows);
-    for (let row = Math.max(0, this.at + rows); row >= 0 && row < this.count; row += way) {
-      const line = this.sourceOf(row);
-      if (line > 0 && line !== this.selected) return this.chosen(line);
-    }
+  // To the next row of compensated text that stems from another line; at an end, the last such row.
+  async step(rows) {
+    const {view, at, count, selected} = this, way = Math.sign(rows);
+    const aim = Math.max(0, Math.min(count - 1, at + rows));
+    for (const onwards of [way, -way])
+      for (let row = aim; row >= 0 && row < count && row !== at; row += onwards) {
+        await this.fetch(Math.floor(row / chunk));
+        if (this.view !== view) return;
+        const line = this.sourceOf(row);
+        if (line > 0 && line !== selected) return this.chosen(line);
+      }
   }
 
   // Marks a line of the program and brings it into sight.

@@ -5,7 +5,7 @@ import {api, inside} from './api.js';
 import {arrowsOf} from './arrows.js';
 import {fail, say, sayWhatBecame, showSaid} from './found.js';
 import {Options} from './options.js';
-import {camera, isShown, redraw} from './picture.js';
+import {camera, isShown, redraw, resized} from './picture.js';
 import {axesOf, inPlane, planeNames} from './planes.js';
 import {add, choose, compute, listPrograms} from './results.js';
 import {$, shown, unitOf} from './shown.js';
@@ -104,12 +104,12 @@ $('language').addEventListener('change', () => {
 });
 
 async function begin() {
-  translate();
+  translate(inside?.language);
   $('language').value = currentLanguage();
   makeLayers();
   $('plane').replaceChildren(...planeNames.map((name, i) => new Option(`${name.slice(6)} (G${17 + i})`, name)));
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => { makeLayers(); redraw(); });
-  new ResizeObserver(redraw).observe($('stage'));
+  new ResizeObserver(resized).observe($('stage'));
   document.body.dataset.inside = inside !== null;
   if (inside) {
     shown.programs.push({name: inside.name, settings: null});

@@ -71,6 +71,13 @@ export const isShown = (style, rapid) => (shown.layers >> style & 1) === 1 && (!
 
 const corner = point => ({x: point?.x ?? 0, y: point?.y ?? 0});
 
+// What the camera shows where all is seen; a window of another size shows all again.
+let whole = null;
+export function resized() {
+  if (whole && ['x', 'y', 'scale'].every(name => camera[name] === whole[name])) showAll();
+  redraw();
+}
+
 export function showAll() {
   if (!shown.current?.view) return;
   camera.width = $('over').clientWidth;
@@ -78,6 +85,7 @@ export function showAll() {
   // What may be put in place of an approach lies beside it.
   const proposed = (shown.current.proposals ?? []).flat().flatMap(({from, to}) => [from, to]);
   camera.show(...cornersOf([corner(shown.current.view.low), corner(shown.current.view.high), ...proposed]));
+  whole = {...camera};
   redraw();
 }
 

@@ -8,9 +8,11 @@ import {$, shown, withUnit} from './shown.js';
 import {currentLanguage, t} from './texts.js';
 
 export async function add(files) {
+  // Text or a link that was dropped has none.
+  if (!files.length) return;
   for (const file of files) shown.programs.push({name: file.name, text: file, settings: null});
   listPrograms();
-  if (shown.programs.length) await choose(shown.programs[shown.programs.length - files.length]);
+  await choose(shown.programs[shown.programs.length - files.length]);
 }
 
 export function listPrograms() {
@@ -184,12 +186,14 @@ function forgetCompared(program) {
   program.compare = null;
 }
 
-$('compare-form').addEventListener('submit', event => {
+$('compare-form').addEventListener('submit', async event => {
   event.preventDefault();
   if (!shown.current?.view) return;
   $('compared').textContent = '';
   shown.current.compareWith = {[$('compare-setting').value]: $('compare-value').value.trim()};
-  compare(shown.current);
+  await compare(shown.current);
+  // On a low screen it lies below what is seen.
+  $('compared').scrollIntoView({block: 'nearest'});
 });
 $('compare-off').addEventListener('click', () => {
   if (!shown.current) return;

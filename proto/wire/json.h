@@ -25,7 +25,7 @@ class Json {
   // Appends one object without a line feed.
   void append(const google::protobuf::Message& message, std::string& out);
   // Replaces the message. Returns what is wrong with the text; empty when nothing is. Fields the
-  // message does not have are wrong.
+  // message does not have are wrong, and so are those that are given twice.
   [[nodiscard]] std::string read(std::string_view text, google::protobuf::Message& message);
 
  private:

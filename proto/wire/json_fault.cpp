@@ -94,6 +94,7 @@ std::optional<std::string> fault_of_field(std::string_view said) {
   constexpr std::string_view invalid = "invalid value ";
   constexpr std::string_view for_type = " for type ";
   constexpr std::string_view object = "Starting an object";
+  constexpr std::string_view one_of = "oneof field";
   const auto [field, rest] = field_and_rest(said);
   if (rest.starts_with("Root element")) return "it must be an object in { }";
   if (rest.starts_with("Cannot find field")) return field + ": there is no such field";
@@ -103,6 +104,7 @@ std::optional<std::string> fault_of_field(std::string_view said) {
   if (!rest.starts_with(invalid) || type_at == rest.npos) return std::nullopt;
   const std::string_view type = rest.substr(type_at + for_type.size());
   const std::string_view value = rest.substr(invalid.size(), type_at - invalid.size());
+  if (value.starts_with(one_of)) return field + ": it takes one of its kinds, not two";
   if (value.starts_with(object))
     return field + (field.empty() ? "" : ".") + std::string(type) +
            ": it takes one value, no object";

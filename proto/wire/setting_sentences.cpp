@@ -49,7 +49,9 @@ constexpr auto sentences = std::to_array<Sentence>({
     {"{}: is not available, only {} is allowed", "{}: gibt es hier nicht, nur {} ist erlaubt"},
     // JSON.
     {"{}: there is no such field", "{}: dieses Feld gibt es nicht"},
+    {"{}: is given more than once", "{}: ist mehrmals angegeben"},
     {"{}: it takes one value, no list", "{}: es nimmt einen Wert, keine Liste"},
+    {"{}: it takes one of its kinds, not two", "{}: es nimmt eine seiner Arten, nicht zwei"},
     {"{}: it takes one value, no object", "{}: es nimmt einen Wert, kein Objekt"},
     {"it must be an object in { }", "es muss ein Objekt in { } sein"},
     {"it is no JSON", "es ist kein JSON"},

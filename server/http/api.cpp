@@ -236,6 +236,9 @@ void Api::handle(const ExchangePointer& exchange) {
   if (const Route* route = route_of(request)) {
     if (const auto refused = refuse_query(*route, request.query))
       return answer_problem(*exchange, *refused);
+    if (route->body == Body::program && !is_text(request.content_type()))
+      return answer_problem(*exchange, problem(415, "CONTENT_TYPE", "The body must be NC text",
+                                               "send it as text/plain; charset=utf-8"));
     std::optional<std::chrono::milliseconds> timeout;
     if (!read_timeout(request.header("connect-timeout-ms"), timeout))
       return answer_problem(*exchange,

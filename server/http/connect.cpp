@@ -311,23 +311,23 @@ void answer_connect(Api& api, const ExchangePointer& exchange) {
   if (method.client_streaming())
     return answer_error(*exchange, refuse(Refusal::stream_needs_grpc).status);
   if (!method.server_streaming()) {
-    const bool is_json = type == "application/json";
-    if (!is_json && type != "application/proto")
+    const bool takes_json = is_json(type);
+    if (!takes_json && type != "application/proto")
       return answer_unsupported(*exchange, "application/json or application/proto");
-    auto format = std::make_shared<UnaryFormat>(method, is_json, language);
+    auto format = std::make_shared<UnaryFormat>(method, takes_json, language);
     if (const std::string fault = fault_of(request); !fault.empty())
       return format->refuse(exchange, refuse(Refusal::call_invalid, fault).status);
-    return start(api, exchange, {method, body, is_json, accept_language, std::move(format)});
+    return start(api, exchange, {method, body, takes_json, accept_language, std::move(format)});
   }
-  const bool is_json = type == "application/connect+json";
-  if (!is_json && type != "application/connect+proto")
+  const bool takes_json = type == "application/connect+json";
+  if (!takes_json && type != "application/connect+proto")
     return answer_unsupported(*exchange, "application/connect+json or application/connect+proto");
-  auto format = std::make_shared<StreamFormat>(method, is_json, language);
+  auto format = std::make_shared<StreamFormat>(method, takes_json, language);
   std::string fault = fault_of(request);
   if (fault.empty() && !open_envelope(body))
     fault = "the body must be one envelope without compression";
   if (!fault.empty()) return format->refuse(exchange, refuse(Refusal::call_invalid, fault).status);
-  start(api, exchange, {method, body, is_json, accept_language, std::move(format)});
+  start(api, exchange, {method, body, takes_json, accept_language, std::move(format)});
 }
 
 }  // namespace trc::server::http

@@ -61,6 +61,15 @@ bool Request::accepts(std::string_view type) const {
 
 std::string Request::content_type() const { return without_parameters(header("content-type")); }
 
+bool is_text(std::string_view content_type) {
+  return content_type.empty() || content_type.starts_with("text/") ||
+         content_type == "application/octet-stream";
+}
+
+bool is_json(std::string_view content_type) {
+  return content_type == "application/json" || content_type == "application/x-www-form-urlencoded";
+}
+
 std::string Request::charset() const { return parameter_of(header("content-type"), "charset"); }
 
 std::shared_ptr<const std::string> Request::take_body() {

@@ -35,6 +35,12 @@ struct Request {
   [[nodiscard]] std::shared_ptr<const std::string> take_body();
 };
 
+// NC text, whatever it is called; but not what a form sends, of which a program loses its lines.
+[[nodiscard]] bool is_text(std::string_view content_type);
+// JSON, also under the name that `curl -d` gives to whatever it sends. A form of a page of somebody
+// else's says its origin, and is refused for that.
+[[nodiscard]] bool is_json(std::string_view content_type);
+
 // The head of an answer.
 struct Head {
   unsigned status = 200;

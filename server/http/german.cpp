@@ -74,7 +74,6 @@ constexpr auto sentences = std::to_array<Sentence>({
     {"A query parameter cannot be taken", "Ein Parameter der Adresse ist nicht möglich"},
     {"A query parameter is no setting that can be taken",
      "Ein Parameter der Adresse ist keine mögliche Einstellung"},
-    {"{}: is given more than once", "{}: ist mehrmals angegeben"},
     {"{}: is no UTF-8", "{}: ist kein UTF-8"},
     {"there are {} parameters, at most {} are taken",
      "es sind {} Parameter, höchstens {} werden angenommen"},

@@ -32,7 +32,7 @@ template <class Message, class Ask>
 void start(Api& api, const ExchangePointer& exchange, const char* rpc, Ask ask,
            std::shared_ptr<Format> format) {
   const std::string name = Message::descriptor()->name();
-  if (exchange->request().content_type() != "application/json")
+  if (!is_json(exchange->request().content_type()))
     return answer_problem(*exchange, problem(415, "CONTENT_TYPE", "The body must be JSON",
                                              "send a " + name + " as application/json"));
   api.compute([&api, exchange, rpc, name, ask, format = std::move(format)] {

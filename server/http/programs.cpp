@@ -16,18 +16,8 @@ namespace {
 constexpr const char* compensate_program_rpc = "/trc.v1.TrcService/CompensateProgram";
 constexpr const char* survey_radii_rpc = "/trc.v1.TrcService/SurveyRadii";
 
-// NC text, whatever it is called; but not what a form sends.
-bool is_text(std::string_view type) {
-  return type.empty() || type.starts_with("text/") || type == "application/octet-stream";
-}
-
 // The setup of a request; what is wrong with the request is answered.
 bool read_setup(Exchange& exchange, const Pairs& query, v1::ProgramSetup& setup) {
-  if (!is_text(exchange.request().content_type())) {
-    answer_problem(exchange, problem(415, "CONTENT_TYPE", "The body must be NC text",
-                                     "send it as text/plain; charset=utf-8"));
-    return false;
-  }
   const auto refused = read_settings(query, exchange.request().header("accept-language"), setup);
   if (refused) answer_problem(exchange, *refused);
   return !refused;

@@ -1288,6 +1288,14 @@ TEST(Plot, SaysWhereAPageWouldBeTooLarge) {
   EXPECT_NE(ended.err.find("a page holds 250000; use trc view"), std::string::npos) << ended.err;
 }
 
+TEST(View, IsForThisMachineAlone) {
+  const Ended ended = trc({"view", "-", "--no-browser", "--listen", "0.0.0.0:0"}, demo);
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_NE(ended.err.find("--listen 0.0.0.0:0: the page is for this machine alone"),
+            std::string::npos)
+      << ended.err;
+}
+
 TEST(Plot, DrawsTheSameThroughAServer) {
   const ServerProcess server;
   ASSERT_NE(server.address(), "");

@@ -121,6 +121,18 @@ class Programs(unittest.TestCase):
         self.assertEqual(done.stdout, self.expected("--set", "tool_radius=5", "--set",
                                                     "selection_mode=G138", "--decimals", "3"))
 
+    def test_curl_calls_an_rpc_with_nothing_but_its_message(self):
+        def told(rpc, message):
+            done = subprocess.run(["curl", "-sS", "-d", message,
+                                   self.url("/trc.v1.TrcService/" + rpc)],
+                                  capture_output=True, timeout=60, check=True)
+            return json.loads(done.stdout)
+
+        self.assertIn("version", told("GetServerInfo", "{}"))
+        once = {"setup": {"path": {"toolRadius": 5}}, "text": SQUARE}
+        self.assertEqual(told("CompensateProgramOnce", json.dumps(once))["ncText"],
+                         self.expected("--set", "tool_radius=5").decode())
+
     def test_json_lines_are_those_of_the_command_line(self):
         _, headers, lines = self.server.ask(
             "POST", "/v1/programs:compensate?tool_radius=5", SQUARE,
@@ -314,6 +326,15 @@ class Programs(unittest.TestCase):
             "POST", "/v1/programs:compensate?tool_radius=1e9", SQUARE, TEXT)
         self.assertEqual((status, problem["reason"]), (400, "FIELD_INVALID"))
 
+    def test_a_field_of_json_that_is_given_twice_is_refused(self):
+        blocks = '"batch":{"blocks":[{"linear":{"end":{"x":1}}}]}'
+        for body in ('{"setup":{"toolRadius":5},"setup":{"toolRadius":6},%s}' % blocks,
+                     '{"setup":{"toolRadius":5,"tool_radius":6},%s}' % blocks,
+                     "{%s,%s}" % (blocks, blocks)):
+            status, problem = self.server.ask_json("POST", "/v1/paths:compensate", body, JSON)
+            self.assertEqual((status, problem["reason"]), (400, "JSON_INVALID"), body)
+            self.assertIn("is given more than once", problem["detail"])
+
     def test_a_setting_that_is_no_text_is_named(self):
         for name in ("client_tag", "language", "axis_names", "tools", "variables"):
             status, problem = self.server.ask_json(
@@ -388,10 +409,19 @@ class Programs(unittest.TestCase):
         for kind in ("text/plain; charset=utf-16", "text/plain; x=y; Charset=ISO-8859-1",
                      "application/x-www-form-urlencoded", "multipart/form-data; boundary=x"):
             self.assertEqual(status(kind), 415, kind)
+        # A view is made of the same text.
+        for kind, expected in (("text/plain", 201), ("application/octet-stream", 201),
+                               ("application/x-www-form-urlencoded", 415),
+                               ("application/json", 415)):
+            self.assertEqual(status(kind, "/v1/views?tool_radius=5"), expected, kind)
         path = "/v1/paths:compensate"
         blocks = '{"batch":{"blocks":[{"linear":{"end":{"x":1}}}]}}'
         self.assertEqual(status("Application/JSON; charset=UTF-8", path, blocks), 200)
         self.assertEqual(status("application/json; charset=utf-16", path, "{}"), 415)
+        # What `curl -d` calls it.
+        form = "application/x-www-form-urlencoded"
+        self.assertEqual(status(form, path, blocks), 200)
+        self.assertEqual(status("multipart/form-data; boundary=x", path, blocks), 415)
         for accept, kind in (("application/x-ndjson;q=0, text/plain", "text/plain"),
                              ("application/x-ndjson; q=0.5", "application/x-ndjson")):
             _, headers, _ = self.server.ask("POST", "/v1/programs:compensate?tool_radius=5", SQUARE,

@@ -121,6 +121,8 @@ const tests = {
     const [, distance] = /smallest clearance ([\d.]+) mm/.exec(said);
     const certificate = await page.textContent('#certificate');
     assert.ok(Math.abs(Number(/smallest distance\s*([\d.]+)/.exec(certificate)[1]) - Number(distance)) < 1e-3, certificate + said);
+    const [, touched] = /touches ([\d.]+ %)/.exec(said);
+    assert.ok(certificate.includes(`wall touched${touched}`), certificate + said);
     const expected = trc('compensate', path).stdout.split('\n')[0];
     await page.waitForFunction(() => document.querySelectorAll('#output [role=option]').length > 0);
     assert.ok((await page.locator('#output [role=option]').first().textContent()).endsWith(expected));
@@ -178,6 +180,36 @@ const tests = {
     assert.equal(await page.getAttribute('html', 'lang'), 'de');
   },
 
+  async 'what is dropped and no file leaves all as it is'(page) {
+    await show(page, join(top, 'client/samples/bracket.nc'), {tool_radius: ''});
+    const before = await page.evaluate(() => document.body.dataset.view);
+    await page.evaluate(() => {
+      const data = new DataTransfer();
+      data.setData('text/plain', 'G41');
+      dispatchEvent(new DragEvent('drop', {dataTransfer: data, bubbles: true, cancelable: true}));
+      document.getElementById('file').dispatchEvent(new Event('change'));
+    });
+    await page.locator('#way').fill('5000');
+    await page.waitForFunction(() => /line/.test(document.getElementById('place').textContent));
+    assert.equal(await page.evaluate(() => document.body.dataset.view), before);
+  },
+
+  async 'several programs at once, of which each is shown'(page) {
+    await page.evaluate(texts => {
+      const data = new DataTransfer();
+      for (const [i, text] of texts.entries()) data.items.add(new File([text], `part${i}.nc`));
+      data.items.add(new File(['M30'], `${'long'.repeat(60)}.nc`));
+      dispatchEvent(new DragEvent('drop', {dataTransfer: data, bubbles: true, cancelable: true}));
+    }, [notch, readFileSync(join(top, 'client/samples/bracket.nc'), 'utf8')]);
+    await page.waitForSelector('body[data-view]');
+    assert.deepEqual((await page.locator('#programs option').allTextContents()).slice(0, 2), ['part0.nc', 'part1.nc']);
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), 'nothing sticks out');
+    assert.match(await page.textContent('#state'), /Refused/);
+    await page.selectOption('#programs', '1');
+    await page.waitForFunction(() => /nothing to complain/.test(document.getElementById('state').textContent));
+    assert.match(await page.textContent('#certificate'), /tool radius6 mm/);
+  },
+
   async 'arrows say which way it goes, along one line and along short ones'(page) {
     const arrows = () => page.evaluate(() => Number(document.body.dataset.arrows));
     const circle = Array.from({length: 1000}, (_, i) => `G01 X${(50 * Math.cos(i * Math.PI / 500)).toFixed(4)} Y${(50 * Math.sin(i * Math.PI / 500)).toFixed(4)}`);
@@ -228,7 +260,7 @@ const tests = {
       await page.waitForFunction(() => /planeYZ/.test(document.getElementById('certificate').textContent));
       await page.waitForSelector('body[data-complete=true]');
       assert.ok(Number(await page.evaluate(() => document.body.dataset.segments)) > 20);
-      assert.match(await page.textContent('#certificate'), /path length in the plane417\.5542 mm, 10 blocks.*heightX -20 … 105 mm/);
+      assert.match(await page.textContent('#certificate'), /path length in XY417\.5542 mm, 10 blocks.*heightX -20 … 105 mm/);
       // Upwards lies Z.
       const box = await page.locator('#over').boundingBox();
       const cursor = async y => {
@@ -591,6 +623,12 @@ const tests = {
       assert.equal(await page.evaluate(() => document.body.dataset.foreign), undefined);
       page.problems = page.problems.filter(problem => !/Content Security Policy/.test(problem));
     }
+    // Messages stay in their language, and the page speaks it.
+    trc('plot', file('notch.nc', notch), '-o', join(folder, 'german.html'), '--radius', '5', '--lang', 'de');
+    await page.goto(`file://${join(folder, 'german.html')}`);
+    await page.waitForSelector('body[data-complete=true]');
+    assert.equal(await page.inputValue('#language'), 'de');
+    assert.match(await page.textContent('#state'), /^Abgelehnt/);
     // Letters of Latin-1 are read as such, and come out in the bytes they came in.
     const latin = Buffer.from('O1 (FR\u00c4SEN)\nG0 X0 Y0\nG41 D1 G1 X10. Y0 F100.\nX40.\nG40 Y20.\nM30\n', 'latin1');
     const path = file('latin.nc', latin), written = join(folder, 'latin.html');
@@ -649,6 +687,46 @@ const tests = {
     await page.locator('#input').focus();
     await page.keyboard.press('ArrowDown');
     await page.waitForFunction(n => document.querySelector('#input [aria-selected=true] .number')?.textContent === String(n), first + 1);
+    // To the ends of both texts, whatever the last rows stem from.
+    await show(page, join(top, 'client/samples/bracket.nc'), {tool_radius: ''});
+    await page.waitForFunction(() => document.querySelectorAll('#output [role=option]').length > 0);
+    const marked = async (text, row) => page.waitForFunction(([id, n]) =>
+      document.querySelector(`#${id} [aria-selected=true] .number`)?.textContent === n, [text, String(row)]);
+    for (const [text, last, before] of [['input', 21, 20], ['output', 22, 21]]) {
+      await page.locator(`#${text}`).focus();
+      await page.keyboard.press('End');
+      await marked(text, last);
+      await page.keyboard.press('PageDown');
+      await page.keyboard.press('ArrowUp');
+      await page.waitForFunction(([id, n]) => Number(document.querySelector(`#${id} [aria-selected=true] .number`)?.textContent) <= n, [text, before]);
+      await page.keyboard.press('Home');
+      await page.waitForFunction(id => Number(document.querySelector(`#${id} [aria-selected=true] .number`)?.textContent) < 5, text);
+      await page.keyboard.press('PageDown');
+      await page.keyboard.press('PageDown');
+      await page.keyboard.press('PageDown');
+      await marked(text, last);
+    }
+  },
+
+  async 'a window of another size shows all again, and no more than was seen'(page) {
+    await show(page, join(top, 'client/samples/bracket.nc'), {tool_radius: ''});
+    const seen = () => page.evaluate(async () => {
+      const {camera} = await import('/page/picture.js');
+      const [left, bottom] = camera.toScreen({x: -25, y: -20}), [right, above] = camera.toScreen({x: 111, y: 86});
+      return {scale: camera.scale, width: camera.width, whole: left > 0 && above > 0 && right < camera.width && bottom < camera.height};
+    });
+    const resize = async size => {
+      const {width} = await seen();
+      await page.setViewportSize(size);
+      for (let i = 0; i < 200 && (await seen()).width === width; ++i) await page.waitForTimeout(50);
+      await page.waitForSelector('body[data-complete=true]');
+    };
+    await resize({width: 740, height: 360});
+    const {scale, whole} = await seen();
+    assert.ok(whole);
+    await page.click('#zoom-in');
+    await resize({width: 1400, height: 900});
+    assert.ok(Math.abs((await seen()).scale / scale - 1.4) < 1e-9);
   },
 
   async 'on a small screen all of it is there'(page) {
@@ -662,6 +740,13 @@ const tests = {
     // Nor is there anything below the last part.
     const below = await page.evaluate(() => document.documentElement.scrollHeight - scrollY - document.getElementById('listings').getBoundingClientRect().bottom);
     assert.ok(below < 20, `${below} pixels below the listings`);
+    // What a finger is to meet is large enough for it.
+    const touched = await open({viewport: {width: 360, height: 740}, hasTouch: true, isMobile: true});
+    await show(touched, file('notch.nc', notch));
+    const small = await touched.evaluate(() => [...document.querySelectorAll('button, select, summary, label.button, #layers label')]
+      .filter(e => e.offsetParent && (e.getBoundingClientRect().width < 40 || e.getBoundingClientRect().height < 36)).map(e => e.outerHTML));
+    assert.deepEqual(small, []);
+    await touched.context().close();
   },
 
   async 'everybody can use it'(page) {

@@ -37,6 +37,34 @@ TEST(JsonFault, NamesTheFieldAndWhatItTakes) {
   EXPECT_EQ(fault_of("[]"), "it must be an object in { }");
 }
 
+// Which of two values holds nobody can say, and two lists would be one.
+TEST(JsonFault, NamesWhatIsGivenTwice) {
+  EXPECT_EQ(fault_of(R"({"setup":{"toolRadius":5},"setup":{"wear":1}})"),
+            "setup: is given more than once");
+  EXPECT_EQ(fault_of(R"({"setup":{"toolRadius":5,"toolRadius":5}})"),
+            "setup.tool_radius: is given more than once");
+  EXPECT_EQ(fault_of(R"({"setup":{"tool_radius":5,"wear":0,"tool\u0052adius":6}})"),
+            "setup.tool_radius: is given more than once");
+  EXPECT_EQ(fault_of(R"({"setup":{"startPosition":{"x":1},"start_position":{"y":1}}})"),
+            "setup.start_position: is given more than once");
+  EXPECT_EQ(fault_of(R"({"batch":{"blocks":[{"linear":{}}],"blocks":[{"linear":{}}]}})"),
+            "batch.blocks: is given more than once");
+  EXPECT_EQ(
+      fault_of(R"({"batch":{"blocks":[{"linear":{}},{"linear":{"end":{"x":1,"y":2,"x":3}}}]}})"),
+      "batch.blocks[1].linear.end.x: is given more than once");
+  EXPECT_EQ(fault_of(R"({"batch":{"blocks":[{"linear":{},"circular":{}}]}})"),
+            "batch.blocks[0]: it takes one of its kinds, not two");
+  EXPECT_EQ(fault_of(R"({"batch":{"blocks":[{"linear":{"end":{"x":1}}},{"linear":{}}]}})"), "");
+}
+
+TEST(JsonFault, NamesOfAMapAreWhatTheyAre) {
+  v1::ProgramSetup setup;
+  EXPECT_EQ(Json().read(R"({"variables":{"a_b":1,"aB":2,"\\":3,"\"":4,"[":5}})", setup), "");
+  EXPECT_EQ(setup.variables().size(), 5);
+  EXPECT_EQ(Json().read(R"({"variables":{"a_b":1,"a_b":2}})", setup),
+            "variables.a_b: is given more than once");
+}
+
 TEST(JsonFault, NamesThePlaceInTheText) {
   EXPECT_EQ(fault_of(""), "the text ends too early");
   EXPECT_EQ(fault_of("{\n  \"setup\": {\"toolRadius\" 5}\n}"),
@@ -56,7 +84,8 @@ TEST(JsonFault, IsThereInGerman) {
        {R"({"setop":{}})", R"({"setup":{"toolRadius":"5,5"}})", R"({"setup":{"plane":{}}})", "[]",
         "", "{\"setup\":{\"toolRadius\" 5}}", "{\"setup\":{5}}", "{} x", R"({"setup":[1]})",
         "{\"setup\":{\"toolRadius\":5 6}}", "{\"setup\":{\"toolRadius\":-}}",
-        R"({"setup":{"clientTag":"\uzz"}})", R"({"setup":{"clientTag":"a)"}) {
+        R"({"setup":{"clientTag":"\uzz"}})", R"({"setup":{"clientTag":"a)",
+        R"({"setup":{},"setup":{}})", R"({"batch":{"blocks":[{"linear":{},"circular":{}}]}})"}) {
     const std::string english = fault_of(json);
     const std::string german = translated(english, {setting_sentences()});
     EXPECT_NE(german, english) << json;

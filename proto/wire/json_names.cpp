@@ -1,0 +1,136 @@
+#include "proto/wire/json_names.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace trc::wire {
+namespace {
+
+using google::protobuf::Descriptor;
+using google::protobuf::FieldDescriptor;
+
+// An object or a list that has begun and not ended yet.
+struct Open {
+  std::string path;
+  const Descriptor* type = nullptr;  // none: of a map, or not known
+  bool is_list = false;
+  std::size_t index = 0;             // of a list
+  std::vector<std::string> names{};  // of an object
+};
+
+// A name as it is meant: escapes of ASCII are read, others stay.
+std::string plain(std::string_view text) {
+  std::string name;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '\\' || i + 1 == text.size()) {
+      name += text[i];
+      continue;
+    }
+    unsigned code = 0;
+    const char* const digits = text.data() + std::min(i + 2, text.size());
+    const char* const end = text.data() + std::min(i + 6, text.size());
+    const auto read = std::from_chars(digits, end, code, 16);
+    constexpr unsigned ascii = 0x80;
+    if (text[i + 1] != 'u') {
+      name += text.substr(i, 2);
+      ++i;
+    } else if (read.ec == std::errc() && read.ptr == digits + 4 && code < ascii) {
+      name += static_cast<char>(code);
+      i += 5;
+    } else {
+      name += text[i];
+    }
+  }
+  return name;
+}
+
+const FieldDescriptor* field_of(const Descriptor* type, const std::string& name) {
+  if (type == nullptr) return nullptr;
+  const FieldDescriptor* const field = type->FindFieldByName(name);
+  if (field != nullptr) return field;
+  for (int i = 0; i < type->field_count(); ++i)
+    if (type->field(i)->json_name() == name) return type->field(i);
+  return nullptr;
+}
+
+class Reader {
+ public:
+  Reader(std::string_view json, const Descriptor& type) : json_(json), type_(&type) {}
+
+  std::string repeated() {
+    for (at_ = 0; at_ < json_.size(); ++at_) {
+      const char c = json_[at_];
+      if (c == '"') {
+        if (!read_text()) return {};
+      } else if (c == '{' || c == '[') {
+        begin(c == '[');
+      } else if (c == '}' || c == ']') {
+        if (open_.empty()) return {};
+        if (std::string twice = end(); !twice.empty()) return twice;
+      } else if (c == ',' && !open_.empty()) {
+        ++open_.back().index;
+        is_name_ = !open_.back().is_list;
+      } else if (c == ':') {
+        is_name_ = false;
+      }
+    }
+    return {};
+  }
+
+ private:
+  bool read_text() {
+    const std::size_t first = ++at_;
+    while (at_ < json_.size() && json_[at_] != '"') at_ += json_[at_] == '\\' ? 2 : 1;
+    if (at_ >= json_.size()) return false;
+    if (!is_name_ || open_.empty()) return true;
+    Open& object = open_.back();
+    std::string name = plain(json_.substr(first, at_ - first));
+    const FieldDescriptor* const field = field_of(object.type, name);
+    if (field != nullptr) name = field->name();
+    type_ = field == nullptr || field->is_map() ? nullptr : field->message_type();
+    path_ = object.path + (object.path.empty() ? "" : ".") + name;
+    object.names.push_back(std::move(name));
+    is_name_ = false;
+    return true;
+  }
+
+  void begin(bool is_list) {
+    Open value{.path = path_, .type = type_, .is_list = is_list};
+    if (!open_.empty() && open_.back().is_list) {
+      value.path = open_.back().path + "[" + std::to_string(open_.back().index) + "]";
+      value.type = open_.back().type;
+    }
+    open_.push_back(std::move(value));
+    is_name_ = !is_list;
+  }
+
+  std::string end() {
+    Open closed = std::move(open_.back());
+    open_.pop_back();
+    is_name_ = false;
+    std::ranges::sort(closed.names);
+    const auto twice = std::ranges::adjacent_find(closed.names);
+    if (twice == closed.names.end()) return {};
+    return closed.path + (closed.path.empty() ? "" : ".") + *twice;
+  }
+
+  std::string_view json_;
+  std::size_t at_ = 0;
+  std::vector<Open> open_;
+  bool is_name_ = false;
+  // Of the value that comes next.
+  const Descriptor* type_;
+  std::string path_;
+};
+
+}  // namespace
+
+std::string repeated_field(std::string_view json, const Descriptor& type) {
+  return Reader(json, type).repeated();
+}
+
+}  // namespace trc::wire
