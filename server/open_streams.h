@@ -20,7 +20,7 @@ class OpenStream {
   virtual ~OpenStream() = default;
   // Ends the stream when it has waited for its client since before `since`.
   virtual void end_if_idle(Clock::time_point since) = 0;
-  // Sends a heartbeat when nothing was sent since then.
+  // Sends a heartbeat when nothing was sent since then; while a path is measured, more often.
   virtual void beat_if_silent(Clock::time_point since) = 0;
   // Ends the stream at once, or where its turn passes by next: its memory is needed.
   virtual void evict() = 0;

@@ -81,6 +81,8 @@ class Service {
       return;
     }
     server::Config config = server::InProcessServer::quiet();
+    // So that it soon says how much of a path has been measured.
+    config.heartbeat_s = 1;
     config.memory_limit_mib = options.memory_limit_mib;
     config.max_session_memory_mib = options.max_session_memory_mib;
     if (options.max_blocks_per_selection > 0)
@@ -225,6 +227,8 @@ Outcome compensate_program(const ServiceOptions& options, const v1::ProgramSetup
   if (service.failure()) return {.exit = service.explain(*service.failure(), false)};
   client::RemoteProgramSession session(service.connection(), setup);
   Progress& progress = reporter.progress();
+  session.tell_measuring(
+      [&](std::uint64_t measured, std::uint64_t all) { progress.measured(measured, all); });
   bool answered = false;
   std::uint64_t bytes = 0;
   Answers answers([&](Answer& answer) {

@@ -3,6 +3,7 @@
 #include <grpcpp/channel.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "client/trc/stream_session.h"
 #include "trc/v1/trc_service.grpc.pb.h"
@@ -70,6 +71,11 @@ bool RemoteProgramSession::feed(std::string_view text, Answers& out) {
 bool RemoteProgramSession::finish(Answers& out) {
   if (feed({}, out)) parts_->send_text({}, true, out);
   return parts_->session.finish(out);
+}
+
+void RemoteProgramSession::tell_measuring(
+    std::function<void(std::uint64_t measured, std::uint64_t all)> measuring) {
+  parts_->session.tell_measuring(std::move(measuring));
 }
 
 const std::optional<Failure>& RemoteProgramSession::failure() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -34,6 +35,10 @@ class RemoteProgramSession {
   // End of the text: appends all that was held back. Returns whether the
   // program was compensated completely.
   bool finish(Answers& out);
+
+  // Where the server measures the path (`verify`): from now on `measuring` is told now and then how
+  // many of its blocks have been, of how many, in the thread that uses the session.
+  void tell_measuring(std::function<void(std::uint64_t measured, std::uint64_t all)> measuring);
 
   [[nodiscard]] const std::optional<Failure>& failure() const;
   // How often the stream was lost and another one has gone on.

@@ -81,6 +81,10 @@ class StreamSession {
   [[nodiscard]] const std::string& record() const { return record_; }
   // How often the session has gone on with a new stream.
   [[nodiscard]] std::uint64_t resumed() const { return resumed_; }
+  // Is told now and then how many blocks of the path have been measured, of how many.
+  void tell_measuring(std::function<void(std::uint64_t, std::uint64_t)> measuring) {
+    measuring_ = std::move(measuring);
+  }
 
  private:
   // What the caller has got since the token.
@@ -220,6 +224,8 @@ class StreamSession {
   }
 
   bool take(const Response& response, Answers& out) {
+    if (response.has_heartbeat() && measuring_ && response.heartbeat().has_blocks_to_measure())
+      measuring_(response.heartbeat().measured_blocks(), response.heartbeat().blocks_to_measure());
     if (response.has_heartbeat() || stopped_) return true;
     if (response.has_accepted()) {
       accepted_ = ever_accepted_ = true;
@@ -326,6 +332,7 @@ class StreamSession {
   bool finished_ = false;
   bool progressed_ = true;  // since the stream was lost last
   std::uint64_t resumed_ = 0;
+  std::function<void(std::uint64_t, std::uint64_t)> measuring_;
   std::optional<Failure> failure_;
   std::optional<Summary> summary_;
   std::string record_;

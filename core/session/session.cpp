@@ -26,7 +26,8 @@ ProgramSetup program_setup(const SessionSetup& setup) {
 
 PathSession::PathSession(const SessionSetup& setup)
     : program_(program_setup(setup), setup.compensator.tolerances, found_, blocks_),
-      compensator_(compensator_setup(setup), setup.verify, diagnostics_) {
+      compensator_(compensator_setup(setup), setup.verify, diagnostics_,
+                   {.progress = setup.measuring}) {
   diagnostics_.speak(setup.language, dialect_of(setup.program.dialect).words);
   diagnostics_.count_as(found_.places());
 }

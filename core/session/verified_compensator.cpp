@@ -20,15 +20,16 @@ std::function<std::shared_ptr<const EntryHelp>(const selection::RefusedWay&)> he
 }  // namespace
 
 VerifiedCompensator::VerifiedCompensator(const CompensatorSetup& setup, Verify verify,
-                                         Diagnostics& diagnostics, SurveyNeeds survey)
+                                         Diagnostics& diagnostics, MeasuringNeeds needs)
     : compensator_(setup, diagnostics), diagnostics_(diagnostics) {
   if (verify == Verify::off) return;
   verification_.emplace(
       verify::VerificationSetup{.verify = verify,
                                 .clearance = {.allowed = setup.tolerances.on_contour,
                                               .leads = setup.leads,
-                                              .uncut = std::move(survey.uncut),
-                                              .known_walls = survey.known_walls},
+                                              .uncut = std::move(needs.uncut),
+                                              .known_walls = needs.known_walls,
+                                              .progress = std::move(needs.progress)},
                                 .selection_blocks = setup.limits.selection_blocks,
                                 .interrupt = setup.interrupt,
                                 .help = helper(setup)},

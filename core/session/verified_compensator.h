@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -10,17 +11,21 @@
 
 namespace trc {
 
-// What whoever has one program measured with many radii wants besides.
-struct SurveyNeeds {
+// Is told now and then how many blocks of the path have been measured, of how many.
+using MeasuringProgress = std::function<void(std::size_t measured, std::size_t all)>;
+
+// What whoever has a path measured wants besides.
+struct MeasuringNeeds {
   verify::UncutSink uncut{};                  // is told the walls that the path does not touch
   verify::KnownWalls* known_walls = nullptr;  // null: nothing is kept of them
+  MeasuringProgress progress{};
 };
 
 // A compensator whose path is measured on its way out, where that is asked for.
 class VerifiedCompensator {
  public:
   VerifiedCompensator(const CompensatorSetup& setup, Verify verify, Diagnostics& diagnostics,
-                      SurveyNeeds survey = {});
+                      MeasuringNeeds needs = {});
   VerifiedCompensator(const VerifiedCompensator&) = delete;
   VerifiedCompensator& operator=(const VerifiedCompensator&) = delete;
 

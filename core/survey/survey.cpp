@@ -116,8 +116,9 @@ void Survey::compensate(const Reading& reading, Loops loops, Surveyed& found) {
   Diagnostics log;
   log.speak(setup_.session.language, dialect_of(setup_.session.program.dialect).words);
   log.count_as(reading.places);
-  VerifiedCompensator session(compensator, setup_.session.verify, log,
-                              {.uncut = std::move(uncut), .known_walls = &walls_});
+  VerifiedCompensator session(
+      compensator, setup_.session.verify, log,
+      {.uncut = std::move(uncut), .known_walls = &walls_, .progress = setup_.session.measuring});
   std::vector<Block> blocks(portion);
   std::vector<CompensatedBlock> out;
   std::vector<Source> filled;

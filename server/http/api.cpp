@@ -58,7 +58,9 @@ constexpr std::array<Route, 20> table{{
      "lines",
      compensate_path},
     {"POST", "/v1/paths:verify", Body::message, false, "application/json",
-     "Compensates a path and measures it against the contour", verify_path},
+     "Compensates a path and measures it against the contour, as `setup.verify` says: "
+     "VERIFICATION_ENFORCE, so without it, or VERIFICATION_REPORT",
+     verify_path},
     {"POST", "/v1/paths:surveyRadii", Body::message, false, "application/json",
      "Says what tools of many radii make of a path: a SurveyPathRequest in, a SurveyAnswer out",
      survey_path},

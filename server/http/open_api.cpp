@@ -183,8 +183,11 @@ void add_settings(const Route& route, Struct& operation) {
   for (const wire::SettingRow& row : wire::settings()) {
     wire::SettingMeaning meaning = wire::meaning_of(row.key);
     meaning.key = row.key;
-    if (row.key == "verify") meaning.initial = measured_by(route);
-    add_setting(operation, meaning, row.values);
+    const bool is_verify = row.key == "verify";
+    if (is_verify) meaning.initial = measured_by(route);
+    const bool must_measure = is_verify && route.handle == verify_program;
+    add_setting(operation, meaning,
+                must_measure ? "enforce, report" : std::string_view(row.values));
   }
   add_setting(operation,
               {.key = "dialect", .meaning = "the control the program is for", .initial = "isg"},

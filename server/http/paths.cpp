@@ -27,7 +27,13 @@ bool has_blocks(const Message& path) {
   return path.has_columns() ? !path.columns().kinds().empty() : !path.batch().blocks().empty();
 }
 
-// Has the body read by a worker, who makes the messages of `ask` from it, and asks the RPC.
+// What the RPC is asked, or which setting cannot be taken.
+struct Asked {
+  std::vector<grpc::ByteBuffer> messages{};
+  std::string refused{};
+};
+
+// Has the body read by a worker, who makes of it what `ask` says, and asks the RPC.
 template <class Message, class Ask>
 void start(Api& api, const ExchangePointer& exchange, const char* rpc, Ask ask,
            std::shared_ptr<Format> format) {
@@ -43,7 +49,7 @@ void start(Api& api, const ExchangePointer& exchange, const char* rpc, Ask ask,
     const std::string fault = wire::Json().read(exchange->request().body, message);
     prefer_language(exchange->request().header("accept-language"), message);
     const bool is_path = has_blocks(message);
-    exchange->post([&api, exchange, rpc, name, fault, is_path, messages = ask(message), format] {
+    exchange->post([&api, exchange, rpc, name, fault, is_path, asked = ask(message), format] {
       exchange->request().body = {};
       if (!fault.empty())
         return answer_problem(*exchange,
@@ -51,32 +57,39 @@ void start(Api& api, const ExchangePointer& exchange, const char* rpc, Ask ask,
       if (!is_path)
         return answer_problem(*exchange, problem(400, "PATH_EMPTY", "The path has no block",
                                                  "give its blocks in batch.blocks or in columns"));
-      for (const grpc::ByteBuffer& asked : messages)
-        if (asked.Length() > api.most_message_bytes())
+      if (!asked.refused.empty())
+        return answer_problem(
+            *exchange, problem(400, "SETTING_INVALID",
+                               "The setup holds a setting that cannot be taken", asked.refused));
+      for (const grpc::ByteBuffer& bytes : asked.messages)
+        if (bytes.Length() > api.most_message_bytes())
           return answer_problem(
               *exchange, problem(413, "MESSAGE_TOO_LARGE", "The path is too large",
-                                 "it takes " + std::to_string(asked.Length()) + " bytes, at most " +
+                                 "it takes " + std::to_string(bytes.Length()) + " bytes, at most " +
                                      std::to_string(api.most_message_bytes()) +
                                      " are taken (max-message-bytes); divide the path, send it as "
                                      "an NC program, or stream it with gRPC"));
-      Run::start(api, exchange, rpc, std::make_unique<PreparedQuestions>(messages), format);
+      Run::start(api, exchange, rpc, std::make_unique<PreparedQuestions>(asked.messages), format);
     });
   });
 }
 
 void compensate(Api& api, const ExchangePointer& exchange, bool verify,
                 std::shared_ptr<Format> format) {
-  const auto ask = [verify](v1::PreviewPathRequest& path) -> std::vector<grpc::ByteBuffer> {
-    path.mutable_setup()->set_response_layout(v1::RESPONSE_LAYOUT_BLOCKS);
-    if (verify && path.setup().verify() != v1::VERIFICATION_REPORT)
-      path.mutable_setup()->set_verify(v1::VERIFICATION_ENFORCE);
-    return {RpcCall::bytes_of(path)};
+  const auto ask = [verify](v1::PreviewPathRequest& path) -> Asked {
+    v1::PathSetup& setup = *path.mutable_setup();
+    if (verify && setup.verify() == v1::VERIFICATION_OFF)
+      return {.refused = "setup.verify: it takes VERIFICATION_ENFORCE, VERIFICATION_REPORT"};
+    setup.set_response_layout(v1::RESPONSE_LAYOUT_BLOCKS);
+    if (verify && setup.verify() == v1::VERIFICATION_UNSPECIFIED)
+      setup.set_verify(v1::VERIFICATION_ENFORCE);
+    return {.messages = {RpcCall::bytes_of(path)}};
   };
   start<v1::PreviewPathRequest>(api, exchange, preview_path_rpc, ask, std::move(format));
 }
 
 // The setup, and the path as the last batch.
-std::vector<grpc::ByteBuffer> survey_messages(v1::SurveyPathRequest& path) {
+Asked survey_messages(v1::SurveyPathRequest& path) {
   v1::SurveyRadiiRequest setup;
   setup.mutable_setup()->Swap(path.mutable_setup());
   if (!setup.setup().has_program()) setup.mutable_setup()->mutable_path();
@@ -88,7 +101,7 @@ std::vector<grpc::ByteBuffer> survey_messages(v1::SurveyPathRequest& path) {
     blocks.mutable_batch()->Swap(path.mutable_batch());
     blocks.mutable_batch()->set_final(true);
   }
-  return {RpcCall::bytes_of(setup), RpcCall::bytes_of(blocks)};
+  return {.messages = {RpcCall::bytes_of(setup), RpcCall::bytes_of(blocks)}};
 }
 
 }  // namespace

@@ -44,6 +44,21 @@ class StreamAccount {
   [[nodiscard]] bool is_due();
   // Something has come out: the time of a selection counts from here.
   void progressed() { since_progress_ = {}; }
+  // How much of its path has been measured.
+  struct Measuring {
+    std::uint64_t blocks = 0;
+    std::uint64_t all = 0;
+    [[nodiscard]] bool goes_on() const { return blocks < all; }
+  };
+  void measures(const Measuring& measuring) {
+    measured_blocks_.store(measuring.blocks, std::memory_order_relaxed);
+    blocks_to_measure_.store(measuring.all, std::memory_order_relaxed);
+  }
+  // From any thread: for people, not exact.
+  [[nodiscard]] Measuring measuring() const {
+    return {.blocks = measured_blocks_.load(std::memory_order_relaxed),
+            .all = blocks_to_measure_.load(std::memory_order_relaxed)};
+  }
   // Bytes of the answer that waits for its reader.
   void answers(std::size_t bytes) { answer_bytes_ = bytes; }
 
@@ -68,6 +83,8 @@ class StreamAccount {
   std::chrono::nanoseconds in_all_{};
   long tick_ = 0;
   std::atomic<bool> evicted_ = false;
+  std::atomic<std::uint64_t> measured_blocks_ = 0;
+  std::atomic<std::uint64_t> blocks_to_measure_ = 0;
   bool closed_ = false;
 };
 

@@ -30,7 +30,14 @@ struct StreamContext {
   }
   [[nodiscard]] SessionSetup interruptible(SessionSetup setup) const {
     setup.compensator.interrupt = [stream = *this] { stream.pass(); };
+    tell_measuring(setup);
     return setup;
+  }
+  // What is measured of the path shows in heartbeats.
+  void tell_measuring(SessionSetup& setup) const {
+    setup.measuring = [&account = account](std::size_t measured, std::size_t all) {
+      account.measures({.blocks = measured, .all = all});
+    };
   }
 };
 

@@ -2,6 +2,7 @@
 
 #include <grpcpp/grpcpp.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdint>
@@ -20,6 +21,7 @@
 #include "server/rpc/stream_context.h"
 #include "server/rpc/stream_work.h"
 #include "server/telemetry/call_record.h"
+#include "trc/v1/trc_service.pb.h"
 
 namespace trc::server {
 
@@ -96,6 +98,10 @@ class StreamReactor
   // end of the stream, wait for it.
   void beat_if_silent(Clock::time_point since) final {
     if constexpr (requires(Response beat) { beat.mutable_heartbeat(); }) {
+      // Whoever waits for a path that is measured wants to know how long still.
+      constexpr std::chrono::milliseconds between_news{200};
+      const StreamAccount::Measuring measuring = account_.measuring();
+      if (measuring.goes_on()) since = std::max(since, Clock::now() - between_news);
       {
         const std::lock_guard lock(mutex_);
         if (answers_written_ == 0 || beating_ || written_at_ > since) return;
@@ -103,7 +109,11 @@ class StreamReactor
         beating_ = true;
       }
       Response beat;
-      beat.mutable_heartbeat();
+      v1::Heartbeat& heartbeat = *beat.mutable_heartbeat();
+      if (measuring.goes_on()) {
+        heartbeat.set_measured_blocks(measuring.blocks);
+        heartbeat.set_blocks_to_measure(measuring.all);
+      }
       write_down(beat, beat_);
       this->StartWrite(&beat_);
     }

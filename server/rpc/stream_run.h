@@ -112,6 +112,7 @@ class StreamRun {
       if (responses_.outbox().has_grown()) stream_.account.progressed();
       stream_.pass();
     };
+    stream_.tell_measuring(*session);
     return setup;
   }
 

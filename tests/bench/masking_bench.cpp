@@ -201,8 +201,7 @@ const bool registered = [] {
           benchmark::RegisterBenchmark(name_of(workload.name, workload.tool_radius, name).c_str(),
                                        compensate_workload, workload, way);
       measured->Arg(100'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
-      if (way == Way::measured) measured->Arg(10'000);
-      if (way == Way::whole || way == Way::measured) measured->Arg(10'000'000);
+      if (way == Way::whole || way == Way::measured) measured->Arg(10'000)->Arg(10'000'000);
     }
   for (const auto& [way, name] : {ways[0], ways[1]})
     for (const auto& [run, of] : {std::pair{&compensate_small, "in one session "},

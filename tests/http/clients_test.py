@@ -449,6 +449,31 @@ class Programs(unittest.TestCase):
         self.assertEqual((status, problem["reason"]), (400, "SETTING_INVALID"))
         self.assertIn("enforce, report", problem["detail"])
 
+    def test_verify_of_a_path_refuses_or_reports_as_asked(self):
+        # A pocket with a neck of 8 mm, which G140 does not see.
+        corners = [(0, 25), (0, 0), (100, 0), (100, 50), (60, 50), (60, 8), (40, 8), (40, 50),
+                   (0, 50), (0, 25)]
+        inside = {"linear": {"end": {"x": 20, "y": 25}}}
+        blocks = ([inside, {"command": {"side": "COMPENSATION_SIDE_LEFT"}}] +
+                  [{"linear": {"end": {"x": x, "y": y}}} for x, y in corners] +
+                  [{"command": {"side": "COMPENSATION_SIDE_OFF"}}, inside])
+
+        def verified(**setup):
+            return self.server.ask_json(
+                "POST", "/v1/paths:verify",
+                json.dumps({"setup": {"toolRadius": 5, **setup}, "batch": {"blocks": blocks}}),
+                JSON)
+
+        refused = [verified()[0], verified(verify="VERIFICATION_ENFORCE")[0]]
+        self.assertEqual(refused, [422, 422])
+        status, answer = verified(verify="VERIFICATION_REPORT")
+        self.assertEqual(status, 200, answer)
+        self.assertAlmostEqual(answer["summary"]["minClearance"]["distance"], 3)
+        status, problem = verified(verify="VERIFICATION_OFF")
+        self.assertEqual((status, problem["reason"]), (400, "SETTING_INVALID"))
+        self.assertIn("setup.verify: it takes VERIFICATION_ENFORCE, VERIFICATION_REPORT",
+                      problem["detail"])
+
     def test_a_record_is_what_trc_files(self):
         with tempfile.TemporaryDirectory() as folder:
             program, record = (os.path.join(folder, name) for name in ("part.nc", "part.json"))
@@ -846,7 +871,8 @@ class Programs(unittest.TestCase):
         self.assertEqual(schema("/v1/views", "transition")["enum"], ["linear", "circular"])
         self.assertEqual(schema("/v1/views", "closing_tolerance")["x-unit"], "mm")
         self.assertEqual(schema("/v1/views", "verify")["default"], "report")
-        self.assertEqual(schema("/v1/programs:verify", "verify")["default"], "enforce")
+        verify = schema("/v1/programs:verify", "verify")
+        self.assertEqual((verify["default"], verify["enum"]), ("enforce", ["enforce", "report"]))
         self.assertEqual(schema("/v1/programs:compensate", "verify")["default"], "off")
         # A value that is said to be refused is, and one that is said to be taken is.
         for name, taken, refused in (("max_masked_share", "1", "1.001"),
