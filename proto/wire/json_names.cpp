@@ -13,6 +13,9 @@ namespace {
 using google::protobuf::Descriptor;
 using google::protobuf::FieldDescriptor;
 
+// What is nested deeper Protobuf refuses; the paths of a million brackets would fill the memory.
+constexpr std::size_t deepest = 100;
+
 // An object or a list that has begun and not ended yet.
 struct Open {
   std::string path;
@@ -67,6 +70,7 @@ class Reader {
       if (c == '"') {
         if (!read_text()) return {};
       } else if (c == '{' || c == '[') {
+        if (open_.size() == deepest) return {};
         begin(c == '[');
       } else if (c == '}' || c == ']') {
         if (open_.empty()) return {};

@@ -38,6 +38,12 @@ TEST(JsonFault, NamesTheFieldAndWhatItTakes) {
 }
 
 // Which of two values holds nobody can say, and two lists would be one.
+// The path to the innermost would take half a terabyte to write out at each depth.
+TEST(JsonFault, OfAMillionBracketsIsFoundAtOnce) {
+  EXPECT_NE(fault_of(R"({"setup":)" + std::string(1'000'000, '[')), "");
+  EXPECT_NE(fault_of(std::string(1'000'000, '[') + std::string(1'000'000, ']')), "");
+}
+
 TEST(JsonFault, NamesWhatIsGivenTwice) {
   EXPECT_EQ(fault_of(R"({"setup":{"toolRadius":5},"setup":{"wear":1}})"),
             "setup: is given more than once");
