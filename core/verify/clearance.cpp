@@ -158,8 +158,9 @@ class Selection {
     // Over the seam of a closed contour the path comes back to the first blocks.
     count_left_out(path.programmed < latest_ ? end_ : path.programmed, path.piece.start);
     place_ = path.piece.end;
-    if (!is_clear_here(path.piece) && !was_clear(path)) {
-      search(number, path, own);
+    const double margin = margin_of_interest();
+    if (!is_clear_here(path.piece, margin) && !was_clear(path)) {
+      search(number, path, own, margin);
       // What gouges has been compared with what is nearer than that alone.
       if (!is_near_ && !gouges_) keep_clear(number);
     }
@@ -229,9 +230,9 @@ class Selection {
   }
 
   // Path that stands still, beside as many walls as a full circle has, or nearly so.
-  [[nodiscard]] bool is_clear_here(const Piece& piece) const {
-    return clear_ && clear_->required >= required_ && clear_->margin >= margin_of_interest() &&
-           !piece.is_arc() && (piece.start - clear_->place).squaredNorm() <= slack * slack &&
+  [[nodiscard]] bool is_clear_here(const Piece& piece, double margin) const {
+    return !piece.is_arc() && clear_ && clear_->required >= required_ && clear_->margin >= margin &&
+           (piece.start - clear_->place).squaredNorm() <= slack * slack &&
            (piece.end - clear_->place).squaredNorm() <= slack * slack;
   }
 
@@ -278,8 +279,9 @@ class Selection {
     return ring;
   }
 
-  void search(std::size_t number, const PathPiece& path, const ProgrammedPiece& own) {
-    const double margin = margin_of_interest();
+  // `margin`: what is of interest.
+  void search(std::size_t number, const PathPiece& path, const ProgrammedPiece& own,
+              double margin) {
     is_near_ = false;
     // Before anything has been found, all walls are near.
     if (!report_.worst && is_whole_wall(own)) compare(path, own, own.piece, own.number);
@@ -306,7 +308,7 @@ class Selection {
       reached.told_apart = path.programmed;
     double least = least_;
     for (const WallTree::FourLeaves& four : near_) {
-      FourWalls::Bits leaves = near(reached, four.around, four.rings);
+      FourWalls::Bits leaves = near(reached, four);
       for (; leaves != 0; leaves &= leaves - 1) {
         search_near(path, four.leaves[static_cast<std::size_t>(std::countr_zero(leaves))], reached);
         if (least_ == least) continue;
@@ -330,6 +332,11 @@ class Selection {
                                      const FourRings& rings) const {
     const FourWalls::Bits between = winds_ ? rings.near(reached.between) : ~FourWalls::Bits{0};
     return between == 0 ? 0 : between & walls.near(reached.around);
+  }
+  [[nodiscard]] FourWalls::Bits near(const Reached& reached,
+                                     const WallTree::FourLeaves& four) const {
+    return winds_ && four.are_windings ? four.rings.near(reached.between)
+                                       : near(reached, four.around, four.rings);
   }
   void search_near(const PathPiece& path, const WallTree::Leaf& leaf, const Reached& reached) {
     tree_.for_each_of(leaf, near(reached, leaf.walls, leaf.rings), reached.told_apart,

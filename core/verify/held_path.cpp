@@ -68,8 +68,9 @@ void HeldPath::add(const MotionBlock& block) {
   if (!is_finite(block.path)) return;
   const std::uint32_t rule = number_of(block.mode);
   const Rule& own = rules_[rule];
-  const bool contour = is_contour(block, own.side);
   ProgrammedPiece* before = programmed_.empty() ? nullptr : &programmed_.back();
+  const bool goes_on = before != nullptr && before->rule == rule;
+  const bool contour = goes_on || is_contour(block, own.side);
   ProgrammedPiece& piece = programmed_.push_made([&] {
     return ProgrammedPiece{.piece = piece_of(block.path),
                            .source = block.source,
@@ -80,8 +81,9 @@ void HeldPath::add(const MotionBlock& block) {
   if (own.nominal > 0) put_at_part(piece);
   if (before == nullptr) return;
   const Rule& rule_before = rule_of(*before);
-  if (rule_before.selection != own.selection) return;
+  if (!goes_on && rule_before.selection != own.selection) return;
   piece.number = before->number + (before->is_contour ? 1 : 0);
+  if (goes_on) return;
   before->crosses_behind = piece.is_contour && rule_before.side != own.side;
 }
 

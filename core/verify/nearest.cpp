@@ -23,10 +23,11 @@ double square_between(const Point& point, const Line& line) {
 }
 
 // Whether `out` lies in the sector of at most half a turn from `first` to the left.
-bool is_between(const Vector& first, const Vector& last, const Vector& out) {
+[[gnu::always_inline]] inline bool is_between(const Vector& first, const Vector& last,
+                                              const Vector& out) {
   // A sector of next to nothing, whose ends rounding has changed about, has nothing opposite it.
-  if (first.dot(last) > 0 && out.dot(first) < 0) return false;
-  return cross(first, out) >= 0 && cross(out, last) >= 0;
+  return cross(first, out) >= 0 && cross(out, last) >= 0 &&
+         !(out.dot(first) < 0 && first.dot(last) > 0);
 }
 
 constexpr double same_radius = 1e-7;  // mm, at the start and at the end of an arc
@@ -250,15 +251,16 @@ bool Compared::is_beyond_ends(const Piece& other, const Circles& circles, double
       (before <= nothing && !is_between(other_first, other_last, left_of(first))) ||
       (behind >= -nothing && !is_between(other_first, other_last, -left_of(last)));
   const double apart = distance + next_to_nothing;
+  const double within = circles.inner - apart;
+  const double beyond = circles.outer + apart;
   const auto is_far_from = [&](const Point& point) {
     const Vector out = point - other.center;
     const double square = out.squaredNorm();
-    if (!is_between(other_first, other_last, out))
-      return std::min((point - other.start).squaredNorm(), (point - other.end).squaredNorm()) >=
-             apart * apart;
-    const double within = circles.inner - apart;
-    const double beyond = circles.outer + apart;
-    return square >= beyond * beyond || (within >= 0 && square <= within * within);
+    // So it is from all of its circle.
+    if (square >= beyond * beyond || (within >= 0 && square <= within * within)) return true;
+    return !is_between(other_first, other_last, out) &&
+           std::min((point - other.start).squaredNorm(), (point - other.end).squaredNorm()) >=
+               apart * apart;
   };
   return is_beyond && is_far_from(piece_.start) && is_far_from(piece_.end);
 }

@@ -45,6 +45,8 @@ void SelectionWalls::find_contour(Checkpoint& checkpoint) {
     side = side_of(block);
     contour_.push_back(static_cast<std::uint32_t>(place - begin_));
     contour_length_ += block.piece.length();
+    const Vector step = (block.piece.end - block.piece.start).cwiseAbs();
+    shortest_step_ = std::min(shortest_step_, std::max(step.x(), step.y()));
     has_roles_ = has_roles_ || block.role != ContourRole::unspecified;
   }
 }
@@ -58,6 +60,8 @@ ContourView SelectionWalls::contour(Checkpoint& checkpoint) const {
     view.tool_side = held_->rule_of(piece(0)).side;
     view.shift = view.tool_side == Side::left ? 1 : -1;
   }
+  view.length = contour_length_;
+  view.shortest_step = shortest_step_;
   view.checkpoint = &checkpoint;
   return view;
 }

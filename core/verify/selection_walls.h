@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -65,7 +66,8 @@ class SelectionWalls {
   bool has_roles_ = false;
   SidedWalls sides_;
   bool are_plain_ = false;
-  double contour_length_ = 0;  // mm
+  double contour_length_ = 0;                                       // mm
+  double shortest_step_ = std::numeric_limits<double>::infinity();  // as ContourView has it, mm
   std::size_t count_ = 0;
   double length_ = 0;
   std::optional<WallTree> tree_;

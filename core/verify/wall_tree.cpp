@@ -22,6 +22,11 @@ Ring seen_from(const Point& center, const Box& box, const Ring& ring) {
   return seen;
 }
 
+// A box that holds a whole winding is near to everything within.
+bool is_winding(const Box& box, const Ring& about_middle) {
+  return box.half.sum() > 1.5 * about_middle.outer;
+}
+
 }  // namespace
 
 WallTree::WallTree(const HeldPath& held, std::size_t begin, std::size_t end,
@@ -320,9 +325,8 @@ bool WallTree::find_near(const Box& box, const Ring& about_middle, double reach,
       [&](std::size_t place) {
         const Box& own = nodes_[place].box;
         const Ring& ring = rings_.nodes[place];
-        // A box that holds a whole winding is near to everything within.
         return ring.outer > inner && ring.inner < outer &&
-               (own.half.sum() > 1.5 * ring.outer || least_gap(own, box, reach) < reach);
+               (is_winding(own, ring) || least_gap(own, box, reach) < reach);
       },
       found);
 }
@@ -341,6 +345,7 @@ void WallTree::gather(const std::vector<std::size_t>& found, const Point& origin
     four.around.set(place, capsule_of(node.box), origin);
     if (!with_rings) continue;
     four.rings.set(place, rings_.nodes[index]);
+    four.are_windings = four.are_windings && is_winding(node.box, rings_.nodes[index]);
     leaf.rings = rings_.leaves[index];
   }
 }

@@ -121,6 +121,7 @@ class WallTree {
     FourWalls around{};
     FourRings rings{};
     std::array<Leaf, FourWalls::count> leaves;
+    bool are_windings = true;  // whole ones: `around` is near to all that is within
   };
   // Places those found at the end of `near`, four by four.
   void gather(const std::vector<std::size_t>& found, const Point& origin, bool with_rings,

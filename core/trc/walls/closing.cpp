@@ -88,6 +88,7 @@ class NearEnds {
 };
 
 double length_of_all(const ContourView& contour) {
+  if (contour.length > 0) return contour.length;
   double length = 0;
   for (std::size_t number = 0; number < contour.count; ++number) {
     contour.pass();

@@ -23,6 +23,9 @@ struct ContourView {
   double shift = 0;
   // Where the tool cuts; off: nobody knows, and leads longer than the contour are not looked for.
   Side tool_side = Side::off;
+  double length = 0;  // of all blocks, mm; 0: it has not been measured
+  // Start and end of no block are nearer than that to each other along both axes, mm.
+  double shortest_step = 0;
   // Passed by while the contour is looked at; null: it is looked at in one go.
   Checkpoint* checkpoint = nullptr;
 

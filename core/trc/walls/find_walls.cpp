@@ -202,6 +202,7 @@ void add_leads_of_last_lap(const ContourView& contour, const Laps& laps, double 
   if (end.number < first) return;
   ContourView lap = contour;
   lap.count = end.number + 1 - first;
+  lap.length = 0;
   lap.segment = [&contour, first](std::size_t number) { return contour.segment(first + number); };
   const auto closing = find_closing_of_long_leads(lap, closing_tolerance, tool_radius);
   if (!closing) return;
@@ -286,6 +287,7 @@ void untie(std::size_t number, double length, const BowTie& tie, Walls& walls) {
 
 void untie(const ContourView& contour, double largest, Walls& walls) {
   const double longest = longest_in_bow_tie(largest);
+  if (contour.shortest_step > longest) return;
   const bool is_left = contour.shift > 0;
   for (std::size_t number = 1; number + 1 < contour.count; ++number) {
     contour.pass();
