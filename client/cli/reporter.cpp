@@ -25,6 +25,8 @@ namespace {
 std::string without_names_of_fields(std::string help) {
   constexpr auto names = std::to_array<std::pair<std::string_view, std::string_view>>(
       {{"SurveyRadii (trc radii)", "trc radii"},
+       {"leads in the setup", "--set leads=blocks:1,1"},
+       {"leads im Setup", "--set leads=blocks:1,1"},
        {", `dialect` in the setup", ""},
        {", `dialect` im Setup", ""},
        {"the radius of the setup", "that of --radius and --tools"},

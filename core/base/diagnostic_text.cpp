@@ -481,8 +481,9 @@ std::string help_of(const Diagnostic& diagnostic, Language language) {
     if (std::string declared = help_to_declare(diagnostic, german); !declared.empty())
       return declared;
     std::string_view help = help_in(diagnostic.words, diagnostic.code, language);
-    constexpr std::array of_words{Code::nc_unsupported, Code::position_unknown, Code::nc_number,
-                                  Code::circle_incomplete, Code::ended_while_active};
+    constexpr std::array of_words{
+        Code::nc_unsupported,     Code::position_unknown, Code::nc_number,  Code::circle_incomplete,
+        Code::ended_while_active, Code::line_reversed,    Code::arc_wrapped};
     const std::string_view by_reason =
         std::ranges::find(of_words, diagnostic.code) != of_words.end()
             ? help_by_reason(diagnostic.detail, language)

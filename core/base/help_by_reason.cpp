@@ -27,6 +27,14 @@ constexpr std::string_view write_corner_in_german =
 constexpr std::string_view write_what_is_missing = "Write what is missing in the block.";
 constexpr std::string_view write_what_is_missing_in_german = "Das Fehlende in den Satz schreiben.";
 
+constexpr std::string_view change_lead =
+    "Let the lead be wider than the tool, shorter, or at another place. A block that is taken for "
+    "a lead and bounds material has to be marked as a wall, or counted: leads in the setup.";
+constexpr std::string_view change_lead_in_german =
+    "Den An- oder Abfahrweg weiter als das Werkzeug, kürzer oder an anderer Stelle programmieren. "
+    "Ein Satz, der dafür gehalten wird und Material begrenzt, ist als Wand zu kennzeichnen oder "
+    "abzuzählen: leads im Setup.";
+
 // The first one that fits counts.
 constexpr auto helps = std::to_array<ReasonHelp>({
     {"say what whole numbers count in",
@@ -34,6 +42,15 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "0.010 mm) in the setup.",
      "Dezimalpunkte schreiben, oder es sagen: `whole_numbers` UNITS (X10 ist 10 mm) oder "
      "INCREMENTS (X10 ist 0.010 mm) im Setup."},
+    {"finds no way past this lead", change_lead, change_lead_in_german},
+    {"no room where the lead-in begins", change_lead, change_lead_in_german},
+    {"no room where the lead-out ends", change_lead, change_lead_in_german},
+    {"REMOVE_MASKED_BLOCKS finds no way past this block",
+     "Use a smaller tool: SurveyRadii (trc radii) says which one fits. If one of the two blocks "
+     "bounds no material, say that it is a lead: leads in the setup.",
+     "Einen kleineren Fräser nehmen: SurveyRadii (trc radii) sagt, welcher passt. Begrenzt einer "
+     "der beiden Sätze kein Material, sagen, dass er zum An- oder Abfahren gehört: leads im "
+     "Setup."},
     {" without LEN", write_what_is_missing, write_what_is_missing_in_german},
     {" without R", write_what_is_missing, write_what_is_missing_in_german},
     {" without CCA", write_what_is_missing, write_what_is_missing_in_german},

@@ -66,5 +66,25 @@ TEST(LoopRefusal, SaysNothingOfARadiusWhereTheWayIsCutOff) {
   EXPECT_FALSE(refusal_of(program(5, contour)));
 }
 
+// A pocket of 40 by 30 mm: what leads into it begins beside its left wall, or what leads out of it
+// turns back and crosses a wall.
+TEST(LoopRefusal, NamesTheLeadThatIsInTheWay) {
+  const auto entered = [](const std::string& in, const std::string& out) {
+    return refusal_of(program(2.5, "N50 G0 X20 Y15\nN60 G41 G1 " + in +
+                                       "\nN70 X20 Y0\nN80 X40\nN90 Y30\nN100 X0\nN110 Y0\n"
+                                       "N120 X20\nN130 " +
+                                       out + "\nN140 G40 X20 Y15\n"));
+  };
+  EXPECT_FALSE(entered("X14 Y10", "X25 Y8"));
+  const auto at_the_begin = entered("X1 Y10", "X25 Y8");
+  ASSERT_TRUE(at_the_begin);
+  EXPECT_EQ(at_the_begin->detail, "the tool has no room where the lead-in begins");
+  EXPECT_NE(help_of(*at_the_begin).find("Let the lead be wider"), std::string::npos);
+  const auto on_the_way = entered("X14 Y10", "X25 Y8\nN135 Y-8");
+  ASSERT_TRUE(on_the_way);
+  EXPECT_EQ(on_the_way->detail, "REMOVE_MASKED_BLOCKS finds no way past this lead");
+  EXPECT_NE(help_of(*on_the_way).find("Let the lead be wider"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace trc

@@ -51,7 +51,9 @@ Diagnostic refusal_of(const HeldPath& path, const Obstacles& obstacles, std::siz
   const HeldPath::ContourBlock own = path.contour_block(path.number_of(block));
   const TrcMode& mode = path.mode_of(block);
   const double radius = path.radius_of_tool(block);
-  const char* why = "REMOVE_MASKED_BLOCKS finds no way past this block";
+  const char* why = obstacles.is_lead(path.number_of(block))
+                        ? "REMOVE_MASKED_BLOCKS finds no way past this lead"
+                        : "REMOVE_MASKED_BLOCKS finds no way past this block";
   std::optional<double> largest_radius;
   const auto look_at = [&](const End& end) {
     const auto most = largest_radius_at(end, radius, path, obstacles, tolerances);
@@ -60,10 +62,13 @@ Diagnostic refusal_of(const HeldPath& path, const Obstacles& obstacles, std::siz
     why = end.name;
   };
   if (path.begin() == 0)
-    look_at({"the tool has no room at the first point of the contour",
+    look_at({obstacles.is_lead(0) ? "the tool has no room where the lead-in begins"
+                                  : "the tool has no room at the first point of the contour",
              start_of(path.contour_block(0).programmed), path.begins_at(0)});
   if (ended)
-    look_at({"the tool has no room at the last point of the contour",
+    look_at({obstacles.is_lead(path.end_of_contour() - 1)
+                 ? "the tool has no room where the lead-out ends"
+                 : "the tool has no room at the last point of the contour",
              end_of(path.contour_block(path.end_of_contour() - 1).programmed),
              path.ends_at(path.end() - 1)});
 

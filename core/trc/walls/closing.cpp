@@ -13,6 +13,7 @@
 #include "core/geometry/box_tree.h"
 #include "core/trc/walls/contact.h"
 #include "core/trc/walls/crossing_leads.h"
+#include "core/trc/walls/entry_turns.h"
 #include "core/trc/walls/long_leads.h"
 #include "core/trc/walls/outline.h"
 #include "core/trc/walls/rings.h"
@@ -439,10 +440,8 @@ std::optional<Closing> between_long_leads(const ContourView& contour, const Cand
                        });
 }
 
-}  // namespace
-
-std::optional<Closing> find_closing(const ContourView& contour, double closing_tolerance,
-                                    double tool_radius) {
+std::optional<Closing> closing_of_all(const ContourView& contour, double closing_tolerance,
+                                      double tool_radius) {
   Scratch scratch;
   std::pmr::memory_resource* const memory = scratch.memory();
   const double most = 0.5 * length_of_all(contour);
@@ -464,6 +463,39 @@ std::optional<Closing> find_closing(const ContourView& contour, double closing_t
                    visits_of(contour, *closing, closing_tolerance, memory).size() == 2))
     return long_leads;
   return closing;
+}
+
+// That of some blocks of a contour, from `first` on and before `end`.
+std::optional<Closing> closing_of_some(const ContourView& contour, std::size_t first,
+                                       std::size_t end, double closing_tolerance,
+                                       double tool_radius) {
+  ContourView some = contour;
+  some.count = end - first;
+  some.segment = [&contour, first](std::size_t number) { return contour.segment(first + number); };
+  some.role = nullptr;
+  auto closing = closing_of_all(some, closing_tolerance, tool_radius);
+  if (!closing) return std::nullopt;
+  closing->first.number += first;
+  closing->second.number += first;
+  closing->joins += first;
+  if (closing->overrun) {
+    closing->overrun->first.number += first;
+    closing->overrun->second.number += first;
+  }
+  return closing;
+}
+
+}  // namespace
+
+std::optional<Closing> find_closing(const ContourView& contour, double closing_tolerance,
+                                    double tool_radius) {
+  if (const auto between = between_turns(contour, closing_tolerance)) {
+    const auto closing =
+        closing_of_some(contour, between->first, between->end, closing_tolerance, tool_radius);
+    if (closing && are_leads(contour, *between, *closing, closing_tolerance, tool_radius))
+      return closing;
+  }
+  return closing_of_all(contour, closing_tolerance, tool_radius);
 }
 
 std::optional<Closing> find_closing_of_long_leads(const ContourView& contour,

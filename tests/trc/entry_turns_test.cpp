@@ -1,0 +1,96 @@
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "core/session/program_session.h"
+#include "core/verify/clearance.h"
+
+// Contours the tool screws itself down to, or up from, in whole turns (D-106).
+
+namespace trc {
+namespace {
+
+struct Result {
+  bool whole = false;
+  std::vector<Diagnostic> diagnostics{};
+  double coverage = 0;
+  double clearance = 0;
+};
+
+Result run(const std::string& modes, double radius, const std::string& contour) {
+  ProgramSessionSetup setup;
+  setup.nc_text = false;
+  setup.session.verify = Verify::enforce;
+  ProgramSession session(setup);
+  Answers out;
+  const bool whole = session.feed("G162 V.G.WZ_AKT.R=" + std::to_string(radius) + "\n" + modes +
+                                      "\n" + contour + "N900 M30\n",
+                                  out) &&
+                     session.finish(out);
+  const verify::ClearanceReport* const measured = session.clearance();
+  if (measured == nullptr || !measured->worst)
+    return {.whole = whole, .diagnostics = out.take().diagnostics};
+  return {.whole = whole,
+          .diagnostics = out.take().diagnostics,
+          .coverage = measured->coverage(),
+          .clearance = measured->worst->distance};
+}
+
+constexpr const char* all_modes[] = {"G140 G26", "G141 G26",
+                                     "G141 G26\n#TRC[REMOVE_MASKED_BLOCKS=1]"};
+
+void expect_machined(double radius, const std::string& contour) {
+  for (const char* modes : all_modes) {
+    const Result outcome = run(modes, radius, contour);
+    EXPECT_TRUE(outcome.whole) << modes << contour;
+    EXPECT_TRUE(outcome.diagnostics.empty()) << modes << contour;
+    EXPECT_NEAR(outcome.coverage, 1, 1e-3) << modes << contour;
+    EXPECT_NEAR(outcome.clearance, radius, 0.004) << modes << contour;
+  }
+}
+
+std::string turns(int number, const std::string& words) {
+  std::string lines;
+  for (int turn = 1; turn <= number; ++turn) lines += words + " Z-" + std::to_string(turn) + "\n";
+  return lines;
+}
+
+constexpr const char* pocket =
+    "G1 X10\nG3 X13 Y3 I0 J3\nG1 Y20\nG3 X10 Y23 I-3\nG1 X-10\nG3 X-13 Y20 J-3\nG1 Y3\n"
+    "G3 X-10 Y0 I3\nG1 X0\n";
+
+// The circle of the turns touches the wall where the pocket begins.
+TEST(EntryTurns, LeadIntoAPocket) {
+  for (const int number : {1, 2, 5, 9})
+    expect_machined(2, "G0 X0 Y5 Z0 F800\nG41 G1 X-4 Y4\n" + turns(number, "G3 X-4 Y4 I4 J0") +
+                           "G3 X0 Y0 I4 J0\n" + pocket + "G3 X4 Y4 J4\nG40 G1 X0 Y5\n");
+}
+
+// About a post they are larger than it is.
+TEST(EntryTurns, LeadToAPost) {
+  const std::string post = "G1 X1\nG2 X1 Y-2 J-1\nG1 X-1\nG2 X-1 Y0 J1\nG1 X0\n";
+  for (const int number : {1, 3})
+    expect_machined(2, "G0 X0 Y5 Z0 F800\nG41 G1 X-4 Y4\n" + turns(number, "G3 X-4 Y4 I4 J0") +
+                           "G3 X0 Y0 I4 J0\n" + post + "G3 X4 Y4 J4\nG40 G1 X0 Y5\n");
+}
+
+// Up out of it, the same way.
+TEST(EntryTurns, LeadOutOfAPocket) {
+  expect_machined(2, std::string("G0 X0 Y5 Z-3 F800\nG41 G1 X-4 Y4\nG3 X0 Y0 I4 J0\n") + pocket +
+                         "G3 X4 Y4 J4\nG3 X4 Y4 I-4 Z-2\nG3 X4 Y4 I-4 Z-1\nG3 X4 Y4 I-4 Z0\n"
+                         "G40 G1 X0 Y5\n");
+}
+
+// A bore in circles is no lead to what lies beside it.
+TEST(EntryTurns, OfABoreStayWalls) {
+  const Result outcome = run("G140 G26", 2,
+                             "G0 X0 Y0 Z0 F800\nG41 G1 X0 Y-4\n" + turns(3, "G3 X0 Y-4 I0 J4") +
+                                 "G3 X4 Y0 I0 J4\nG40 G1 X0 Y0\n");
+  EXPECT_TRUE(outcome.whole);
+  EXPECT_TRUE(outcome.diagnostics.empty());
+  EXPECT_NEAR(outcome.coverage, 1, 1e-3);
+}
+
+}  // namespace
+}  // namespace trc
