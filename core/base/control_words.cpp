@@ -18,6 +18,10 @@ struct OwnHelp {
 
 // Of the codes whose rows name words of ISG, those that programs of other controls meet.
 constexpr auto own_helps = std::to_array<OwnHelp>({
+    {.code = Code::circle_center_misfit,
+     .klartext_alone = true,
+     .english = "Correct CC or the end point.",
+     .german = "CC oder den Endpunkt berichtigen."},
     {.code = Code::circular_selection_block,
      .english = "Let the first motion after G41 or G42 be a straight line, or set selection_mode "
                 "to on_path or perpendicular.",

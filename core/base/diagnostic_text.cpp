@@ -123,10 +123,11 @@ std::string written(double value, std::chars_format format, int precision) {
   return {digits.data(), end.ptr};
 }
 
-// With the decimals of its unit, or the digits of one that would be 0 by them and is more than what
-// arithmetic leaves of 0.
+constexpr double least = 1e-9;  // mm, more than what arithmetic leaves of 0
+
+// With the decimals of its unit, or the digits of one that would be 0 by them and is more than
+// nothing.
 std::string length_text(double length, const Lengths& lengths) {
-  constexpr double least = 1e-9;  // mm
   const double value = std::abs(length) < least ? 0 : lengths.in_unit(length);
   if (value != 0 && std::abs(value) < (lengths.inch ? 0.00005 : 0.0005))
     return written(value, std::chars_format::general, 3);
@@ -134,14 +135,16 @@ std::string length_text(double length, const Lengths& lengths) {
   return written(value, std::chars_format::fixed, lengths.decimals);
 }
 
-// With so many decimals that all of these can be told from each other.
+// With so many decimals that all of these can be told from each other, but for what arithmetic
+// leaves between equal ones.
 Lengths lengths_for(std::span<const DiagnosticValue> values, bool inch) {
   constexpr int most = 9;
   Lengths lengths{.inch = inch, .decimals = inch ? 4 : 3};
   const auto look_the_same = [&] {
     for (std::size_t i = 0; i < values.size(); ++i)
       for (std::size_t k = i + 1; k < values.size(); ++k)
-        if (values[i].value != values[k].value && measure_of(values[i].name) == Measure::length &&
+        if (std::abs(values[i].value - values[k].value) > least &&
+            measure_of(values[i].name) == Measure::length &&
             measure_of(values[k].name) == Measure::length &&
             length_text(values[i].value, lengths) == length_text(values[k].value, lengths))
           return true;
@@ -423,6 +426,22 @@ std::string_view help_about_values(const Diagnostic& diagnostic, bool german) {
                     "halben Weg vom Anfang zum Ende messen."
                   : "Correct the radius or the end point: the radius must be at least half of the "
                     "way from the start to the end.";
+  // Of a program that names no tool a table says nothing.
+  const bool names_no_tool = diagnostic.detail.starts_with("G41 or G42 in ") ||
+                             diagnostic.detail.starts_with("RL or RR in ");
+  if (diagnostic.code == Code::no_tool_radius && names_no_tool &&
+      diagnostic.detail.find(", ") == std::string::npos)
+    return german ? "tool_radius im Setup angeben, oder vor G41 oder G42 das Werkzeug "
+                    "programmieren, dessen Radius die Werkzeugtabelle hat: hier steht keines."
+                  : "Give tool_radius in the setup, or program the tool in front of G41 or G42 "
+                    "whose radius the tool table holds: there is none here.";
+  const bool is_center_word =
+      diagnostic.detail == "I" || diagnostic.detail == "J" || diagnostic.detail == "K";
+  if (diagnostic.code == Code::nc_unsupported && is_center_word)
+    return german ? "Es streichen: in dieser Ebene ist es kein Mittelpunkt, und die Steigung einer "
+                    "Helix folgt aus ihrem Ende."
+                  : "Take it out: it is no centre in this plane, and the pitch of a helix follows "
+                    "from its end.";
   const bool is_word_alone =
       !diagnostic.detail.empty() && diagnostic.detail.find_first_of(" ,") == std::string::npos;
   if (diagnostic.code == Code::nc_unsupported && diagnostic.words == ControlWords::klartext &&
@@ -482,14 +501,17 @@ std::string help_of(const Diagnostic& diagnostic, Language language) {
       return declared;
     std::string_view help = help_in(diagnostic.words, diagnostic.code, language);
     constexpr std::array of_words{
-        Code::nc_unsupported,     Code::position_unknown, Code::nc_number,  Code::circle_incomplete,
-        Code::ended_while_active, Code::line_reversed,    Code::arc_wrapped};
+        Code::nc_unsupported,    Code::position_unknown,     Code::nc_number,
+        Code::circle_incomplete, Code::circle_center_misfit, Code::ended_while_active,
+        Code::no_tool_radius,    Code::line_reversed,        Code::arc_wrapped};
     const std::string_view by_reason =
         std::ranges::find(of_words, diagnostic.code) != of_words.end()
             ? help_by_reason(diagnostic.detail, language)
             : std::string_view();
+    if (const std::string_view of_values = help_about_values(diagnostic, german);
+        !of_values.empty())
+      help = of_values;
     if (!by_reason.empty()) help = by_reason;
-    if (help.empty()) help = help_about_values(diagnostic, german);
     if (help.empty())
       help = german ? german_row_of(diagnostic.code).help : row_of(diagnostic.code).remedy;
     return in_words_of(diagnostic.words, std::string(help));

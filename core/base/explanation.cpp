@@ -406,7 +406,7 @@ constexpr auto rows = std::to_array<Explanation>({
      .causes = {"A typing error.", "A function of the machine builder.",
                 "The program is written for another control."},
      .on_command_line = "Remove it; trc info lists the functions that are known. Where it does not "
-                        "change the path: --unknown-words copy.",
+                        "change the path: --set pass_words=NAME.",
      .example = "N10 G00 X0 Y0\n"
                 "N20 G777 X10\n"
                 "N30 M30\n"},
@@ -881,8 +881,9 @@ constexpr auto rows = std::to_array<Explanation>({
      .meaning = "Which path the tool takes depends on its radius, and neither program nor "
                 "setup has said one.",
      .causes = {"The tool table was not given.", "The D or T word stands behind G41."},
-     .on_command_line = "Give the radius: --radius 5, or the tools: --tools tools.csv, --set "
-                        "tools=1:5.",
+     .on_command_line =
+         "Give the radius: --radius 5, or those of the tools that the program names: "
+         "--tools tools.csv, --set tools=1:5.",
      .example = "N10 G00 X0 Y0\n"
                 "N20 G41\n"
                 "N30 G01 X10 Y10 F500\n"

@@ -14,8 +14,7 @@ constexpr auto rows = std::to_array<GermanRow>({
      .help = "Den Mittelpunkt mit I, J, K statt R programmieren."},
     {.code = Code::circle_center_misfit,
      .title = "der Kreismittelpunkt passt nicht zu Anfangs- und Endpunkt des Kreisbogens",
-     .help = "I, J, K oder den Endpunkt berichtigen; unmittelbar nach G40 zuerst eine Gerade "
-             "fahren."},
+     .help = "I, J, K oder den Endpunkt berichtigen."},
     {.code = Code::circle_radius_zero,
      .title = "der Kreisradius ist null",
      .help = "Einen Mittelpunkt (I, J, K) abseits des Anfangspunkts oder einen Radius ungleich 0 "
@@ -34,7 +33,8 @@ constexpr auto rows = std::to_array<GermanRow>({
      .help = "Nur eine davon stehen lassen. Allein G05 darf neben einer anderen stehen."},
     {.code = Code::plane_change_while_active,
      .title = "die Ebene wechselt bei aktiver Werkzeugradiuskorrektur",
-     .help = "Die Werkzeugradiuskorrektur vor G17, G18 oder G19 mit G40 abwählen."},
+     .help = "Die Werkzeugradiuskorrektur vor G17, G18 oder G19 mit G40 und einer Bewegung in der "
+             "Ebene abwählen."},
     {.code = Code::axis_link_while_active,
      .title = "eine Achskopplung ändert sich bei aktiver Werkzeugradiuskorrektur",
      .help = "Die Werkzeugradiuskorrektur vor dem Befehl mit G40 abwählen."},
@@ -155,7 +155,7 @@ constexpr auto rows = std::to_array<GermanRow>({
      .title = "die G-Funktion ist nicht bekannt",
      .help = "Sie streichen; GetServerInfo nennt die bekannten.",
      .on_command_line = "Sie streichen; trc info nennt die bekannten. Wo sie den Weg nicht ändert: "
-                        "--unknown-words copy."},
+                        "--set pass_words=NAME."},
     {.code = Code::nc_unsupported,
      .title = "das Wort ändert den Weg so, dass er hier nicht verfolgt wird",
      .help = "Vor der Korrektur auflösen: Variablen, Schleifen, Unterprogramme und "
@@ -261,8 +261,7 @@ constexpr auto rows = std::to_array<GermanRow>({
      .help = "Abseits der Tangente des ersten Kontursatzes beginnen."},
     {.code = Code::circular_deselection_block,
      .title = "die Werkzeugradiuskorrektur wird in einem Kreissatz abgewählt",
-     .help = "Die erste Bewegung nach G40 als Gerade programmieren, oder G236, G237 oder G239 "
-             "nehmen."},
+     .help = "Die erste Bewegung nach G40 als Gerade programmieren, oder G236 oder G237 nehmen."},
     {.code = Code::selection_without_contour,
      .title = "die Werkzeugradiuskorrektur wird an- und abgewählt, ohne dass eine Kontur "
               "dazwischen liegt; korrigiert wird nichts",
@@ -340,8 +339,8 @@ constexpr auto rows = std::to_array<GermanRow>({
               "ist",
      .help = "Ein D-Wort oder T-Wort programmieren, dessen Radius die Werkzeugtabelle des Setups "
              "hat, oder tool_radius im Setup angeben.",
-     .on_command_line = "Den Radius angeben: --radius 5, oder die Werkzeuge: --tools tools.csv, "
-                        "--set tools=1:5."},
+     .on_command_line = "Den Radius angeben: --radius 5, oder die der Werkzeuge, die das Programm "
+                        "nennt: --tools tools.csv, --set tools=1:5."},
     {.code = Code::tool_radius_zero,
      .title = "der Werkzeugradius ist mit 0 angegeben: korrigiert wird nichts",
      .help = "Prüfen, ob der Radius 0 sein soll."},
@@ -752,7 +751,9 @@ const Phrase* phrase_of(std::string_view english) {
 std::string with_german_phrase(std::string_view detail) {
   if (detail.ends_with(while_active)) {
     detail.remove_suffix(while_active.size());
-    return with_german_phrase(detail).append(while_active_german);
+    const std::string_view before = detail.substr(0, detail.find_last_not_of(',') + 1);
+    return with_german_phrase(before).append(detail.substr(before.size())) +
+           std::string(while_active_german);
   }
   if (const Phrase* whole = phrase_of(detail)) return std::string(whole->german);
   if (const std::size_t at = detail.rfind(as_in); at != std::string_view::npos)
@@ -762,11 +763,13 @@ std::string with_german_phrase(std::string_view detail) {
   // "G68, rotation": the word, and what it means; words of the program may have commas as well.
   for (std::size_t at = detail.find(", "); at != std::string_view::npos;
        at = detail.find(", ", at + 2))
-    if (const Phrase* meaning = phrase_of(detail.substr(at + 2)))
+    if (const Phrase* meaning = phrase_of(detail.substr(at + 2));
+        meaning != nullptr && !goes_on_in_fragment(detail, at + 2))
       return std::string(detail.substr(0, at + 2)).append(meaning->german);
   for (std::size_t at = detail.find(' '); at != std::string_view::npos;
        at = detail.find(' ', at + 1))
-    if (const Phrase* state = phrase_of(detail.substr(at + 1)))
+    if (const Phrase* state = phrase_of(detail.substr(at + 1));
+        state != nullptr && !goes_on_in_fragment(detail, at + 1))
       return std::string(detail.substr(0, at + 1)).append(state->german);
   return std::string(detail);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace trc {
 namespace {
@@ -34,9 +35,135 @@ constexpr std::string_view change_lead_in_german =
     "Den An- oder Abfahrweg weiter als das Werkzeug, kürzer oder an anderer Stelle programmieren. "
     "Ein Satz, der dafür gehalten wird und Material begrenzt, ist als Wand zu kennzeichnen oder "
     "abzuzählen: leads im Setup.";
+constexpr std::string_view end_scaling =
+    "End the scaling in front of the contour, with a straight motion behind it that names both "
+    "axes of the plane, and write the contour in full size.";
+constexpr std::string_view end_scaling_in_german =
+    "Die Skalierung vor der Kontur beenden, dahinter eine Gerade mit beiden Achsen der Ebene "
+    "programmieren, und die Kontur in wahrer Größe schreiben.";
 
 // The first one that fits counts.
 constexpr auto helps = std::to_array<ReasonHelp>({
+    {"D0 or T0 is no tool",
+     "Program the tool in front of G41 or G42 with its number, which is not 0: its D or T word, "
+     "in Klartext TOOL CALL.",
+     "Das Werkzeug vor G41 oder G42 mit seiner Nummer programmieren, die nicht 0 ist: sein D- "
+     "oder T-Wort, in Klartext TOOL CALL."},
+    {" without M06",
+     "Program M06 behind the T word, in front of G41 or G42, or give tool_radius in the setup.",
+     "M06 hinter dem T-Wort programmieren, vor G41 oder G42, oder tool_radius im Setup angeben."},
+    {"a radius that is changed has to be there",
+     "Program the tool or its radius in front of the change, or give tool_radius in the setup.",
+     "Das Werkzeug oder seinen Radius vor der Änderung programmieren, oder tool_radius im Setup "
+     "angeben."},
+    {"is the number of a tool",
+     "Write the number of the tool, or G41.1 or G42.1 where D is the diameter.",
+     "Die Nummer des Werkzeugs schreiben, oder G41.1 oder G42.1, wo D der Durchmesser ist."},
+    {"an arc directly behind G40", "Program a straight motion between G40 and the arc.",
+     "Zwischen G40 und dem Bogen eine Gerade programmieren."},
+    {"TRC under scaling", end_scaling, end_scaling_in_german},
+    {"TRC under a frame that scales", end_scaling, end_scaling_in_german},
+    {"in coordinates that are scaled or led by the tool tip",
+     "End that in front of the contour: the cycle of the scale with 1, M128 with M129. Behind it "
+     "move in a straight line with both axes of the plane.",
+     "Das vor der Kontur beenden: den Zyklus des Maßfaktors mit 1, M128 mit M129. Dahinter eine "
+     "Gerade mit beiden Achsen der Ebene fahren."},
+    {"G347 within a contour",
+     "End the contour in front of it with G40 or DEP: an approach begins one.",
+     "Die Kontur davor mit G40 oder DEP beenden: ein Anfahren beginnt eine."},
+    {"a smooth approach within a contour",
+     "End the contour in front of it with G40: a smooth approach begins one.",
+     "Die Kontur davor mit G40 beenden: ein weiches Anfahren beginnt eine."},
+    {"without a contour behind it", "Program the contour behind it, in front of G40.",
+     "Dahinter die Kontur programmieren, vor G40."},
+    {"without a contour before it", "Program the contour in front of it.",
+     "Davor die Kontur programmieren."},
+    {"a cycle with the contour of",
+     "The cycle compensates it itself: leave G41 and G42 out in the label, or write the contour "
+     "into a label of its own behind the end of the program.",
+     "Der Zyklus korrigiert sie selbst: G41 und G42 im Label weglassen, oder die Kontur in ein "
+     "eigenes Label hinter dem Programmende schreiben."},
+    {"in the contour of the cycles of line",
+     "Put the label behind the end of the program (M30 or M2), as the cycles expect it.",
+     "Das Label hinter das Programmende (M30 oder M2) stellen, wie die Zyklen es erwarten."},
+    {"FL with RL or RR", write_free_contour, write_free_contour_in_german},
+    {"FLT with RL or RR", write_free_contour, write_free_contour_in_german},
+    {"FC with RL or RR", write_free_contour, write_free_contour_in_german},
+    {"FCT with RL or RR", write_free_contour, write_free_contour_in_german},
+    {"FPOL with RL or RR", write_free_contour, write_free_contour_in_german},
+    {"LN with RL or RR", "Let the control compensate in space; a contour in the plane has L.",
+     "Im Raum die Steuerung korrigieren lassen; eine Kontur in der Ebene hat L."},
+    {"SPL with RL or RR", "Have the CAM system write lines and arcs in place of the spline.",
+     "Das CAM-System Geraden und Bögen statt des Splines schreiben lassen."},
+    {"a spline or a polynomial", "Have the CAM system write lines and arcs in place of the spline.",
+     "Das CAM-System Geraden und Bögen statt des Splines schreiben lassen."},
+    {"which no function of the line takes",
+     "Take the word out, or write the function that takes it into the line.",
+     "Das Wort streichen, oder die Funktion, die es braucht, in die Zeile schreiben."},
+    {"a motion of an axis by itself", "Write it as a motion of the path: G00 or G01 with the axis.",
+     "Es als Bewegung der Bahn schreiben: G00 oder G01 mit der Achse."},
+    {"with the feed at the contour (G11, CFC)",
+     "Write CFTCP in front of the contour: the feed at the tool centre; or a feed per minute, "
+     "G94.",
+     "Vor der Kontur CFTCP schreiben: der Vorschub an der Werkzeugmitte; oder einen Vorschub je "
+     "Minute, G94."},
+    {"not in the program",
+     "Take it out where it does not move the axes of the plane: what runs beside the program is "
+     "not followed.",
+     "Es streichen, wo es die Achsen der Ebene nicht bewegt: was neben dem Programm läuft, wird "
+     "nicht verfolgt."},
+    {"RNDM= beyond the contour",
+     "Write RNDM= into a block behind the one with G41 or G42, and RNDM=0 in front of the one "
+     "with G40.",
+     "RNDM= in einen Satz hinter dem mit G41 oder G42 schreiben, und RNDM=0 vor den mit G40."},
+    {"an offset of the tool beside its data",
+     "Take it out, and give the tool the radius with the offset in it.",
+     "Es streichen, und dem Werkzeug den Radius mit der Korrektur darin geben."},
+    {"write both into one block", "Write both into one block.", "Beide in einen Satz schreiben."},
+    {"write G40 beside it", "Write G40 beside it, in the same block.",
+     "G40 daneben schreiben, in denselben Satz."},
+    {"that is not between the plane of the contour",
+     "Write DISCL= smaller than the height from which the tool comes down.",
+     "DISCL= kleiner schreiben als die Höhe, aus der das Werkzeug kommt."},
+    {"the end of a smooth approach",
+     "Write a straight motion in the plane behind the approach, in a block without a corner and "
+     "without a further axis.",
+     "Hinter dem Anfahren eine Gerade in der Ebene schreiben, in einem Satz ohne Ecke und ohne "
+     "weitere Achse."},
+    {"the plane it returns to", "Take DISRP= out, and program that height in a block of its own.",
+     "DISRP= streichen und diese Höhe in einem eigenen Satz programmieren."},
+    {"inch of the ISO mode",
+     "Write G70 in its place. If this is a program in ISO mode, declare it: "
+     "--dialect fanuc, `dialect` in the setup.",
+     "An seine Stelle G70 schreiben. Ist es ein Programm im ISO-Modus, dies angeben: "
+     "--dialect fanuc, `dialect` im Setup."},
+    {"mm of the ISO mode",
+     "Write G71 in its place. If this is a program in ISO mode, declare it: "
+     "--dialect fanuc, `dialect` in the setup.",
+     "An seine Stelle G71 schreiben. Ist es ein Programm im ISO-Modus, dies angeben: "
+     "--dialect fanuc, `dialect` im Setup."},
+    {"ISO mode: the program is one of", "Declare it: --dialect fanuc, `dialect` in the setup.",
+     "Dies angeben: --dialect fanuc, `dialect` im Setup."},
+    {"with axis words",
+     "Write the axes into a block of their own where the function does not take them; what moves "
+     "axes cannot be passed on.",
+     "Die Achsen in einen eigenen Satz schreiben, wo die Funktion sie nicht braucht; was Achsen "
+     "bewegt, lässt sich nicht weiterreichen."},
+    {"a computed spindle", "Write the speed as a number.", "Die Drehzahl als Zahl schreiben."},
+    {"a circle word in a straight motion",
+     "An arc has G02 or G03. A rounding of the corner has a word of its own: ,R of FANUC, RND= "
+     "of SINUMERIK.",
+     "Ein Bogen hat G02 oder G03. Eine Rundung der Ecke hat ein eigenes Wort: ,R bei FANUC, RND= "
+     "bei SINUMERIK."},
+    {"a tangential entry: program",
+     "Write the entry as blocks of its own: a line with G41 or G42, and an arc that touches the "
+     "contour.",
+     "Das Anfahren als eigene Sätze schreiben: eine Gerade mit G41 oder G42, und einen Bogen, "
+     "der die Kontur berührt."},
+    {"a tangential exit: program",
+     "Write the exit as blocks of its own: an arc that touches the contour, and a line with G40.",
+     "Das Abfahren als eigene Sätze schreiben: einen Bogen, der die Kontur berührt, und eine "
+     "Gerade mit G40."},
     {"say what whole numbers count in",
      "Write decimal points, or say it: `whole_numbers` UNITS (X10 is 10 mm) or INCREMENTS (X10 is "
      "0.010 mm) in the setup.",
@@ -226,8 +353,11 @@ constexpr auto helps = std::to_array<ReasonHelp>({
     {"EXTCALL", "Give the text of the program that it calls in `subprograms` (--subprograms).",
      "Den Text des Programms, das es aufruft, in `subprograms` angeben (--subprograms)."},
     {"a statement",
-     "What it does has to be written out: the blocks in the order in which they run.",
-     "Was sie bewirkt, muss ausgeschrieben sein: die Sätze in der Reihenfolge, in der sie laufen."},
+     "What it does has to be written out: the blocks in the order in which they run. If this is a "
+     "program of another control, declare its dialect (--dialect, `dialect` in the setup).",
+     "Was sie bewirkt, muss ausgeschrieben sein: die Sätze in der Reihenfolge, in der sie laufen. "
+     "Ist es ein Programm einer anderen Steuerung, deren Dialekt angeben (--dialect, `dialect` im "
+     "Setup)."},
     {"a name",
      "Correct its spelling. Where it does not change the path, declare it in pass_words of the "
      "setup; a subprogram is given in `subprograms`.",
@@ -243,9 +373,26 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Den Wert ohne AC( ) oder IC( ) schreiben."},
     {"LinuxCNC does not have", "Take the word out, or declare the dialect that has it.",
      "Das Wort streichen oder den Dialekt angeben, der es hat."},
+    {"tool offset, twice", "Write the coordinates with the offset in them.",
+     "Die Koordinaten mit der Korrektur darin schreiben."},
+    {"TRC under",
+     "End in front of the contour what gives coordinates another meaning, with a straight motion "
+     "behind it that names both axes of the plane.",
+     "Vor der Kontur beenden, was Koordinaten eine andere Bedeutung gibt, und dahinter eine "
+     "Gerade mit beiden Achsen der Ebene programmieren."},
+    {"measuring", "Take it into a program of its own: where it stops only the machine knows.",
+     "Es in ein eigenes Programm auslagern: wo es hält, weiß nur die Maschine."},
+    {"APPR ", "Write LT, LN, CT, LCT, or PLT to PLCT, behind APPR.",
+     "Hinter APPR LT, LN, CT, LCT oder PLT bis PLCT schreiben."},
 });
 
 }  // namespace
+
+std::vector<std::string_view> reasons_with_help() {
+  std::vector<std::string_view> reasons;
+  std::ranges::transform(helps, std::back_inserter(reasons), &ReasonHelp::reason);
+  return reasons;
+}
 
 std::string_view help_by_reason(std::string_view detail, Language language) {
   const auto* const found = std::ranges::find_if(helps, [&](const ReasonHelp& each) {

@@ -34,29 +34,36 @@ std::optional<std::vector<std::string_view>> filled(std::string_view pattern,
   return found;
 }
 
-// With the sentence that fits; nothing: none does.
-std::optional<std::string> translated_by(const Sentence& row, std::string_view english,
-                                         std::initializer_list<std::span<const Sentence>> tables) {
-  const auto gaps = filled(row.english, english);
-  if (!gaps) return std::nullopt;
-  std::string text;
-  std::string_view pattern = row.german;
-  for (const std::string_view given : *gaps) {
-    const std::size_t at = pattern.find(gap);
-    text.append(pattern.substr(0, at)).append(translated(given, tables));
-    pattern.remove_prefix(at + gap.size());
-  }
-  return text.append(pattern);
+// The letters of a sentence beside its gaps.
+std::size_t size_of_words(const Sentence& row, std::size_t gaps) {
+  return row.english.size() - gaps * gap.size();
 }
 
 }  // namespace
 
 std::string translated(std::string_view english,
                        std::initializer_list<std::span<const Sentence>> tables) {
+  // "{} programs" fits many a sentence that ends so: the one that says most counts.
+  const Sentence* best = nullptr;
+  std::vector<std::string_view> gaps;
   for (const std::span<const Sentence> table : tables)
-    for (const Sentence& row : table)
-      if (auto german = translated_by(row, english, tables)) return *std::move(german);
-  return std::string(english);
+    for (const Sentence& row : table) {
+      auto found = filled(row.english, english);
+      if (!found) continue;
+      if (best != nullptr && size_of_words(row, found->size()) <= size_of_words(*best, gaps.size()))
+        continue;
+      best = &row;
+      gaps = *std::move(found);
+    }
+  if (best == nullptr) return std::string(english);
+  std::string text;
+  std::string_view pattern = best->german;
+  for (const std::string_view given : gaps) {
+    const std::size_t at = pattern.find(gap);
+    text.append(pattern.substr(0, at)).append(translated(given, tables));
+    pattern.remove_prefix(at + gap.size());
+  }
+  return text.append(pattern);
 }
 
 }  // namespace trc

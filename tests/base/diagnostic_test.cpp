@@ -95,6 +95,10 @@ TEST(Message, SaysLengthsInTheUnitOfTheProgram) {
   EXPECT_EQ(message_of(found), std::string(row_of(Code::bottleneck).cause) +
                                    " (start radius 1.000000 in, end radius 1.000004 in, gap "
                                    "7.87e-07 in)");
+  // 0.75 - 0.5 inch of the program are 0.25 inch of the tool, whatever is left of the sum.
+  found.values = {{"programmed_length", 6.350000000000001}, {"tool_radius", 6.35}};
+  EXPECT_TRUE(message_of(found).ends_with(" 0.2500 in, tool radius 0.2500 in)"))
+      << message_of(found);
 }
 
 TEST(Message, SaysOfAnArcThatIsTooSmallWhichToolAndArc) {

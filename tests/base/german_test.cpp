@@ -10,6 +10,7 @@
 
 #include "core/base/explanation.h"
 #include "core/base/german_explanation.h"
+#include "core/base/help_by_reason.h"
 #include "core/nc/dialect/dialect.h"
 
 namespace trc {
@@ -107,6 +108,77 @@ TEST(German, SaysWhatIsSaidOfAWord) {
   EXPECT_EQ(german_detail("REVERS, perhaps REVERSE"), "REVERS, vielleicht REVERSE");
   EXPECT_EQ(german_detail("L, from a place that is not known, while TRC is active"),
             "L, von einer Stelle aus, die nicht bekannt ist, bei aktiver Werkzeugradiuskorrektur");
+}
+
+// The first word of a detail in German that English alone has; empty: none.
+std::string english_in(const std::string& detail) {
+  static const std::regex english(
+      R"((^|[ ,:;])(a|the|of|or|with|without|behind|beside|in front|which|that|no|not|words?|motion|plane|tool|contour|number|feed|call|second|third|outside|as|write|its|end|shift|setting)($|[ ,:;]))");
+  const std::string german = german_detail(detail);
+  std::smatch found;
+  return std::regex_search(german, found, english) ? found.str() + " in: " + german : "";
+}
+
+// Of the functions that the rest of a program may not hold either, while TRC is active.
+TEST(German, NamesEveryFunctionThatHasNoPlaceInAContour) {
+  for (const Dialect& dialect : all_dialects())
+    for (const GFunction& function : dialect.functions) {
+      constexpr std::array told{GGroup::single_move,    GGroup::cycle,      GGroup::frame,
+                                GGroup::tool_data,      GGroup::unfollowed, GGroup::unfollowed_end,
+                                GGroup::axis_technology};
+      if (std::ranges::find(told, function.group) == told.end()) continue;
+      const std::string detail = std::string(function.meaning);
+      EXPECT_NE(german_detail(detail), detail) << dialect.spelling;
+      EXPECT_EQ(english_in(detail + " while TRC is active"), "") << dialect.spelling;
+    }
+}
+
+// The longest piece that is known counts, not one of its words.
+TEST(German, SaysNothingInTwoLanguages) {
+  for (const char* const detail :
+       {"#, a second assignment: one in a block",
+        "$BREAK outside of a loop",
+        "T3, a third tool of its line",
+        "DC, ACP or ACN, a way round, beside a contour",
+        "CC, an arc or a pole across the plane",
+        "X, beside the contour since G40 without motion",
+        "#11001, the wear of a tool radius",
+        "CC with an axis that turns",
+        "CT behind a motion of the contour: program its centre",
+        "DPRNT without the places of its value",
+        "G110 behind G40 without motion",
+        "G50 with S, a limit of the speed",
+        "RND or CHF in front of the motion that selects TRC",
+        "a rounding or a chamfer in front of the motion that selects TRC",
+        "a feed that is no number per minute",
+        "a motion of one axis behind a deselection without motion",
+        "a second TURN=",
+        "a second rounding or chamfer",
+        "a step of 0",
+        "a stop beside RND",
+        "$GOTO behind words of a block",
+        "G147 beside words of an arc, a rounding or a chamfer",
+        "words behind a call",
+        "M73, modes as they were in front of a subprogram",
+        "Y+Q1, a variable, while TRC is active",
+        "TRC under a frame that scales, in line 4",
+        "a call of what only the machine has while TRC is active",
+        "the number of a parameter",
+        "S2, with the number of a spindle",
+        "T2, the tool of another spindle",
+        "G21, mm of the ISO mode: write G71, or declare the dialect FANUC"})
+    EXPECT_EQ(english_in(detail), "");
+}
+
+TEST(German, HelpsForEveryReason) {
+  for (const std::string_view reason : reasons_with_help()) {
+    const std::string_view english = help_by_reason(reason, Language::english);
+    const std::string_view german = help_by_reason(reason, Language::german);
+    EXPECT_TRUE(english.ends_with('.')) << reason;
+    EXPECT_TRUE(german.ends_with('.')) << reason;
+    EXPECT_NE(english, german) << reason;
+    EXPECT_EQ(once(words_of_machine(german)), once(words_of_machine(english))) << reason;
+  }
 }
 
 TEST(German, OfMessageAndHelp) {

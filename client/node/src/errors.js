@@ -42,9 +42,14 @@ export function noSummary() {
 
 /** What a caller gets for a call that failed. */
 export function raisedBy(error, diagnostics, record) {
-  return refusals.has(error.code)
-    ? new TrcError(error.details, diagnostics, record)
-    : new ServerError(error.code ?? status.UNKNOWN, error.details ?? error.message, detailsOf(error));
+  if (!refusals.has(error.code))
+    return new ServerError(error.code ?? status.UNKNOWN, error.details ?? error.message, detailsOf(error));
+  const refusal = new TrcError(error.details, diagnostics, record);
+  const { cause } = refusal;
+  // The status is in English, whatever the setup asks for.
+  if (cause?.language === "de")
+    refusal.message = `${cause.line ? `Zeile ${cause.line}: ` : ""}Fehler ${cause.code}: ${cause.text}`;
+  return refusal;
 }
 
 /** Reason and wait of the google.rpc.Status that travels with a status. */

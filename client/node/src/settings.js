@@ -9,6 +9,25 @@ function withFilesOfBytes({ subprograms, ...given }) {
   return { ...given, subprograms: texts, subprogramFiles: { ...given.subprogramFiles, ...files } };
 }
 
+/** In how many letters two names differ: one more, one less or another. */
+function distance(one, other) {
+  let before = [...Array(other.length + 1).keys()];
+  for (let i = 0; i < one.length; ++i) {
+    const row = [i + 1];
+    for (let j = 0; j < other.length; ++j)
+      row.push(Math.min(before[j] + (one[i] !== other[j]), before[j + 1] + 1, row[j] + 1));
+    before = row;
+  }
+  return before[other.length];
+}
+
+/** What was meant perhaps, or what there is. */
+function likely(name, known) {
+  const [nearest] = [...known].sort((a, b) => distance(name, a) - distance(name, b));
+  return distance(name, nearest) * 3 <= nearest.length
+    ? `did you mean "${nearest}"?` : `there are ${[...new Set(known)].sort().join(", ")}`;
+}
+
 /** Splits the options of calls into the messages of the protocol they belong to. */
 export class Settings {
   #schema;
@@ -30,8 +49,9 @@ export class Settings {
         const option = this.#schema.value(options.get(field), value, name);
         setup.options = { ...setup.options, [field]: option };
       } else {
-        const known = [...path.keys(), ...options.keys()].sort().join(", ");
-        throw new TypeError(`"${name}" is no setting; there are ${known}`);
+        const own = this.#schema.fieldsOf("ProgramSetup").keys();
+        const known = ["radius", ...path.keys(), ...options.keys(), ...own];
+        throw new TypeError(`"${name}" is no setting; ${likely(name, known)}`);
       }
     }
     return setup;

@@ -52,6 +52,7 @@ test("a refused program throws its diagnostics", async () => {
 test("diagnostics are in the language that is asked for", async () => {
   await assert.rejects(compensate("N10 G1 X10,5\n", { language: "de" }), (error) => {
     assert.equal(error.cause.language, "de");
+    assert.match(error.message, /^Zeile 1: Fehler 900008: eine Zahl/);
     return error.cause.help === "Dezimalpunkt statt Komma schreiben: X10.5.";
   });
 });

@@ -113,6 +113,9 @@ class Compensate(unittest.TestCase):
         self.assertEqual(cause.help, "Dezimalpunkt statt Komma schreiben: X10.5.")
         self.assertEqual(cause.remedy, "Write a decimal point: X10.5.")
         self.assertEqual(cause.language, "de")
+        self.assertTrue(str(caught.exception).startswith("Zeile 1: Fehler 900008: eine Zahl"),
+                        str(caught.exception))
+        self.assertEqual(str(cause), str(caught.exception))
 
     def test_tool_table_serves_d_words(self):
         result = trc.compensate(POCKET.replace("F800", "F800 D7"), tools={7: 5.0})

@@ -169,6 +169,7 @@ class WrongArguments(unittest.TestCase):
                         remove_masked_blocks="no")
         self.is_refused(TypeError, "did you mean 'transition'", trc.compensate, POCKET, radius=5,
                         transitions="G26")
+        self.is_refused(TypeError, "did you mean 'radius'", trc.compensate, POCKET, radiuss=5)
 
     def test_computed_coordinate_that_is_no_number(self):
         self.is_refused(ValueError, "x is nan", trc.Path().left().line, NAN, 0)

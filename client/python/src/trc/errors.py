@@ -60,7 +60,12 @@ def raised_by(error: grpc.RpcError, diagnostics: Sequence[Diagnostic],
     """The exception a caller gets for a call that failed."""
     status, text = error.code(), error.details() or ""
     if status in REFUSALS:
-        return TrcError(text, diagnostics, record)
+        refusal = TrcError(text, diagnostics, record)
+        cause = refusal.cause
+        # The status is in English, whatever the setup asks for.
+        if cause is not None and cause.language != "en":
+            refusal.args = (str(cause),)
+        return refusal
     reason, retry_after = _details_of(error)
     return ServerError(status, text, reason, retry_after)
 

@@ -18,6 +18,9 @@ class Severity(enum.IntEnum):
     ERROR = 3
 
 
+_GERMAN = {Severity.NOTE: "Hinweis", Severity.WARNING: "Warnung", Severity.ERROR: "Fehler"}
+
+
 @dataclass(frozen=True)
 class Place:
     """A place in a program."""
@@ -93,8 +96,11 @@ class Diagnostic:
     """The program counts in inches there; values are in mm all the same."""
 
     def __str__(self) -> str:
-        place = f"line {self.line}: " if self.line is not None else ""
-        return f"{place}{self.severity.name.lower()} {self.code}: {self.message}"
+        is_german = self.language == "de"
+        line = "Zeile" if is_german else "line"
+        place = f"{line} {self.line}: " if self.line is not None else ""
+        severity = _GERMAN[self.severity] if is_german else self.severity.name.lower()
+        return f"{place}{severity} {self.code}: {self.text if is_german else self.message}"
 
     @staticmethod
     def of(message: Any) -> "Diagnostic":

@@ -139,7 +139,8 @@ def path_setup(settings: Mapping[str, Any]) -> setup_pb2.PathSetup:
         elif name in options:
             json.setdefault("options", {})[name] = _value(options[name], value)
         else:
-            raise TypeError(f"{name!r} is no setting; {_known(name, [*fields, *options])}")
+            known = _known(name, ["radius", *fields, *options])
+            raise TypeError(f"{name!r} is no setting; {known}")
     return _parsed(json, setup_pb2.PathSetup())
 
 
