@@ -58,7 +58,7 @@ struct Config {
   std::uint32_t max_blocks_per_batch = 4096;
   std::uint32_t max_batches_in_flight = 16;
   std::uint64_t max_blocks_per_selection = 20'000'000;
-  std::uint32_t max_passive_blocks = 100;  // between two relevant ones (D-24)
+  std::uint32_t max_passive_blocks = 10'000;  // that a setup may ask for (D-24)
   std::uint32_t max_line_bytes = 64U * 1024U;
   // Where 0 stands, fill_in_limits says what it is.
   std::uint32_t memory_limit_mib = 0;  // of the process

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iostream>
 #include <memory>
+#include <span>
 #include <string_view>
 #include <utility>
 
 #include "core/base/explanation.h"
+#include "core/base/number_text.h"
 #include "core/nc/dialect/dialect.h"
 #include "core/nc/text/characters.h"
 #include "proto/wire/setup.h"
@@ -61,6 +64,16 @@ std::string without_names_of_fields(std::string help) {
         "into the same file, or give its file: --subprograms FILE, or the folder"},
        {"in denselben Text stellen oder seinen Text in `subprograms` des Setups angeben",
         "in dieselbe Datei stellen oder seine Datei angeben: --subprograms FILE, oder den Ordner"},
+       {"or give tool_radius in the setup", "or give the radius: --radius 5"},
+       {"oder tool_radius im Setup angeben", "oder den Radius angeben: --radius 5"},
+       {"Give tool_radius in the setup", "Give the radius: --radius 5"},
+       {"tool_radius im Setup angeben", "Den Radius angeben: --radius 5"},
+       {"tool_radius, without a table", "--radius 5, without a table"},
+       {"tool_radius, ohne Werkzeugtabelle", "--radius 5, ohne Werkzeugtabelle"},
+       {"in the table of the setup", "in the table of --tools"},
+       {"in der Tabelle des Setups", "in der Tabelle von --tools"},
+       {"may be declared in pass_words", "may be declared: --set pass_words=NAME"},
+       {"in pass_words angegeben werden", "mit --set pass_words=NAME angegeben werden"},
        {"in `subprograms` (--subprograms)", "with --subprograms"},
        {"in `subprograms` angeben (--subprograms)", "mit --subprograms angeben"}});
   for (const auto& [field, own] : names)
@@ -79,6 +92,26 @@ std::string with_number_of_tool(std::string help, std::string_view detail) {
   return help.replace(begin, help.find(':', begin) - begin, detail);
 }
 
+// The wear that is too large, in what would allow it.
+std::string with_wear(std::string help, std::span<const DiagnosticValue> values) {
+  constexpr std::string_view named = "max_wear=";
+  const std::size_t at = help.find(named);
+  const auto wear = std::ranges::find(values, "wear", &DiagnosticValue::name);
+  if (wear == values.end() || at == std::string::npos) return help;
+  const std::size_t begin = at + named.size();
+  const std::size_t end = help.find_first_not_of("0123456789", begin);
+  return help.replace(begin, end - begin, shortest(std::ceil(std::abs(wear->value))));
+}
+
+// The function that is not known, in what passes it on.
+std::string with_name_of_function(std::string help, std::string_view detail) {
+  constexpr std::string_view name = "NAME";
+  const std::size_t at = help.find("pass_words=NAME");
+  const bool is_word = !detail.empty() && detail.find_first_of(" ,") == std::string_view::npos;
+  if (!is_word || at == std::string::npos) return help;
+  return help.replace(help.find(name, at), name.size(), detail);
+}
+
 }  // namespace
 
 Diagnostic for_command_line(Diagnostic found, DialectName dialect) {
@@ -92,6 +125,10 @@ Diagnostic for_command_line(Diagnostic found, DialectName dialect) {
                                     : without_names_of_fields(std::move(texts.help));
   if (found.code == Code::tool_unknown)
     texts.help = with_number_of_tool(std::move(texts.help), found.detail);
+  if (found.code == Code::wear_too_large)
+    texts.help = with_wear(std::move(texts.help), found.values);
+  if (found.code == Code::nc_unknown_function)
+    texts.help = with_name_of_function(std::move(texts.help), found.detail);
   found.texts = std::make_shared<const DiagnosticTexts>(std::move(texts));
   return found;
 }

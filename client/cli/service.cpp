@@ -61,6 +61,10 @@ class Service {
       complain(std::string(as_setting(field.field)) + ": " + field.description);
     if (failure.unreachable())
       explain_unreachable(failure, answered);
+    else if (failure.reason == "MEMORY_LIMIT" && name_.empty())
+      complain(
+          "the program needs more memory than this run may take; raise --max-session-memory-mib or "
+          "--memory-limit-mib, or hold less: --set look_ahead_blocks=10000 --set verify=off");
     else if (failure.fields.empty())
       complain(failure.message);
     return exit_of(failure, name_.empty());

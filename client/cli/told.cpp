@@ -85,6 +85,10 @@ constexpr auto rows = std::to_array<Sentence>({
      "{} ist keine Zeile einer Werkzeugtabelle; eine CSV beginnt mit einem Kopf wie "
      "number,radius"},
     {"{} names no tool and edge, as in {}", "{} nennt kein Werkzeug mit Schneide, wie in {}"},
+    {"it has more values than the header; decimals have a point, or semicolons stand between the "
+     "values",
+     "sie hat mehr Werte als der Kopf; Dezimalstellen haben einen Punkt, oder zwischen den Werten "
+     "stehen Semikolons"},
     {"the table has no column {}", "die Tabelle hat keine Spalte {}"},
     {"unknown column {}", "unbekannte Spalte {}"},
     {"the header needs number or name, and one of radius, diameter",
@@ -253,6 +257,11 @@ constexpr auto rows = std::to_array<Sentence>({
      "allow plain text with insecure-http",
      "http-listen: {} ist von anderen Rechnern erreichbar; tls-cert-file und tls-key-file angeben, "
      "oder Klartext mit insecure-http erlauben"},
+    {"the program needs more memory than this run may take; raise --max-session-memory-mib or "
+     "--memory-limit-mib, or hold less: --set look_ahead_blocks=10000 --set verify=off",
+     "das Programm braucht mehr Speicher, als dieser Lauf nehmen darf; --max-session-memory-mib "
+     "oder --memory-limit-mib anheben, oder weniger halten: --set look_ahead_blocks=10000 --set "
+     "verify=off"},
     {"there is not enough memory for this program",
      "für dieses Programm reicht der Speicher nicht"},
     {"internal error: {}", "innerer Fehler: {}"},

@@ -304,6 +304,11 @@ class Table {
 
   std::string row(std::string_view line) {
     const auto cells = split(line, separator_);
+    // A decimal comma makes two cells of one number, and the first of them would count.
+    for (std::size_t i = columns_.size(); i < cells.size(); ++i)
+      if (!cells[i].empty())
+        return "it has more values than the header; decimals have a point, or semicolons stand "
+               "between the values";
     std::optional<double> number;
     std::string name;
     std::uint32_t edge = 1;

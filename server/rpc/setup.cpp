@@ -9,14 +9,10 @@
 namespace trc::server {
 namespace {
 
-void apply_limits(const v1::PathSetup& message, const Config& config, SessionSetup& session) {
+void apply_limits(const Config& config, SessionSetup& session) {
   Limits& limits = session.compensator.limits;
   limits.selection_blocks = config.max_blocks_per_selection;
-  // The client may ask for less.
-  limits.passive_blocks =
-      message.has_max_passive_blocks()
-          ? std::min<std::size_t>(limits.passive_blocks, config.max_passive_blocks)
-          : config.max_passive_blocks;
+  limits.passive_blocks = std::min<std::size_t>(limits.passive_blocks, config.max_passive_blocks);
 }
 
 }  // namespace
@@ -26,7 +22,7 @@ std::optional<Ending> read_setup(const v1::PathSetup& message, const Config& con
   wire::FieldFaults faults;
   settings = wire::from_proto(message, wire::FieldPath("setup"), faults);
   if (!faults.empty()) return refuse(faults);
-  apply_limits(message, config, settings.session);
+  apply_limits(config, settings.session);
   return std::nullopt;
 }
 
@@ -35,7 +31,7 @@ std::optional<Ending> read_setup(const v1::ProgramSetup& message, const Config& 
   wire::FieldFaults faults;
   settings = wire::from_proto(message, wire::FieldPath("setup"), faults);
   if (!faults.empty()) return refuse(faults);
-  apply_limits(message.path(), config, settings.path.session);
+  apply_limits(config, settings.path.session);
   return std::nullopt;
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "core/base/help_by_reason.h"
 #include "core/nc/dialect/dialect.h"
 
 namespace trc::cli {
@@ -70,6 +71,62 @@ TEST(Reporter, NamesTheToolThatIsMissing) {
   EXPECT_NE(help_for("D7").find("--set tools=7:RADIUS"), std::string::npos) << help_for("D7");
   EXPECT_NE(help_for("12").find("--set tools=12:RADIUS"), std::string::npos);
   EXPECT_NE(help_for("D9 of T1").find("--set tools=NUMBER:RADIUS"), std::string::npos);
+}
+
+// A table gives no radius to a program that names no tool.
+TEST(Reporter, HelpsToARadiusAsTheProgramNeedsIt) {
+  const auto help_for = [](const char* detail, Language language, DialectName dialect) {
+    Diagnostic found = diagnostic(Code::no_tool_radius, {}, detail);
+    found.language = language;
+    found.words = dialect_of(dialect).words;
+    return texts_of(for_command_line(found, dialect)).help;
+  };
+  using enum DialectName;
+  EXPECT_EQ(help_for("G41 or G42 in line 2 (N30)", Language::english, isg),
+            "Give the radius: --radius 5, or program the tool in front of G41 or G42 whose radius "
+            "the tool table holds: there is none here.");
+  EXPECT_EQ(help_for("RL or RR in line 2 (N30)", Language::english, heidenhain),
+            "Give the radius: --radius 5, or program the tool in front of RL or RR whose radius "
+            "the tool table holds: there is none here.");
+  EXPECT_EQ(help_for("G41 or G42 in line 2, T2 without M06", Language::english, isg),
+            "Program M06 behind the T word, in front of G41 or G42, or give the radius: --radius "
+            "5.");
+  const std::string of_zero =
+      help_for("G41 or G42 in line 2, D0 or T0 is no tool", Language::english, sinumerik);
+  EXPECT_EQ(of_zero.find("--radius"), std::string::npos) << of_zero;
+  EXPECT_NE(help_for("D1", Language::english, fanuc).find("--tools"), std::string::npos);
+  EXPECT_EQ(help_for("G41 or G42 in line 2", Language::german, isg).substr(0, 30),
+            "Den Radius angeben: --radius 5");
+}
+
+TEST(Reporter, NamesTheFunctionThatMayPass) {
+  const auto help = [](const char* detail) {
+    return texts_of(for_command_line(diagnostic(Code::nc_unknown_function, {}, detail),
+                                     DialectName::isg))
+        .help;
+  };
+  EXPECT_NE(help("G777").find("--set pass_words=G777."), std::string::npos) << help("G777");
+  EXPECT_NE(help("").find("--set pass_words=NAME."), std::string::npos);
+}
+
+TEST(Reporter, AllowsTheWearThatIsThere) {
+  Diagnostic found = diagnostic(Code::wear_too_large, {});
+  found.values = {{"wear", -3.2}, {"max_wear", 1}};
+  const std::string help = texts_of(for_command_line(found, DialectName::isg)).help;
+  EXPECT_NE(help.find("--set max_wear=4."), std::string::npos) << help;
+}
+
+TEST(Reporter, NamesOptionsForEveryReason) {
+  for (const std::string_view reason : reasons_with_help())
+    for (const Language language : {Language::english, Language::german}) {
+      Diagnostic found = diagnostic(Code::nc_unsupported, {}, std::string(reason));
+      found.words = ControlWords::g_functions;
+      found.language = language;
+      const std::string help = texts_of(for_command_line(found, DialectName::fanuc)).help;
+      for (const char* field :
+           {"setup", "Setup", "`dialect`", "`subprograms`", "tool_radius", "in pass_words"})
+        EXPECT_EQ(help.find(field), std::string::npos) << help;
+    }
 }
 
 // What is a setting of messages is an option here, and the value stands behind it.

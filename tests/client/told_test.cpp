@@ -30,6 +30,17 @@ TEST_F(Told, TellsWhatStandsInAGapToo) {
             "--tools: t.csv: Zeile 3: Werkzeug 5 ein zweites Mal");
 }
 
+// "{} programs" would fit as well.
+TEST_F(Told, TakesTheSentenceThatSaysMost) {
+  EXPECT_EQ(told("the server at box:5 is there, but shuts down and takes no new programs"),
+            "der Server box:5 ist da, fährt aber herunter und nimmt keine neuen Programme");
+  EXPECT_EQ(told("3 programs"), "3 Programme");
+}
+
+TEST_F(Told, WhyAWordDoesNotPass) {
+  EXPECT_EQ(told("pass_words[0]: \"G1\" is known"), "pass_words[0]: \"G1\" ist bekannt");
+}
+
 TEST_F(Told, LeavesWhatItDoesNotKnow) {
   EXPECT_EQ(told("the server is out of order"), "the server is out of order");
   EXPECT_EQ(told(""), "");

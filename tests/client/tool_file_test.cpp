@@ -187,6 +187,10 @@ TEST(ToolFile, SaysWhetherAProgramCountsInInch) {
 TEST(ToolFile, SaysInWhichLineItIsWrong) {
   EXPECT_EQ(fault_in("number,radius\n1,five\n"), "line 2: RADIUS is \"five\", which is no number");
   EXPECT_EQ(fault_in("number,radius\n1,5\n1,6\n"), "line 3: tool 1 a second time");
+  // A decimal comma: not a radius of 5.
+  EXPECT_NE(fault_in("number,radius\n1,5,5\n").find("line 2: it has more values than"),
+            std::string::npos);
+  EXPECT_EQ(fault_in("number,radius\n1,5,,\n"), "");
   EXPECT_NE(fault_in("number,length\n").find("unknown column"), std::string::npos);
   EXPECT_NE(fault_in("number\n1\n").find("needs number or name"), std::string::npos);
   EXPECT_NE(fault_in("1;5\n").find("is no row"), std::string::npos);

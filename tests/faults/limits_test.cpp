@@ -210,6 +210,28 @@ TEST(Limits, OfPassiveBlocksIsTheServersWhateverIsAskedFor) {
       << answer.status.error_message();
 }
 
+// As the help of 90011 says it; and in other dialects than ISG nobody need ask.
+TEST(Limits, OfPassiveBlocksIsWhatTheSetupAsksFor) {
+  const ServerProcess server({});
+  std::string text = "G1 G41 V.G.WZ_AKT.R=0.5 X10 Y0 F800\n";
+  for (int i = 0; i < 150; ++i) text += "M8\n";
+  text += "X30\nG40\nX0 Y-9\nM30\n";
+  const auto channel = channel_to(server.address());
+  v1::ProgramSetup setup;
+  EXPECT_NE(server::run_program(channel, setup, text).status.error_message().find("90011"),
+            std::string::npos);
+  setup.mutable_path()->set_max_passive_blocks(200);
+  const Answer raised = server::run_program(channel, setup, text);
+  EXPECT_TRUE(raised.status.ok()) << raised.status.error_message();
+
+  v1::ProgramSetup fanuc;
+  fanuc.set_dialect(v1::DIALECT_FANUC);
+  fanuc.mutable_path()->set_tool_radius(0.5);
+  text.replace(text.find("V.G.WZ_AKT.R=0.5"), 16, "D1");
+  const Answer other = server::run_program(channel, fanuc, text);
+  EXPECT_TRUE(other.status.ok()) << other.status.error_message();
+}
+
 grpc::health::v1::HealthCheckResponse::ServingStatus health_of(const std::string& address) {
   grpc::ClientContext context;
   context.set_deadline(std::chrono::system_clock::now() + seconds(10));

@@ -77,7 +77,7 @@ TEST(ServerConfig, StartsWithTheDocumentedDefaults) {
   EXPECT_EQ(config.max_stream_cpu_s, 7200U);
   EXPECT_EQ(config.max_streams_per_connection, 64U);
   EXPECT_EQ(config.max_line_bytes, 65536U);
-  EXPECT_EQ(config.max_passive_blocks, 100U);
+  EXPECT_EQ(config.max_passive_blocks, 10'000U);
   EXPECT_EQ(config.idle_timeout_s, 300U);
   EXPECT_EQ(config.keepalive_time_s, 30U);
   EXPECT_EQ(config.drain_timeout_s, 30U);
