@@ -243,10 +243,17 @@ TEST_F(Measuring, EndsAtTheDeadline) {
   const auto until_measured = Clock::now() - begin;
   one.cancel();
   EXPECT_TRUE(becomes_idle());
-  // Another one is about to be measured then.
-  Measured other(server_.address(), text, until_measured * 9 / 10);
-  EXPECT_EQ(other.status().error_code(), grpc::DEADLINE_EXCEEDED);
-  EXPECT_TRUE(becomes_idle());
+  // Another one is about to be measured then, or a little earlier where the machine is faster.
+  Clock::duration deadline = until_measured;
+  for (int attempt = 0; attempt < 5; ++attempt, deadline = deadline * 3 / 4) {
+    Measured other(server_.address(), text, deadline);
+    const grpc::StatusCode code = other.status().error_code();
+    if (code == grpc::OK) continue;
+    EXPECT_EQ(code, grpc::DEADLINE_EXCEEDED);
+    EXPECT_TRUE(becomes_idle());
+    return;
+  }
+  FAIL() << "it was done before each deadline";
 }
 
 TEST_F(Measuring, ShowsOnATerminalAndEndsWithControlC) {
