@@ -44,7 +44,7 @@ std::optional<Ending> read_setup(const v1::SurveySetup& message, const Config& c
   if (path.want_resume_tokens() || !path.resume_token().empty())
     return refuse(Refusal::resume_token_invalid, "SurveyRadii begins anew",
                   {{"field", "setup.path.resume_token"}});
-  apply_limits(path, config, settings.program.path.session);
+  apply_limits(config, settings.program.path.session);
   return std::nullopt;
 }
 
