@@ -212,7 +212,7 @@ TEST(Limits, OfPassiveBlocksIsTheServersWhateverIsAskedFor) {
 
 // As the help of 90011 says it; and in other dialects than ISG nobody need ask.
 TEST(Limits, OfPassiveBlocksIsWhatTheSetupAsksFor) {
-  const ServerProcess server({});
+  const ServerProcess server;
   std::string text = "G1 G41 V.G.WZ_AKT.R=0.5 X10 Y0 F800\n";
   for (int i = 0; i < 150; ++i) text += "M8\n";
   text += "X30\nG40\nX0 Y-9\nM30\n";
