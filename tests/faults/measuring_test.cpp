@@ -180,6 +180,7 @@ class Measuring : public ::testing::Test {
   // fast.
   [[nodiscard]] std::unique_ptr<AtATerminal> shown(const std::vector<std::string>& flags) const {
     for (const int steps : step_counts) {
+      std::filesystem::remove(out_);  // of a run that was done too soon
       std::vector<std::string> command{trc_program(), flags[0],
                                        folder_.write("stairs.nc", staircase(steps))};
       command.insert(command.end(), flags.begin() + 1, flags.end());
@@ -191,6 +192,7 @@ class Measuring : public ::testing::Test {
   }
 
   Folder folder_;
+  const std::string out_ = folder_.path("out.nc");
   ServerProcess server_{
       {"--heartbeat-s", "1", "--worker-threads", "2", "--admin-listen", "127.0.0.1:0"}};
 };
@@ -257,25 +259,23 @@ TEST_F(Measuring, EndsAtTheDeadline) {
 }
 
 TEST_F(Measuring, ShowsOnATerminalAndEndsWithControlC) {
-  const std::string out = folder_.path("out.nc");
-  const auto run = shown({"compensate", "-o", out, "--server", server_.address()});
+  const auto run = shown({"compensate", "-o", out_, "--server", server_.address()});
   if (!run) GTEST_SKIP() << too_fast;
   constexpr char control_c = 3;
   run->type(control_c);
   EXPECT_TRUE(becomes_idle());
-  EXPECT_FALSE(std::filesystem::exists(out));
+  EXPECT_FALSE(std::filesystem::exists(out_));
 }
 
 TEST_F(Measuring, EndsWhenItsClientIsKilled) {
-  const auto run =
-      shown({"compensate", "-o", folder_.path("out.nc"), "--server", server_.address()});
+  const auto run = shown({"compensate", "-o", out_, "--server", server_.address()});
   if (!run) GTEST_SKIP() << too_fast;
   run->kill();
   EXPECT_TRUE(becomes_idle());
 }
 
 TEST_F(Measuring, ShowsOnATerminalWithoutAServer) {
-  if (!shown({"compensate", "-o", folder_.path("out.nc")})) GTEST_SKIP() << too_fast;
+  if (!shown({"compensate", "-o", out_})) GTEST_SKIP() << too_fast;
 }
 
 TEST_F(Measuring, OfVerifyShowsOnATerminal) {
