@@ -130,7 +130,7 @@ void declare_sizes(Settings& settings, Config& config) {
                   "batches a client may send ahead of the answers");
   settings.number("max-blocks-per-selection", config.max_blocks_per_selection, 1, 1'000'000'000,
                   "most blocks between G41/G42 and G40");
-  settings.number("max-passive-blocks", config.max_passive_blocks, 1, 10'000,
+  settings.number("max-passive-blocks", config.max_passive_blocks, 1, 1'000'000,
                   "most blocks without motion in a row that a setup may ask for (90011)");
   settings.number("max-line-bytes", config.max_line_bytes, 80, 64U * 1024U * 1024U,
                   "longest line of NC text");

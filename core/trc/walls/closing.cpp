@@ -471,6 +471,7 @@ std::optional<Closing> closing_of_some(const ContourView& contour, std::size_t f
                                        double tool_radius) {
   ContourView some = contour;
   some.count = end - first;
+  some.length = 0;
   some.segment = [&contour, first](std::size_t number) { return contour.segment(first + number); };
   some.role = nullptr;
   auto closing = closing_of_all(some, closing_tolerance, tool_radius);
