@@ -270,8 +270,7 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "G113 vor der Kontur programmieren; für den Nullpunkt von Haas G154 P3 schreiben."},
     {"does not run on into its first block",
      "Let the arc end in the direction of the block behind it, or lead to the contour on a "
-     "straight "
-     "line.",
+     "straight line.",
      "Den Bogen in der Richtung des Satzes hinter ihm enden lassen, oder auf einer Geraden an die "
      "Kontur fahren."},
     {"a full circle to the contour",

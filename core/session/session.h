@@ -22,7 +22,7 @@ struct SessionSetup {
   CompensatorSetup compensator{};
   Verify verify = Verify::off;            // measure the path against the walls as it comes out
   Language language = Language::english;  // of the texts of diagnostics
-  MeasuringProgress measuring{};
+  MeasuringProgress measuring{};          // is told of that while it goes on
 };
 
 // The program as the setup of the compensation has it: with P-CHAN-00284 = 0 masking switches

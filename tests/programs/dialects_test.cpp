@@ -344,7 +344,7 @@ void is_the_same_path_in_another_dialect_or_refused(const DialectProgram& progra
   }
 }
 
-// All claims in one process: to start one takes longer than a program.
+// All claims in one process: to start a process takes longer than to try a program.
 class OfADialect : public ::testing::TestWithParam<ProgramFile> {};
 
 TEST_P(OfADialect, IsWhatItsHeadSays) {

@@ -59,7 +59,7 @@ bool is_beside(const ContourView& contour, const Arc& turns, const Closing& clos
 }
 
 // A bore may be roughed in turns that leave less than the tool takes to its finishing lap.
-bool rough_a_bore(const ContourView& contour, const Arc& turns, const Closing& closing,
+bool are_roughing(const ContourView& contour, const Arc& turns, const Closing& closing,
                   double tolerance, double tool_radius) {
   const auto finished = around_tool(contour, (closing.first.number + closing.second.number) / 2);
   return finished && (finished->center - turns.center).norm() <= tolerance &&
@@ -85,7 +85,7 @@ bool are_leads(const ContourView& contour, const BetweenTurns& between, const Cl
   const bool tool_is_inside = (ring.area() > 0) == (contour.tool_side == Side::left);
   const auto lead = [&](std::size_t number) {
     const auto turns = around_tool(contour, number);
-    if (rough_a_bore(contour, *turns, closing, tolerance, tool_radius)) return false;
+    if (are_roughing(contour, *turns, closing, tolerance, tool_radius)) return false;
     const double of_path = std::max(radius_of(*turns) - tool_radius, 0.0);
     constexpr int probes = 8;
     for (int probe = 0; probe < probes; ++probe) {
