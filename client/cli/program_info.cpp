@@ -21,8 +21,10 @@ namespace {
 std::optional<DialectName> suggestion(const std::string& program) {
   std::array<std::size_t, 5> votes{};
   std::istringstream lines(program);
-  for (std::string line; std::getline(lines, line);)
+  for (std::string line; std::getline(lines, line);) {
+    if (is_of_okuma(line)) return {};
     if (const auto name = looks_like(line)) ++votes[static_cast<std::size_t>(*name)];
+  }
   std::size_t most = 0;
   for (std::size_t name = 0; name < votes.size(); ++name)
     if (votes[name] > votes[most]) most = name;

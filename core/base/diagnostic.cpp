@@ -274,6 +274,15 @@ constexpr auto rows = std::to_array<CodeRow>({
      "are taken to be behind it what they were in front of it",
      "Give its text in `subprograms`, or program behind the call what has to hold. A name that "
      "changes nothing is declared in pass_words."},
+    {Code::machine_compensates, warning, "MACHINE_COMPENSATES",
+     "the machine compensates this cycle itself, with its own D register",
+     "Leave the radius in that register, as the cycle would be cut too large without it, or "
+     "program its centre path with D0."},
+    {Code::given_value_kept, warning, "GIVEN_VALUE_KEPT",
+     "a variable that the control keeps is set to a number that was computed from values given "
+     "for the machine",
+     "The result holds for these values only. Compute it in one assignment from the variables "
+     "that the control keeps, which then stays as it is, or compensate anew for each value."},
     {Code::too_many_lines_executed, error, "TOO_MANY_LINES_EXECUTED",
      "more lines are executed than allowed",
      "Look for a loop that never ends. A program that is meant to be so long needs a larger "

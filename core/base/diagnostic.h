@@ -115,6 +115,8 @@ enum class Code : std::int32_t {
   tool_radius_contradicts = 900224,
   tool_may_have_changed = 900225,
   call_taken_as_harmless = 900226,
+  machine_compensates = 900227,
+  given_value_kept = 900228,
 
   // programs that compute
   too_many_lines_executed = 900301,

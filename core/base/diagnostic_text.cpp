@@ -474,9 +474,11 @@ std::string help_to_declare(const Diagnostic& diagnostic, bool german) {
   if (german)
     return "Ist dies ein Programm " + std::string(family->german) +
            ", dann dies angeben: --dialect " + name +
-           ", `dialect` im Setup. Ist es eines für ISG, das Wort streichen.";
+           ", `dialect` im Setup. Ist es eines für ISG, das Wort streichen." +
+           (name == "fanuc" ? " LinuxCNC hat viele dieser Wörter auch: --dialect linuxcnc." : "");
   return "If this is a program " + std::string(family->english) + ", declare it: --dialect " +
-         name + ", `dialect` in the setup. If it is one for ISG, remove the word.";
+         name + ", `dialect` in the setup. If it is one for ISG, remove the word." +
+         (name == "fanuc" ? " LinuxCNC has many of these words too: --dialect linuxcnc." : "");
 }
 
 }  // namespace

@@ -981,6 +981,30 @@ constexpr auto rows = std::to_array<Explanation>({
                 "G40 X-20\n"
                 "M30\n",
      .options = "--radius 5"},
+    {.code = Code::machine_compensates,
+     .meaning = "G12, G13 and G150 of Haas stay as they are: the machine takes their radius from "
+                "the register that D names. Contours of G41 and G42 are compensated in the result "
+                "already, and their D words are gone.",
+     .causes = {"The program mills circular or general pockets with cycles of the machine."},
+     .example = "G21 G90 G17\n"
+                "T1 M6\n"
+                "G0 X0. Y0. Z-2.\n"
+                "G13 I12. D1 F200.\n"
+                "M30\n",
+     .options = "--dialect fanuc --radius 5"},
+    {.code = Code::given_value_kept,
+     .meaning = "Counters and sizes in #500, R1 and the like outlive the program, and the control "
+                "computes their assignments anew in each run. What is computed by way of a "
+                "variable that is not in the result stands there as a number: the same in each "
+                "run.",
+     .causes = {"A counter is raised by way of a local variable.",
+                "A value that the machine has measured, and that is given, is stored."},
+     .example = "G21 G90 G17\n"
+                "#1=#500+1\n"
+                "G0 X0. Y0.\n"
+                "#500=#1\n"
+                "M30\n",
+     .options = "--dialect fanuc --variable #500=7"},
     {.code = Code::too_many_lines_executed,
      .meaning = "Loops, jumps and calls are followed, and every line that is executed becomes a "
                 "line of the flat program. A bound keeps a loop without end from running forever.",

@@ -385,6 +385,16 @@ constexpr auto rows = std::to_array<GermanRow>({
      .on_command_line = "Seine Datei angeben (--subprograms FILE oder der Ordner), oder hinter dem "
                         "Aufruf programmieren, was gelten soll. Ein Name, der nichts ändert: "
                         "--set pass_words=NAME."},
+    {.code = Code::machine_compensates,
+     .title = "diesen Zyklus korrigiert die Maschine selbst, mit ihrem eigenen D-Register",
+     .help = "Den Radius in diesem Register stehen lassen, ohne ihn würde der Zyklus zu groß "
+             "gefräst, oder die Mittelpunktsbahn mit D0 programmieren."},
+    {.code = Code::given_value_kept,
+     .title = "eine Variable, die die Steuerung behält, bekommt eine Zahl, die aus Werten der "
+              "Maschine berechnet ist, wie sie angegeben sind",
+     .help = "Das Ergebnis gilt nur für diese Werte. Sie in einer einzigen Zuweisung aus den "
+             "Variablen berechnen, die die Steuerung behält: diese bleibt stehen. Oder für jeden "
+             "Wert neu korrigieren."},
     {.code = Code::too_many_lines_executed,
      .title = "es werden mehr Zeilen ausgeführt als erlaubt",
      .help = "Nach einer Schleife suchen, die nie endet. Ein Programm, das so lang sein soll, "

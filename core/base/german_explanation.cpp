@@ -430,6 +430,18 @@ constexpr auto rows = std::to_array<GermanExplanation>({
          "und G90 oder G91 müssen dahinter neu programmiert werden, das übrige ändern "
          "Unterprogramme kaum: es gilt als unverändert, und das wird einmal gesagt.",
      .causes = {"Das Unterprogramm steht in der Steuerung oder in einer eigenen Datei."}},
+    {.code = Code::machine_compensates,
+     .meaning = "G12, G13 und G150 von Haas bleiben, wie sie sind: ihren Radius nimmt die Maschine "
+                "aus dem Register, das D nennt. Die Konturen mit G41 und G42 hat das Ergebnis "
+                "schon korrigiert, ihre D-Wörter sind fort.",
+     .causes = {"Das Programm fräst Kreistaschen oder Taschen mit Zyklen der Maschine."}},
+    {.code = Code::given_value_kept,
+     .meaning = "Zähler und Maße in #500, R1 und dergleichen überleben das Programm, und ihre "
+                "Zuweisungen rechnet die Steuerung bei jedem Lauf neu. Was über eine Variable "
+                "berechnet ist, die im Ergebnis nicht vorkommt, steht dort als Zahl: bei jedem "
+                "Lauf dieselbe.",
+     .causes = {"Ein Zähler wird über eine lokale Variable erhöht.",
+                "Ein Messwert der Maschine, dessen Wert angegeben ist, wird gespeichert."}},
     {.code = Code::too_many_lines_executed,
      .meaning = "Schleifen, Sprüngen und Aufrufen wird gefolgt, und jede ausgeführte Zeile wird "
                 "eine Zeile des flachen Programms. Eine Grenze verhindert, dass eine Schleife "

@@ -184,6 +184,9 @@ constexpr auto helps = std::to_array<ReasonHelp>({
     {" without its size", write_what_is_missing, write_what_is_missing_in_german},
     {" without a time", write_what_is_missing, write_what_is_missing_in_german},
     {" without D, the diameter", write_what_is_missing, write_what_is_missing_in_german},
+    {" without D behind",
+     "Write the D of the cycle beside it, D0 where its path is that of the tool centre.",
+     "Das D des Zyklus daneben schreiben, D0, wo seine Bahn die des Mittelpunkts ist."},
     {" without DISR=", write_what_is_missing, write_what_is_missing_in_german},
     {" without DR", "Write DR+ or DR- in the block.", "DR+ oder DR- in den Satz schreiben."},
     {"CIP, whose", "Write a point between with I1= and J1=, off the line to the end point.",
@@ -207,6 +210,8 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Im Raum die Steuerung korrigieren lassen; Konturen einer Ebene haben CUT2D."},
     {"a jump", "Write the blocks in the order in which they run.",
      "Die Sätze in der Reihenfolge schreiben, in der sie laufen."},
+    {"TRC under polar coordinates", "Program G15 in front of the contour.",
+     "G15 vor der Kontur programmieren."},
     {"polar coordinates",
      "Write the end points in rectangular coordinates, with both axes of the plane.",
      "Die Endpunkte rechtwinklig schreiben, mit beiden Achsen der Ebene."},
@@ -237,6 +242,11 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "G90 (oder G91) und G00 oder G01 in einen Satz hinter dem Aufruf schreiben, vor der Kontur: "
      "nach dem Aufruf können andere gelten. In ISG und SINUMERIK kann ein Name, der nichts ändert, "
      "in pass_words angegeben werden."},
+    {"as no Y stands in front of it",
+     "A mill: program where its Y axis stands in front of G41, G42. A lathe: let it compensate the "
+     "nose of its tool.",
+     "Eine Fräsmaschine: vor G41, G42 programmieren, wo die Y-Achse steht. Eine Drehmaschine: sie "
+     "die Schneide selbst korrigieren lassen."},
     {"as G91 holds since",
      "Program G90 in front of it, if its coordinates are absolute; else all axes of the plane "
      "absolutely (G90) behind the change.",
@@ -249,6 +259,9 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Den TOOL CALL vor der Kontur selbst schreiben."},
     {"with the tool of the section", "Write the TOOL CALL in front of the contour itself.",
      "Den TOOL CALL vor der Kontur selbst schreiben."},
+    {"CT of a contour, which holds behind it",
+     "Write CT, G1, G2 or G3 into the first block behind the contour.",
+     "CT, G1, G2 oder G3 in den ersten Satz hinter der Kontur schreiben."},
     {"CT while TRC is active", "Write the arc with its centre or its radius.",
      "Den Bogen mit seinem Mittelpunkt oder seinem Radius schreiben."},
     {"CT, TURN=", "Write the motion with both axes of the plane, an arc with its centre or radius.",
@@ -263,8 +276,14 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Convert it to Klartext, on the control or at its programming station, and give that program.",
      "Es in der Steuerung oder am Programmierplatz in Klartext umwandeln und dieses Programm "
      "geben."},
+    {"a block of Okuma",
+     "Programs of Okuma are not read here: have them posted for a control of Fanuc.",
+     "Programme von Okuma werden hier nicht gelesen: sie für eine Fanuc-Steuerung ausgeben "
+     "lassen."},
     {"TRC under a modal cycle", "End the cycle in front of the contour: #DISABLE MODAL CYCLE.",
      "Den Zyklus vor der Kontur beenden: #DISABLE MODAL CYCLE."},
+    {"TRC under scaling", "End the scaling in front of the contour: G50, in SINUMERIK SCALE alone.",
+     "Die Skalierung vor der Kontur beenden: G50, in SINUMERIK SCALE allein."},
     {"a work offset of Haas",
      "Program G113 in front of the contour; for the work offset of Haas write G154 P3.",
      "G113 vor der Kontur programmieren; für den Nullpunkt von Haas G154 P3 schreiben."},
@@ -294,6 +313,11 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Vor der Kontur beenden, was Koordinaten eine andere Bedeutung gibt."},
     {"a motion with L, which is repeated", "Write the motion as often as it runs.",
      "Die Bewegung so oft schreiben, wie sie läuft."},
+    {"a rounding or a chamfer that is not between",
+     "Where the contour begins or ends take it out, as there is no corner of it; elsewhere write "
+     "the corner as blocks of its own.",
+     "Am Anfang und am Ende der Kontur streichen, dort ist keine Ecke; sonst die Ecke als eigene "
+     "Sätze schreiben."},
     {"a rounding or a chamfer", write_corner, write_corner_in_german},
     {"the angle of a motion", "Write the end point of the line with both axes.",
      "Den Endpunkt der Geraden mit beiden Achsen schreiben."},

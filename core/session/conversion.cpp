@@ -56,6 +56,58 @@ struct Words {
   std::string comment{};  // its text
 };
 
+// #500=#500+1, R1=6 and V.S.PARTS = 2, which the control keeps for programs of its own (D-88,
+// D-89). Where what sets them begins; npos: the line is another one.
+std::size_t begin_of_setting(std::string_view line, DialectName dialect) {
+  constexpr std::string_view digits = "0123456789";
+  const auto behind_blanks = [&](std::size_t at) {
+    return std::min(line.find_first_not_of(" \t", at), line.size());
+  };
+  std::size_t begin = behind_blanks(0);
+  if (begin < line.size() && upper(line[begin]) == 'N')
+    begin = behind_blanks(std::min(line.find_first_not_of(digits, begin + 1), line.size()));
+  const std::string text = capitals(line.substr(begin));
+  const auto is_parameter = [&] {
+    const std::size_t behind = text.find_first_not_of(digits, 1);
+    return text.starts_with('R') && behind > 1 && behind != std::string::npos &&
+           text[behind] == '=';
+  };
+  // #3003 and the like are switches of the control.
+  constexpr std::size_t most_digits = 3;
+  bool sets = false;
+  if (dialect == DialectName::fanuc)
+    sets = text.starts_with('#') && text.find_first_not_of(digits, 1) <= most_digits + 1;
+  else if (dialect == DialectName::linuxcnc)
+    sets = text.starts_with('#');
+  else if (dialect == DialectName::sinumerik)
+    sets = is_parameter();
+  else if (dialect == DialectName::isg)
+    sets = text.starts_with("V.S.") || text.starts_with("V.E.");
+  return sets ? begin : std::string_view::npos;
+}
+
+// The program with such settings as comments: another control has no such variables.
+std::string with_settings_as_comments(std::string_view program, DialectName dialect) {
+  std::string text;
+  for (std::size_t at = 0; at < program.size();) {
+    const std::size_t end = std::min(program.find('\n', at), program.size() - 1) + 1;
+    const std::string_view line = program.substr(at, end - at);
+    at = end;
+    const std::size_t begin = begin_of_setting(line, dialect);
+    if (begin == std::string_view::npos) {
+      text.append(line);
+      continue;
+    }
+    const bool sinumerik = dialect == DialectName::sinumerik;
+    const std::size_t behind =
+        std::min(line.find_first_of(sinumerik ? "\r\n" : "(;\r\n", begin), line.size());
+    text.append(line.substr(0, begin)).append(sinumerik ? ";" : "(");
+    text.append(without_blanks_behind(line.substr(begin, behind - begin)));
+    text.append(sinumerik ? "" : ")").append(line.substr(behind));
+  }
+  return text;
+}
+
 class Conversion {
  public:
   Conversion(const ProgramSetup& setup, DialectName to)
@@ -440,7 +492,8 @@ ConvertedProgram Conversion::run(std::string_view program) {
   ProgramState state(setup_, {}, diagnostics, blocks);
   Interpreter interpreter({.longest_line = 1 << 20}, state, diagnostics);
   std::vector<LinePointer> lines;
-  if (interpreter.feed(program, lines)) interpreter.finish(lines);
+  if (interpreter.feed(with_settings_as_comments(program, from_.name), lines))
+    interpreter.finish(lines);
   if (diagnostics.stopped()) {
     const std::vector<Diagnostic> told = diagnostics.take();
     result_.faults.push_back({.word = message_of(told.back()), .line = told.back().source.line});

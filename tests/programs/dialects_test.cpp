@@ -893,13 +893,13 @@ TEST(FaultsOfReading, AreAllToldInOneRunWithTheNumberOfTheirLines) {
   EXPECT_EQ(written.text.find("G0"), std::string::npos) << written.text;
 }
 
-// EXTCALL is one obstacle, whatever stands behind it.
+// CALL is one obstacle, whatever stands behind it.
 TEST(FaultsOfReading, NameAStatementOfSinumerikOnce) {
   ProgramSessionSetup setup;
   setup.session.program.dialect = DialectName::sinumerik;
-  const Written written = run("EXTCALL \"SUB\"\nG0 X0\nM30\n", setup, true);
+  const Written written = run("CALL \"SUB\"\nG0 X0\nM30\n", setup, true);
   ASSERT_EQ(written.diagnostics.size(), 1u) << written.report();
-  EXPECT_EQ(written.diagnostics[0].detail, "EXTCALL, a statement");
+  EXPECT_EQ(written.diagnostics[0].detail, "CALL, a name");
 }
 
 TEST(FaultsOfReading, AreNoMoreThanTheLimit) {

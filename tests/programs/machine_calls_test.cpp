@@ -9,7 +9,7 @@
 // Calls of what only the machine has, such as the macros of a probe: they pass while TRC is off,
 // and what they may have changed is not known behind them (D-64).
 
-namespace trc::support {
+namespace trc::support::machine_calls {
 namespace {
 
 std::string flat(const std::string& text, DialectName dialect) {
@@ -250,4 +250,4 @@ TEST(MachineCalls, OfSinumerikForgetWhatTheyMaySet) {
 }
 
 }  // namespace
-}  // namespace trc::support
+}  // namespace trc::support::machine_calls

@@ -122,7 +122,7 @@ TEST(SinumerikVariables, AreKnownFromTheSetup) {
   ProgramSessionSetup setup = sinumerik();
   setup.session.program.variables = {{"R5", 7}, {"$AA_IM[X]", 3}, {"_DEPTH", -2}, {"$P_TOOLR", 4}};
   EXPECT_EQ(flat_of("X=R5 Y=$AA_IM[X]+1 Z=_DEPTH F=$P_TOOLR*10\n", setup), "X=7 Y=4 Z=-2 F=40\n");
-  EXPECT_EQ(flat_of("R5=R5+1\nX=R5\n", setup), "X=8\n");
+  EXPECT_EQ(flat_of("R5=R5+1\nX=R5\n", setup), "R5=R5+1\nX=8\n");  // D-88
 }
 
 TEST(SinumerikWords, TakeTheirValues) {

@@ -146,6 +146,29 @@ TEST(ToolsOfPrograms, AreToldWhereOtherDialectsWriteAnotherRadius) {
             "900224 2 T1\n");
 }
 
+// G12, G13 and G150 of Haas, which come out as they are.
+TEST(ToolsOfPrograms, OfCyclesStayWithTheMachine) {  // D-66, D-102
+  ProgramSessionSetup setup = setup_of(fanuc);
+  setup.session.program.mode.tool_radius = 0;
+  setup.session.program.tools = {{1, 5}, {2, 3}};
+  const std::string head = "G21 G17 G90\nG0 X0. Y0. Z2.\n";
+  const auto told_of = [&](const std::string& lines) {
+    return told(head + lines + "M30\n", setup);
+  };
+  EXPECT_EQ(told_of("G13 I12. D7 F200.\n"), "900227 3 G13 D7\n");
+  EXPECT_EQ(told_of("G12 I12. F200.\n"), "900227 3 G12\n");
+  EXPECT_EQ(told_of("G13 I12. D0 F200.\nG12 I9. F200.\n"), "");
+  EXPECT_EQ(told_of("D1\nG13 I12. F200.\n"), "900227 4 G13 D1\n");
+  const std::string pocket = "G150 P2 X0. Y0. Z-1. R1. I1. K0.1 Q1. F100. G41 D2\nG40 X0. Y0.\n";
+  EXPECT_EQ(told_of(pocket), "900227 3 G150 D2\n");
+  // What G41 had does not come out, so that the machine would take an older one.
+  const std::string wall = contour_of(fanuc, "G41 D1");
+  EXPECT_EQ(told_of(wall + "G13 I12. F200.\n"), "900003 7 G13 without D behind D1 in line 4\n");
+  EXPECT_EQ(told_of(wall + "G13 I12. D1 F200.\n"), "900227 7 G13 D1\n");
+  // The D of the cycle holds behind it.
+  EXPECT_EQ(distance(head + "D1\n" + pocket + contour_of(fanuc, "G41") + "M30\n", setup), 3);
+}
+
 TEST(ToolsOfPrograms, MayHaveBeenChangedByACall) {
   const auto twice = [](DialectName dialect, const std::string& between, const std::string& side) {
     const std::string end = dialect == heidenhain ? "END PGM A MM\n" : "M30\n";
@@ -263,7 +286,7 @@ TEST(ToolsOfPrograms, AreCalledByParametersOfKlartext) {
   EXPECT_EQ(distance(program("Q5 = 0.1 * 2\nTOOL CALL 1 Z DR+Q5\n"), setup), 5.2);  // D-85
   const std::string unknown = "900003 4 DR+Q5 of TOOL CALL, a variable\n";
   for (const std::string lost :
-       {"Q5 = SQRT 0.04", "FN 18: SYSREAD Q5 = ID50 NR2", "LBL 1", "CALL PGM A",
+       {"Q5 = LOG 0.04", "FN 18: SYSREAD Q5 = ID50 NR2", "LBL 1", "CALL PGM A",
         "CYCL DEF 200 DRILLING ~\n Q5=1", "/ Q5 = 0.3", "TCH PROBE 419"}) {
     const std::string text = program("Q5 = 0.2\n" + lost + "\nTOOL CALL 1 Z DR+Q5\n");
     EXPECT_EQ(distance(text, setup), -1) << lost;

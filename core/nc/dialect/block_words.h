@@ -118,6 +118,9 @@ struct Interpreter::BlockWords {
   std::optional<std::uint32_t> way_round{};  // C=DC(…)
   std::optional<std::uint32_t> corner{};     // ,R ,C RND= CHF= CHR=, G36 G39 with R
   std::optional<Value> modal_rounding{};     // RNDM=
+  std::optional<Value> corner_feed{};        // FRC=
+  std::optional<Value> modal_corner_feed{};  // FRCM=
+  std::optional<Value> angle{};              // ANG= and ,A in a contour, degrees
   bool sets_position = false;                // G92: the axis words say where the machine stands
   bool names_tool = false;                   // M61 of LinuxCNC: Q is the tool in the spindle
   std::optional<Value> quantity{};           // Q

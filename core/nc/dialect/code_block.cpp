@@ -40,7 +40,11 @@ bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
   if (!watch_tool(line, block)) return false;
   take_tool_words(line, block);
   take_spindle_limit(line, block);
-  if (dialect_.name == DialectName::fanuc) take_words_of_few_controls(line, block);
+  if (dialect_.name == DialectName::fanuc) {
+    take_words_of_few_controls(block);
+    take_parameters_of_control(line, block);
+    if (!take_cycle_with_register(line, block)) return false;
+  }
   end_modes_before(block);
   take_words_that_are_no_motion(line, block);
   if (!check_skipped_modes(line, block)) return false;
@@ -53,7 +57,9 @@ bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
     if (!resolve_polar_words(line, block) || !take_soft_lead(line, block)) return false;
   }
   if (!take_fagor_words(line, block) || !take_modal_rounding(line, block)) return false;
-  if (!check_code_selection(line, block) || !take_corner(line, block)) return false;
+  if (!check_code_selection(line, block) || !take_corner(line, block) ||
+      !take_corner_feed(line, block))
+    return false;
   take_turns_of_arc(line, block);
   if (!restate_modes(line, block)) return false;
   if (block.calls_the_machine || machine_follows_)
@@ -84,6 +90,7 @@ void Interpreter::end_modes_before(const BlockWords& block) {
   if (motion_ends_cycle || block.has(cycle_end)) code_.cycle = false;
   if (block.has(motion)) code_.tangent_arcs = false;
   code_.tangent_arcs |= block.begins_tangent_arcs;
+  if (block.begins_tangent_arcs) code_.tangents_written = trc_active();
   code_.tooth_feed =
       block.tooth_feed.has_value() || (code_.tooth_feed && !(block.feed && !block.has(dwell)));
 }
@@ -144,8 +151,9 @@ bool Interpreter::may_read_plain_lines() const {
                                    (whole == WholeNumbers::unsaid && code_.points_seen);
   return !code_.cycle && code_.unfollowed < 0 && !code_.tangent_arcs &&
          !code_.dimension_uncertain && code_.y_seen && faults_.empty() && plain_whole_numbers &&
-         code_.modal_rounding == 0 && !code_.soft_approach && !called_motion_ &&
-         !called_dimension_ && !code_.tooth_feed && code_.open_corner.source.line == 0;
+         !code_.enters_parameters && code_.modal_rounding == 0 && !code_.soft_approach &&
+         !called_motion_ && !called_dimension_ && !code_.tooth_feed &&
+         code_.open_corner.source.line == 0;
 }
 
 // What I, J, K and R mean in a straight motion of Fanuc: a vector beside G40 and G41, a corner.
@@ -170,9 +178,8 @@ bool Interpreter::check_circle_words(const ProgramLine& line, const BlockWords& 
   return has_center || !block.axis || refused("R in a straight motion");
 }
 
-// G72 S0.5 of Fagor scales, where other controls drill holes on a line, with I J L. G41 and D
-// beside G150 of Haas are for its pocket (D-66).
-void Interpreter::take_words_of_few_controls(ProgramLine& line, BlockWords& block) const {
+// G72 S0.5 of Fagor scales, where other controls drill holes on a line, with I J L (D-66).
+void Interpreter::take_words_of_few_controls(BlockWords& block) {
   BlockWords::Function& found = block.functions[static_cast<std::size_t>(single_move)];
   static constexpr GFunction scaling{.number = 72, .group = unfollowed, .meaning = "scaling"};
   static constexpr GFunction no_scaling{.number = 72, .group = unfollowed_end};
@@ -183,11 +190,6 @@ void Interpreter::take_words_of_few_controls(ProgramLine& line, BlockWords& bloc
     block.set(function, found.begin);
     found = {};
   }
-  if (!found.is(150) || contour_open()) return;
-  block.forget = all_axes;
-  block.clear(side);
-  block.tool.reset();
-  take_for_technology(line, WordRole::trc);
 }
 
 // T, M06 and M61.

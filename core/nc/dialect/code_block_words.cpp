@@ -46,22 +46,19 @@ bool prints_text(std::string_view line, std::size_t begin) {
   return word == "POPEN" || word == "PCLOS" || word == "DPRNT" || word == "BPRNT";
 }
 
-// #3003=1; #501=12.5 and #502=#0 in front of a macro that only the machine has.
+// #3003=1, #501=12.5 and #502=#0, also #500=#500+1: what the flow of a program that computes leaves
+// in it (D-88, D-93, D-95), which has read the expression.
 bool sets_variable(std::string_view line, std::size_t begin) {
   if (line[begin] != '#') return false;
   std::string_view behind = line.substr(begin + 1);
   double value = 0;
   bool whole = false;
-  std::size_t digits = read_number(behind, value, whole);
+  const std::size_t digits = read_number(behind, value, whole);
   if (digits == 0 || !whole) return false;
   behind = without_blanks_in_front(behind.substr(digits));
   if (!behind.starts_with('=')) return false;
   behind = without_blanks_in_front(behind.substr(1));
-  constexpr std::string_view vacant = "#0";
-  digits = behind.starts_with(vacant) ? vacant.size() : read_number(behind, value, whole);
-  behind = without_blanks_in_front(behind.substr(digits));
-  if (digits == 0) return false;
-  return behind.empty() || behind.front() == '(' || behind.front() == ';';
+  return !behind.empty() && behind.front() != '(' && behind.front() != ';';
 }
 
 // Behind NAME or NAME[…] nothing stands but comments.
@@ -155,6 +152,8 @@ bool Interpreter::read_code_words(ProgramLine& line, BlockWords& block) {
 bool Interpreter::names_what_passes(std::string_view line, std::uint32_t begin) const {
   const bool fanuc = dialect_.name == DialectName::fanuc;
   if (fanuc && sets_variable(line, begin)) return true;
+  // SETVN 500[WIDTH,DEPTH] gives variables names.
+  if (fanuc && word_to_pass(line, begin) == "SETVN") return true;
   return is_name_alone(line, begin) &&
          (passes_word(state_.setup(), line, begin) || (fanuc && prints_text(line, begin)));
 }
@@ -229,6 +228,8 @@ bool Interpreter::read_code_function(const CodeWord& word, ProgramLine& line, Bl
   if (function->number == 96) code_.turning = block.constant_speed = true;
   // Where there is nothing to end, G40 is a line of the program like any other.
   const bool ends_nothing = group == side && function->number == 40 && !contour_open();
+  if (dialect_.name == DialectName::fanuc && function->tenths() == 110)
+    code_.enters_parameters = false;
   add(line, word, ends_nothing ? WordRole::mode : role_of(group));
   return true;
 }
@@ -267,10 +268,14 @@ bool Interpreter::read_comma_word(const CodeWord& word, ProgramLine& line, Block
     block.move.corner = {.form = word.letter == 'R' ? CornerCut::Form::round : CornerCut::Form::leg,
                          .size = word.value};
     see_whole(word, WholeWord::corner, block);
+  } else if (angle && trc_active()) {
+    if (block.angle) return refuse_code(line, word, Code::nc_word_twice);
+    block.angle = {.value = word.value, .begin = word.begin};
+    add(line, word, WordRole::trc);
+    return true;
   } else if (trc_active()) {
     return refuse_code(line, word, Code::nc_unsupported,
-                       angle ? "the angle of a motion while TRC is active"
-                             : "a rounding or a chamfer while TRC is active");
+                       "a rounding or a chamfer while TRC is active");
   } else if (angle) {
     block.unfollowed_word = word.begin;
   }

@@ -74,6 +74,24 @@ bool Interpreter::take_modal_rounding(ProgramLine& line, BlockWords& block) {
   return true;
 }
 
+// FRC= and FRCM=, the feed of a rounding or a chamfer, which becomes a block of its own. FRCM=
+// holds for what comes behind the contour as well: it stays.
+bool Interpreter::take_corner_feed(ProgramLine& line, BlockWords& block) {
+  if (block.modal_corner_feed)
+    code_.corner_feed = block.modal_corner_feed->value * feed_unit(inch_);
+  if (!block.move.corner || !trc_active()) return true;
+  const bool is_said = block.corner_feed && block.corner_feed->value > 0;
+  block.move.corner_feed =
+      is_said ? block.corner_feed->value * feed_unit(inch_) : code_.corner_feed;
+  for (WordRange& word : line.words)
+    if (block.corner_feed && word.begin == block.corner_feed->begin) word.role = WordRole::trc;
+  if (block.move.corner_feed == 0 || feed_mode_ == 94) return true;
+  return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                .begin = block.corner_feed ? block.corner_feed->begin
+                                                           : line.words.front().begin,
+                                .detail = "FRC= or FRCM=, no feed per minute"});
+}
+
 // While TRC is active the corner becomes blocks of its own, and its word is not written. Else the
 // control makes it.
 bool Interpreter::take_corner(ProgramLine& line, BlockWords& block) {

@@ -67,13 +67,20 @@ struct CodeModes {
   std::int64_t missing_tool = -1;  // of the last D word, which the table has not
   std::string tool_name{};         // of T="…"
   std::string only_tool_name{};
-  bool tangent_arcs = false;    // CT
-  bool leaves_contour = false;  // the last motion in the plane was one of a contour
-  WordPlace open_corner{};      // a rounding whose next motion is still to come
-  double modal_rounding = 0;    // RNDM=, mm
-  double edge = 1;              // of the tool, Sinumerik: D; 0: none
-  bool changes_by_m6 = false;   // T only prepares a tool
-  std::string call{};           // the last one of what only the machine has
+  bool tangent_arcs = false;      // CT
+  bool tangents_written = false;  // its word is in the output no longer
+  bool leaves_contour = false;    // the last motion in the plane was one of a contour
+  WordPlace open_corner{};        // a rounding whose next motion is still to come
+  double modal_rounding = 0;      // RNDM=, mm
+  double corner_feed = 0;         // FRCM=, mm/min
+  // Of FANUC: the last D word, -1 for none, and whether it stands in the output.
+  double last_register = -1;
+  bool register_comes_out = true;
+  bool enters_parameters = false;  // G10 L50 and L52, up to G11
+  WordPlace register_place{};
+  double edge = 1;             // of the tool, Sinumerik: D; 0: none
+  bool changes_by_m6 = false;  // T only prepares a tool
+  std::string call{};          // the last one of what only the machine has
   WordPlace call_place{};
   bool contour_seen = false;  // one has been selected
   // Since then:
@@ -108,7 +115,8 @@ struct CodeModes {
             soft_direction, soft_in_space, soft_approach, next_tool_place, spindle_tool_place,
             edge_place, edge_of_next_tool, offset_axes, call, call_place, contour_seen, tool_said,
             call_behind_contour, leaves_contour, open_corner, only_radius_said, radius_doubtful,
-            tool_awaits_call, unknown_call, modal_cycle);
+            tool_awaits_call, unknown_call, modal_cycle, last_register, register_comes_out,
+            enters_parameters, register_place, tangents_written, corner_feed);
   }
 };
 

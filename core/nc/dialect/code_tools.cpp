@@ -108,13 +108,18 @@ bool Interpreter::refuse_selection(const ProgramLine& line, const BlockWords& bl
       line, TextFault{.code = code, .begin = block.of(side).begin, .detail = std::move(detail)});
 }
 
-// Only lathes work without Y.
+// Only lathes work without Y (D-105).
 bool Interpreter::check_turning(const ProgramLine& line, const BlockWords& block) {
   const bool selects = block.has(side) && !block.of(side).is(40);
   if (selects && code_.turning && !code_.y_seen)
     return refuse_selection(line, block, Code::turning, "G41, G42 of a lathe");
-  if (trc_active() && !code_.y_seen && state_.mode().plane == Plane::xy && block.move.end[0] &&
-      block.move.end[2])
+  const bool in_zx =
+      block.has(plane) ? block.of(plane).is(18) : state_.programmed_plane() == Plane::zx;
+  const bool leads_in_zx = in_zx || (block.move.end[0] && block.move.end[2]);
+  if (selects && !code_.y_seen && leads_in_zx)
+    return refuse_selection(line, block, Code::turning,
+                            "G41, G42 of a lathe, as no Y stands in front of it");
+  if (trc_active() && !code_.y_seen && state_.mode().plane == Plane::xy && block.move.end[2])
     return refuse(line, TextFault{.code = Code::turning,
                                   .begin = *block.axis,
                                   .detail = "a contour of X and Z in the plane X Y"});

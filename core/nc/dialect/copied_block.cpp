@@ -121,7 +121,9 @@ void Interpreter::copy_for_words_of_line(BlockWords& block, AxisBits named, NotW
   }
   if (block.unfollowed_word)
     copy_motion("CT, TURN=, AP=, RP=, ANG=, ,A or a variable", all_axes, block, found);
-  if (code_.tangent_arcs) copy_motion("CT", named, block, found);
+  // In a contour they have centres (take_tangent).
+  const bool follows_tangent = trc_active() && !block.has(side);
+  if (code_.tangent_arcs && !follows_tangent) copy_motion("CT", named, block, found);
   if (leaves_from_lost_place(block))
     copy_motion("a motion of one axis behind a deselection without motion", named, block, found);
   if (dialect_.name == DialectName::fanuc && block.tool_data)
@@ -184,6 +186,15 @@ bool Interpreter::check_motion_before(const ProgramLine& line, const BlockWords&
                   TextFault{.code = Code::nc_unsupported,
                             .begin = *block.axis,
                             .detail = "CT behind a motion of the contour: program its centre"});
+  if (code_.tangent_arcs && block.axis && trc_active() && block.has(side))
+    return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                  .begin = *block.axis,
+                                  .detail = "CT while TRC is active"});
+  if (code_.tangent_arcs && code_.tangents_written && block.axis && !trc_active())
+    return refuse(line,
+                  TextFault{.code = Code::nc_unsupported,
+                            .begin = *block.axis,
+                            .detail = "CT of a contour, which holds behind it: write CT anew"});
   if (block.of(axis_technology).is(110) && contour_open() && !trc_active())
     return refuse(line, TextFault{.code = Code::nc_unsupported,
                                   .begin = block.of(axis_technology).begin,

@@ -121,8 +121,15 @@ bool is_heidenhain_iso(std::string_view line) {
   return begins && line.back() == '*';
 }
 
+bool is_of_okuma(std::string_view line) {
+  const std::string words = words_of(without_blanks_in_front(line));
+  const bool is_name = words.starts_with('$') && without_blanks_behind(words).ends_with('%');
+  return is_name || starts_with_any(words, {"CALL O", "MODIN O"}) ||
+         contains_any(words, {"G15 H", "G15H"});
+}
+
 std::optional<DialectName> looks_like(std::string_view line) {
-  if (is_heidenhain_iso(line)) return {};
+  if (is_heidenhain_iso(line) || is_of_okuma(line)) return {};
   const std::string words = words_of(line);
   if (starts_with_any(words, {"BEGIN PGM", "TOOL CALL", "TOOL DEF", "CYCL DEF", "L X+", "L X-",
                               "CC X", "BLK FORM"}) ||
@@ -147,6 +154,8 @@ std::optional<DialectName> looks_like(std::string_view line) {
       has_word(words, 'G', "90.1") || has_word(words, 'G', "91.1") ||
       starts_with_any(words, {"O<", "#<"}))
     return DialectName::linuxcnc;
+  // Smoothing by a tolerance.
+  if (has_word(words, 'G', "64") && contains_any(words, {" P"})) return DialectName::linuxcnc;
   const bool numbered = words.size() > 1 && is_digit(words[1]);
   if (numbered && (words[0] == 'O' || words[0] == '#')) return DialectName::fanuc;
   for (const std::string_view function :

@@ -57,5 +57,7 @@ struct Dialect {
 // A block of the programs that Heidenhain writes in G functions, which are not read: it ends with
 // an asterisk.
 [[nodiscard]] bool is_heidenhain_iso(std::string_view line);
+// A block as only Okuma has it: $PART.MIN%, CALL OSUB, G15 H1.
+[[nodiscard]] bool is_of_okuma(std::string_view line);
 
 }  // namespace trc

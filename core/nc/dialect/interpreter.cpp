@@ -268,7 +268,10 @@ bool Interpreter::read_block(ProgramLine& line) {
 void Interpreter::copy_plunge_from_nowhere(ProgramLine& line, BlockWords& block) const {
   using enum GGroup;
   const std::size_t third = axes_of(state_.programmed_plane()).third;
-  const bool incremental = block.has(dimension) ? block.of(dimension).is(91) : incremental_;
+  const int reference = block.end_reference[third];  // IC(…)
+  const bool incremental = reference != 0         ? reference < 0
+                           : block.has(dimension) ? block.of(dimension).is(91)
+                                                  : incremental_;
   const bool straight =
       block.has(motion) ? block.of(motion).function->number < 2 : motion_ <= MotionKind::linear;
   if (block.copied || contour_open() || block.has(side) || block.has(plane) || !incremental ||

@@ -214,7 +214,9 @@ class Interpreter {
   void copy_for_words_of_line(BlockWords& block, AxisBits named, NotWhileActive& found);
   void end_what_was_unfollowed(BlockWords& block);
   void take_tool_words(const ProgramLine& line, BlockWords& block);
-  void take_words_of_few_controls(ProgramLine& line, BlockWords& block) const;
+  static void take_words_of_few_controls(BlockWords& block);
+  bool take_cycle_with_register(ProgramLine& line, BlockWords& block);
+  void take_parameters_of_control(ProgramLine& line, BlockWords& block);
   void take_turns_of_arc(ProgramLine& line, BlockWords& block) const;
   bool copy_code_block(ProgramLine& line, BlockWords& block);
   bool check_motion_before(const ProgramLine& line, const BlockWords& block);
@@ -237,6 +239,7 @@ class Interpreter {
   // code_corners.cpp
   bool take_corner(ProgramLine& line, BlockWords& block);
   bool take_modal_rounding(ProgramLine& line, BlockWords& block);
+  bool take_corner_feed(ProgramLine& line, BlockWords& block);
   bool check_circle_words(const ProgramLine& line, const BlockWords& block);
   bool take_fagor_words(ProgramLine& line, BlockWords& block);
   bool take_tool_data(ProgramLine& line, BlockWords& block);
@@ -334,6 +337,8 @@ class Interpreter {
   bool resolve_references(ProgramLine& line, BlockWords& block);
   bool take_sweep(ProgramLine& line, BlockWords& block);
   bool take_point_between(ProgramLine& line, BlockWords& block);
+  bool take_tangent(ProgramLine& line, BlockWords& block);
+  bool take_angle(ProgramLine& line, BlockWords& block);
   [[nodiscard]] bool has_one_radius() const {
     return state_.setup().tools.empty() && state_.setup().mode.tool_radius != 0;
   }

@@ -211,6 +211,8 @@ bool Interpreter::apply_motion(ProgramLine& line, BlockWords& block) {
   if (dialect_.name == DialectName::sinumerik && (block.axis || block.center) &&
       !resolve_references(line, block))
     return false;
+  if (block.angle && !take_angle(line, block)) return false;
+  if (code_.tangent_arcs && block.axis && !take_tangent(line, block)) return false;
   if (block.leads_softly)
     return block.of(GGroup::soft_lead).function->number % 10 == 7 ? approach_softly(line, block)
                                                                   : depart_softly(line, block);

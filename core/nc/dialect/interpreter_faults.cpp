@@ -72,6 +72,12 @@ void Interpreter::guard_against_other_dialects(const ProgramLine& line, Diagnost
     fault.slip = {};
     return;
   }
+  if (is_of_words && dialect_.name == DialectName::isg && is_of_okuma(line.text)) {
+    fault.code = Code::nc_unsupported;
+    fault.detail = "a block of Okuma";
+    fault.slip = {};
+    return;
+  }
   const bool mistyped =
       fault.slip.kind != SlipKind::none && fault.slip.kind != SlipKind::unit_of_another;
   if (isg_word_seen_ || mistyped || !is_of_words) return;

@@ -9,6 +9,7 @@
 
 #include "core/nc/dialect/block_words.h"
 #include "core/nc/dialect/klartext_block.h"
+#include "core/nc/dialect/klartext_formula.h"
 #include "core/nc/text/characters.h"
 #include "core/nc/text/klartext_tool_words.h"
 
@@ -23,53 +24,6 @@ using Value = KlartextToolWord::Value;
 
 constexpr std::string_view tool_call = "TOOL CALL";
 constexpr std::string_view tool_definition = "TOOL DEF";
-
-// Also with the decimal comma that older controls write.
-bool is_number_of_any_sign(std::string_view word, double& value) {
-  std::string number(word);
-  std::ranges::replace(number, ',', '.');
-  bool whole = false;
-  return !number.empty() && read_number(number, value, whole) == number.size();
-}
-
-using Parameters = std::map<std::string, double, std::less<>>;
-
-// +5, -Q1 at the begin of `text`, which is taken off; nothing: a parameter that is not known, or
-// something else.
-std::optional<double> take_operand(std::string_view& text, const Parameters& known) {
-  text = without_blanks_in_front(text);
-  const bool negative = text.starts_with('-');
-  if (negative || text.starts_with('+')) text = without_blanks_in_front(text.substr(1));
-  double value = 0;
-  std::size_t length = 0;
-  if (text.starts_with('Q')) {
-    length = std::min(text.find_first_not_of("QLR0123456789"), text.size());
-    const auto found = known.find(text.substr(0, length));
-    if (found == known.end()) return {};
-    value = found->second;
-  } else {
-    length = std::min(text.find_first_not_of("0123456789.,"), text.size());
-    if (!is_number_of_any_sign(text.substr(0, length), value)) return {};
-  }
-  text = without_blanks_in_front(text.substr(length));
-  return negative ? -value : value;
-}
-
-// Q1, Q1 + 5, and +Q1 DIV +2 of FN 4.
-std::optional<double> result_of(std::string_view text, const Parameters& known) {
-  const std::optional<double> first = take_operand(text, known);
-  if (!first || text.empty()) return first;
-  const bool divides = text.starts_with("DIV");
-  const char sign = divides ? '/' : text.front();
-  if (std::string_view("+-*/").find(sign) == std::string_view::npos) return {};
-  text.remove_prefix(divides ? 3 : 1);
-  const std::optional<double> second = take_operand(text, known);
-  if (!second || !text.empty() || (sign == '/' && *second == 0)) return {};
-  return sign == '+'   ? *first + *second
-         : sign == '-' ? *first - *second
-         : sign == '*' ? *first * *second
-                       : *first / *second;
-}
 
 // Words that act on the spindle and the coolant, as some programs write them there.
 bool is_function_beside_the_path(const KlartextToolWord& word) {
@@ -215,14 +169,14 @@ bool Interpreter::read_tool_call(ProgramLine& line, std::size_t begin, std::stri
   return goes_on;
 }
 
-// Q5 = +0.05, FN 0: Q5 = +0.05 (D-79), also of one operation (D-85). What is computed otherwise,
-// read from the machine or may be skipped is not followed.
+// Q5 = +0.05, FN 0: Q5 = +0.05 (D-79), also of a formula (D-85). What is computed otherwise, read
+// from the machine or may be skipped is not followed.
 void Interpreter::take_assignment(const ProgramLine& line, std::string_view statement) {
   const std::size_t equals = statement.find('=');
   if (equals == std::string_view::npos) return;
   std::string_view name = without_blanks_behind(statement.substr(0, equals));
   name.remove_prefix(name.find_last_of(" :") + 1);
-  const auto result = result_of(statement.substr(equals + 1), klartext_.parameters);
+  const auto result = value_of_formula(statement.substr(equals + 1), klartext_.parameters);
   if (const auto known = klartext_.parameters.find(name); known != klartext_.parameters.end())
     klartext_.parameters.erase(known);
   const bool may_be_skipped = std::ranges::any_of(

@@ -71,20 +71,23 @@ bool holds_words(std::string_view value) {
   return false;
 }
 
-// V.P.DEPTH = 3, P10 = 5, also declared between #VAR and #ENDVAR: V.P.DEPTH : REAL64. Not of the
-// tool in force, V.G., which says the radius.
+// V.P.DEPTH = 3, V.E.SUM += 2, P10 = 5, also declared between #VAR and #ENDVAR: V.P.DEPTH : REAL64.
+// Not of the tool in force, V.G., which says the radius.
 bool assigns_variable(std::string_view text) {
   const bool is_variable = text.size() >= 5 && upper(text[0]) == 'V' && text[1] == '.' &&
                            text[3] == '.' &&
                            std::string_view("PLSE").find(upper(text[2])) != std::string_view::npos;
   const bool is_parameter = text.size() > 2 && upper(text[0]) == 'P' && is_digit(text[1]);
   if (!is_variable && !is_parameter) return false;
-  const std::size_t behind = std::min(text.find_first_of("= \t(;:", 1), text.size());
+  const std::size_t behind = std::min(text.find_first_of("=+-*/ \t(;:", 1), text.size());
   const bool is_number =
       text.substr(1, text.find('[') - 1).substr(0, behind - 1).find_first_not_of(digits) ==
       std::string_view::npos;
   if (is_parameter && !is_number) return false;  // P1.5
-  const std::string_view value = without_blanks_in_front(text.substr(behind));
+  std::string_view value = without_blanks_in_front(text.substr(behind));
+  const bool changes = value.size() > 1 && value[1] == '=' &&
+                       std::string_view("+-*/").find(value[0]) != std::string_view::npos;
+  if (changes) value.remove_prefix(1);
   if (value.empty() || value.front() == ':') return is_variable || value.starts_with(':');
   return value.front() == '=' && !holds_words(value.substr(1));
 }

@@ -176,6 +176,59 @@ bool Interpreter::take_sweep(ProgramLine& line, BlockWords& block) {
   return true;
 }
 
+// CT: the arc goes on where the contour has led. Where that is straight ahead it is a line.
+bool Interpreter::take_tangent(ProgramLine& line, BlockWords& block) {
+  const PlaneAxes axes = axes_of(state_.mode().plane);
+  MoveRequest& move = block.move;
+  const auto wrong = [&](const char* why) {
+    return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                  .begin = block.axis.value_or(block.center.value_or(0)),
+                                  .detail = std::string("CT").append(why)});
+  };
+  const auto tangent = state_.tangent_of_contour();
+  if (!tangent) return wrong(" without a motion in the plane before it");
+  if (block.center) return wrong(" beside a centre or a radius");
+  const Point start = to_plane(state_.mode().plane, state_.position()) / length_unit();
+  const auto on = [&](const std::optional<double>& value, double from) {
+    return value ? *value + (incremental_ ? from : 0) : from;
+  };
+  const Vector chord =
+      Point(on(move.end[axes.first], start.x()), on(move.end[axes.second], start.y())) - start;
+  const double across = cross(*tangent, chord);
+  constexpr double straight = 1e-6;
+  motion_ = MotionKind::linear;
+  if (std::abs(across) <= straight) return chord.dot(*tangent) >= 0 || wrong(" straight back");
+  const Vector to_center = chord.squaredNorm() / (2 * across) * left_of(*tangent);
+  move.center[axes.first] = to_center.x();
+  move.center[axes.second] = to_center.y();
+  motion_ = across > 0 ? MotionKind::counter_clockwise : MotionKind::clockwise;
+  return true;
+}
+
+// ANG= of Sinumerik and ,A of Fanuc: the angle of a line, with one of its coordinates.
+bool Interpreter::take_angle(ProgramLine& line, BlockWords& block) {
+  const PlaneAxes axes = axes_of(state_.mode().plane);
+  auto& first = block.move.end[axes.first];
+  auto& second = block.move.end[axes.second];
+  const bool straight = motion_ == MotionKind::rapid || motion_ == MotionKind::linear;
+  const double angle = block.angle->value * std::numbers::pi / 180;
+  const double along = first ? std::cos(angle) : std::sin(angle);
+  constexpr double parallel = 1e-6;
+  if (!straight || code_.tangent_arcs || first.has_value() == second.has_value() ||
+      std::abs(along) < parallel)
+    return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                  .begin = block.angle->begin,
+                                  .detail = "the angle of a motion without one of its coordinates "
+                                            "alone"});
+  const Point start = to_plane(state_.mode().plane, state_.position()) / length_unit();
+  const double from = first ? start.x() : start.y();
+  const double travel = (first ? *first : *second) - (incremental_ ? 0 : from);
+  const double across = travel / along * (first ? std::sin(angle) : std::cos(angle));
+  const double other = first ? start.y() : start.x();
+  (first ? second : first) = across + (incremental_ ? 0 : other);
+  return true;
+}
+
 // CIP: the circle through start, a point between and end.
 bool Interpreter::take_point_between(ProgramLine& line, BlockWords& block) {
   const PlaneAxes axes = axes_of(state_.mode().plane);

@@ -83,8 +83,12 @@ bool Interpreter::read_corner(const NamedWord& word, ProgramLine& line, BlockWor
 // ANG=, the angle of a motion, and TURN=, further turns of a circle.
 bool Interpreter::read_angle_or_turns(const NamedWord& word, ProgramLine& line, BlockWords& block) {
   const bool turns = word.name == "TURN";
-  if (!turns && trc_active())
-    return refuse_code(line, as_code(word), Code::nc_unsupported, "the angle of a motion");
+  if (!turns && trc_active()) {
+    if (block.angle) return refuse_code(line, as_code(word), Code::nc_word_twice, "a second ANG=");
+    block.angle = {.value = word.value, .begin = word.begin};
+    add(line, word, WordRole::trc);
+    return true;
+  }
   if (turns && contour_open()) {
     if (block.turns) return refuse_code(line, as_code(word), Code::nc_word_twice, "a second TURN=");
     block.turns = {.value = word.value, .begin = word.begin};
@@ -103,8 +107,12 @@ bool Interpreter::pass_assignment(const NamedWord& word, ProgramLine& line, Bloc
     return refuse_code(line, as_code(word), Code::nc_unsupported, why);
   };
   const bool is_corner_word = is_sinumerik_corner_word(word.name);
-  if (is_corner_word && trc_active() && word.value != 0)
-    return refused("a rounding or a chamfer while TRC is active");
+  if (is_corner_word) {
+    auto& feed = is("FRC") ? block.corner_feed : block.modal_corner_feed;
+    if (feed || word.value < 0)
+      return refuse_code(line, as_code(word), Code::nc_number, "once, 0 or more");
+    feed = {.value = word.value, .begin = word.begin};
+  }
   if (is("DISC") && word.value != 0) return refused("corners that reach out: DISC=0");
   if (is("FB")) block.own_feed = word.begin;
   if (is("FZ")) block.tooth_feed = word.begin;

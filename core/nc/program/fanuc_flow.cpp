@@ -165,7 +165,10 @@ bool FanucFlow::execute_line(std::string& flat) {
 bool FanucFlow::end_of_unit(std::string& flat) {
   if (looks_ahead()) return ended_ = true;
   Frame& at = frame();
-  if (frames_.size() == 1 && at.end == texts_[at.text].size()) return end_main_program(flat);
+  if (frames_.size() == 1 && at.end == texts_[at.text].size()) {
+    write_lasting_values(flat);
+    return end_main_program(flat);
+  }
   if (frames_.size() == 1) {
     // It runs into the next O.
     at.current = at.end;

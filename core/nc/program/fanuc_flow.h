@@ -40,7 +40,8 @@ class FanucFlow : public CodeFlow {
   static constexpr std::int64_t first_named = 1'000'000'000'000;
   // #0 is not used; nothing: vacant.
   struct Locals : std::array<std::optional<double>, 34> {
-    bool are_lost = false;  // the machine may have set any of them
+    bool are_lost = false;               // the machine may have set any of them
+    std::set<std::size_t> of_machine{};  // hang on what is given for the machine
   };
   // An O program, or the one without number that a text begins with.
   struct Unit {
@@ -98,12 +99,18 @@ class FanucFlow : public CodeFlow {
   bool pass_call(std::int64_t number, bool sees_locals);
   void forget_what_the_machine_may_set(std::int64_t number);
   // Lines that set what the program has set, for a macro of the machine that is called behind them.
+  void write_value(std::string& flat, std::int64_t number, const std::optional<double>& content);
   void write_values(std::string& flat, bool sees_locals);
+  void write_lasting_values(std::string& flat);
 
   // fanuc_variables.cpp
   bool assign(std::string& flat, std::size_t at);
   [[nodiscard]] std::string data_setting(std::int64_t number, const Value& value) const;
   bool set(std::int64_t number, const Value& value, std::size_t begin);
+  [[nodiscard]] Value value_of(ExpressionReader& expression, std::int64_t number,
+                               std::size_t begin);
+  // Whether they outlast the power of the machine.
+  [[nodiscard]] static bool is_kept(std::int64_t number) { return number >= 500 && number < 1000; }
   [[nodiscard]] std::optional<double> modal_value(std::int64_t number) const;
   Value lost(ExpressionReader& expression, std::int64_t number, std::size_t begin);
   [[nodiscard]] Value content_or_vacant(const std::optional<double>& content) const;

@@ -22,7 +22,10 @@ bool FanucFlow::assign(std::string& flat, std::size_t at) {
   if (!expression.failed() && expression.peek() != '=')
     return refuse(Code::expression_invalid, at, "# without =");
   expression.go_to(expression.at() + (expression.failed() ? 0 : 1));
+  const std::size_t value_begin = behind_blanks(line_, expression.at());
+  kept_text_.begin(is_kept(number) ? "#" + std::to_string(number) : "");
   const Value value = expression.expression();
+  kept_text_.end();
   if (expression.failed()) return refuse(expression.fault());
   const std::size_t behind = expression.at();
   if (!is_over(line_, behind)) {
@@ -55,7 +58,15 @@ bool FanucFlow::assign(std::string& flat, std::size_t at) {
     write_behind_number(flat, comments.empty() ? data : data + " " + comments);
     return true;
   }
-  return set(number, value, at) && finish_statement(flat, behind);
+  if (!set(number, value, at)) return false;
+  if (!kept_text_.stays()) return finish_statement(flat, behind);
+  // The control computes it anew in each run.
+  std::string text = "#" + std::to_string(number) + "=";
+  text += without_blanks_behind(kept_text_.text(line_, value_begin, behind));
+  const std::string comments = comments_of(line_, behind);
+  write_behind_number(flat, comments.empty() ? text : text + " " + comments);
+  unwritten_.erase(number);
+  return true;
 }
 
 // What sets a zero point or the radius of a tool, as G10 does it, which the reader follows: under
@@ -94,10 +105,16 @@ bool FanucFlow::set(std::int64_t number, const Value& value, std::size_t begin) 
   constexpr std::int64_t alarm = 3000;
   const auto locals = static_cast<std::int64_t>(locals_.back().size());
   if (number > 0 && number < locals) {
-    locals_.back()[static_cast<std::size_t>(number)] = content;
+    Locals& own = locals_.back();
+    own[static_cast<std::size_t>(number)] = content;
+    own.of_machine.erase(static_cast<std::size_t>(number));
+    if (kept_text_.hangs_on_machine()) own.of_machine.insert(static_cast<std::size_t>(number));
   } else if (number >= 100 && number < 1000) {
     common_[number] = content;
     unwritten_.insert(number);
+    note_counter("#" + std::to_string(number));
+    if (kept_text_.hangs_by_the_way() && is_kept(number))
+      warn_of_given(begin, "#" + std::to_string(number));
   } else if (number == alarm) {
     return refuse(Code::program_alarm, begin,
                   std::string(without_blanks_behind(line_.substr(begin))));
@@ -108,23 +125,32 @@ bool FanucFlow::set(std::int64_t number, const Value& value, std::size_t begin) 
   return true;
 }
 
+void FanucFlow::write_value(std::string& flat, std::int64_t number,
+                            const std::optional<double>& content) {
+  flat.append("#").append(std::to_string(number)).append("=");
+  if (content)
+    append_value(flat, *content, PointStyle::with_point);
+  else
+    flat.append("#0");
+  flat.append(line_end());
+  is_as_written_ = false;
+}
+
 // D-95
 void FanucFlow::write_values(std::string& flat, bool sees_locals) {
-  const auto write = [&](std::int64_t number, const std::optional<double>& content) {
-    flat.append("#").append(std::to_string(number)).append("=");
-    if (content)
-      append_value(flat, *content, PointStyle::with_point);
-    else
-      flat.append("#0");
-    flat.append(line_end());
-    is_as_written_ = false;
-  };
   if (sees_locals) {
     const Locals& locals = locals_.back();
     for (std::size_t number = 1; number < locals.size(); ++number)
-      if (locals[number]) write(static_cast<std::int64_t>(number), locals[number]);
+      if (locals[number]) write_value(flat, static_cast<std::int64_t>(number), locals[number]);
   }
-  for (const std::int64_t number : unwritten_) write(number, common_.at(number));
+  for (const std::int64_t number : unwritten_) write_value(flat, number, common_.at(number));
+  unwritten_.clear();
+}
+
+// At the end of the program (D-89).
+void FanucFlow::write_lasting_values(std::string& flat) {
+  for (const std::int64_t number : unwritten_)
+    if (is_kept(number)) write_value(flat, number, common_.at(number));
   unwritten_.clear();
 }
 
@@ -163,25 +189,53 @@ Value FanucFlow::lost(ExpressionReader& expression, std::int64_t number, std::si
 Value FanucFlow::read(ExpressionReader& expression) {
   suppose();
   const std::size_t begin = expression.at();
+  const bool reads = kept_text_.pause();
   const std::int64_t number = number_of_variable(expression);
+  kept_text_.go_on(reads);
   if (expression.failed() || number == 0) return {.vacant = true};
-  const auto locals = static_cast<std::int64_t>(locals_.back().size());
-  if (number < locals) {
-    const auto& content = locals_.back()[static_cast<std::size_t>(number)];
-    if (locals_.back().are_lost && !content) return lost(expression, number, begin);
-    return content_or_vacant(content);
+  const Value value = value_of(expression, number, begin);
+  std::string text;
+  if (value.vacant)
+    text = "#0";
+  else
+    append_value(text, value.number, PointStyle::with_point);
+  kept_text_.take(begin, expression.at(), text.front() == '-' ? "[" + text + "]" : text);
+  return value;
+}
+
+Value FanucFlow::value_of(ExpressionReader& expression, std::int64_t number, std::size_t begin) {
+  const Locals& own = locals_.back();
+  if (number < static_cast<std::int64_t>(own.size())) {
+    const auto index = static_cast<std::size_t>(number);
+    if (own.are_lost && !own[index]) return lost(expression, number, begin);
+    if (own.of_machine.contains(index)) kept_text_.hang_by_the_way();
+    return content_or_vacant(own[index]);
   }
-  if (const auto known = common_.find(number); known != common_.end())
+  const std::string name = "#" + std::to_string(number);
+  const auto known = common_.find(number);
+  const bool* const counted = counter(name);
+  if (known != common_.end() && (counted == nullptr || *counted)) {
+    if (counted != nullptr) kept_text_.keep(name, true);
     return content_or_vacant(known->second);
-  const std::string name = std::to_string(number);
-  if (const double* value = given(name)) return {.number = *value};
-  if (const auto value = modal_value(number)) return {.number = *value};
-  if (number < 1000 && !lost_to_.empty()) return lost(expression, number, begin);
-  if (number >= 100 && number < 500) return content_or_vacant({});
-  const Code code = number >= 1000  ? Code::machine_state
-                    : number >= 500 ? Code::variable_unset
-                                    : Code::value_invalid;
-  return without_value(expression, code, begin, "#" + name);
+  }
+  const double* const value = known == common_.end() ? given(name.substr(1)) : nullptr;
+  if (value != nullptr) {
+    is_kept(number) ? kept_text_.keep(name, true) : kept_text_.hang_by_the_way();
+    return {.number = *value};
+  }
+  if (const auto modal = modal_value(number)) return {.number = *modal};
+  const bool is_lost = number < 1000 && !lost_to_.empty();
+  if (number >= 100 && number < 1000 && !is_kept(number) && !is_lost) return content_or_vacant({});
+  if (is_kept(number) && kept_text_.may_be_unknown(name)) {
+    kept_text_.keep(name, false);
+    return {.number = 1};
+  }
+  if (counted != nullptr) return without_value(expression, Code::variable_unset, begin, name);
+  if (is_lost) return lost(expression, number, begin);
+  const Code code = number >= 1000    ? Code::machine_state
+                    : is_kept(number) ? Code::variable_unset
+                                      : Code::value_invalid;
+  return without_value(expression, code, begin, name);
 }
 
 bool FanucFlow::exists(ExpressionReader& /*expression*/) { return false; }

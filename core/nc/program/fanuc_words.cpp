@@ -51,6 +51,7 @@ bool FanucFlow::execute_words(std::string& flat) {
   const bool moves = word_of('X') != nullptr || word_of('Y') != nullptr || word_of('Z') != nullptr;
   const bool calls = modal_call_ && moves && frames_.size() == modal_call_->depth;
   if (calls && modal_call_->is_of_machine) write_values(flat, false);
+  if (ends) write_lasting_values(flat);
   write_line(flat);
   if (calls) return call_modally(flat);
   return !ends || end_main_program(flat);
@@ -131,8 +132,10 @@ std::optional<bool> FanucFlow::print(std::string& flat) {
       continue;
     }
     ExpressionReader number = expression_at(at);
-    constexpr std::int64_t first_of_machine = 1000;
-    const bool is_of_machine = number_of_variable(number) >= first_of_machine;
+    const std::int64_t variable = number_of_variable(number);
+    const bool is_of_program =
+        variable < 100 || (common_.contains(variable) && !counter("#" + std::to_string(variable)));
+    const bool is_of_machine = !number.failed() && !is_of_program;
     ExpressionReader expression = expression_at(at);
     const double value = is_of_machine ? 0 : read(expression).number;
     if (number.failed()) return refuse(number.fault());
@@ -248,6 +251,7 @@ bool FanucFlow::is_of_the_machine(std::int64_t number) const {
 void FanucFlow::forget_what_the_machine_may_set(std::int64_t number) {
   lost_to_ = name_of(number);
   common_.clear();
+  counters_.clear();
 }
 
 // The line passes; what the variables of the program hold behind it is not known.
@@ -300,6 +304,7 @@ bool FanucFlow::return_from(std::string& flat, ComputedWord& word) {
   ComputedWord* const target = word_of('P');
   const bool is_main = frames_.size() == 1;
   if (is_main && target == nullptr) {  // what ends it for the reader as well
+    write_lasting_values(flat);
     write_line(flat);
     return end_main_program(flat);
   }

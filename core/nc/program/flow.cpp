@@ -111,7 +111,9 @@ void Flow::forget_values() {
 
 Flow::Step Flow::step(std::string& flat) {
   refusals_.clear();
+  warnings_.clear();
   settings_.clear();
+  kept_text_ = {};
   calls_the_machine_ = machine_follows_ = false;
   return looks_ahead_ ? look_at_next(flat) : execute_next(flat);
 }
@@ -178,6 +180,24 @@ bool Flow::refuse(Code code, std::size_t begin, std::string detail) {
   refusals_.push_back(diagnostic(code, {}, std::move(detail)));
   refusals_.back().column = static_cast<std::uint32_t>(begin + 1);
   return false;
+}
+
+void Flow::note_counter(const std::string& name) {
+  if (kept_text_.stays())
+    counters_[name] = kept_text_.is_known();
+  else if (!counters_.empty())
+    counters_.erase(name);
+}
+
+const bool* Flow::counter(const std::string& name) const {
+  const auto found = counters_.find(name);
+  return found == counters_.end() ? nullptr : &found->second;
+}
+
+void Flow::warn_of_given(std::size_t begin, const std::string& name) {
+  if (looks_ahead_ || !warned_of_.insert(name).second) return;
+  warnings_.push_back(diagnostic(Code::given_value_kept, {}, name));
+  warnings_.back().column = static_cast<std::uint32_t>(begin + 1);
 }
 
 Value Flow::without_value(ExpressionReader& expression, Code code, std::size_t begin,

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "core/base/call_places.h"
 #include "core/base/diagnostic.h"
 #include "core/nc/program/expression.h"
+#include "core/nc/program/kept_text.h"
 #include "core/nc/program/program_text.h"
 #include "core/nc/state/program_setup.h"
 #include "core/nc/state/program_state.h"
@@ -78,6 +80,8 @@ class Flow {
   [[nodiscard]] std::uint64_t executed_lines() const { return executed_; }
   // What stands against it, without its place in the program: one at most where it is executed.
   [[nodiscard]] const std::vector<Diagnostic>& refusals() const { return refusals_; }
+  // What has to be looked at in it, without its place in the program.
+  [[nodiscard]] const std::vector<Diagnostic>& warnings() const { return warnings_; }
 
  protected:
   // What is being executed: the main program, or a call.
@@ -125,6 +129,14 @@ class Flow {
   // Of a variable without a value: fails, or supposes one where lines are looked at.
   Value without_value(ExpressionReader& expression, Code code, std::size_t begin,
                       std::string detail);
+  // A variable has been assigned what kept_text_ has read.
+  void note_counter(const std::string& name);
+  // Of a variable that the control counts: whether its value is known. Null: the program knows what
+  // it has set.
+  [[nodiscard]] const bool* counter(const std::string& name) const;
+  // Once of each: the variable outlives the program, and the number that it is set to hangs on what
+  // is given for the machine (D-88).
+  void warn_of_given(std::size_t begin, const std::string& name);
   // A variable is read: where lines are looked at it need not have the value it would have.
   void suppose() { supposes_ = true; }
   // Whether what was refused hangs on values that the program would have had.
@@ -146,6 +158,8 @@ class Flow {
   std::vector<Frame> frames_{};
   ModalState modes_{};
   std::string settings_{};
+  KeptText kept_text_{};
+  std::map<std::string, bool, std::less<>> counters_{};  // those that the control counts
   bool is_as_written_ = true;
   bool calls_the_machine_ = false;
   bool machine_follows_ = false;
@@ -164,6 +178,8 @@ class Flow {
   std::map<std::string, double, std::less<>> given_{};
   std::uint64_t executed_ = 0;
   std::vector<Diagnostic> refusals_{};
+  std::vector<Diagnostic> warnings_{};
+  std::set<std::string> warned_of_{};
   std::vector<std::vector<bool>> seen_{};  // by text: lines that were executed or looked at
   bool looks_ahead_ = false;
   std::deque<Stretch> ahead_{};

@@ -27,6 +27,9 @@ namespace trc::program {
 //   that comes
 //     out in front of it, at the latest. Behind it the values are not known.
 //   - Where two operators stand side by side whose order nobody says, brackets are asked for.
+// V.S. and V.E., which other programs and the control read.
+[[nodiscard]] bool isg_outlives_program(std::string_view name);
+
 class IsgFlow : public Flow, private Variables {
  public:
   // `has_begun`: blocks of the program stand in front of the text.
@@ -178,6 +181,7 @@ class IsgFlow : public Flow, private Variables {
   [[nodiscard]] const Value* held(const std::string& name) const;
   [[nodiscard]] Values& values_of(std::string_view name);
   Value read(ExpressionReader& expression) override;
+  Value value_of(ExpressionReader& expression, const std::string& name, std::size_t begin);
   Value read_radius(ExpressionReader& expression, const std::string& name, std::size_t begin);
   bool exists(ExpressionReader& expression) override;
   void write_values(std::string& flat);
@@ -191,9 +195,10 @@ class IsgFlow : public Flow, private Variables {
   std::map<std::pair<std::size_t, std::size_t>, Outline> outlines_{};  // by text and begin
   Values values_{};
   std::vector<Values> locals_{1};
-  std::set<std::string, std::less<>> whole_{};      // declared with a type of whole numbers
-  std::set<std::string, std::less<>> fields_{};     // declared with sizes
-  std::set<std::string, std::less<>> unwritten_{};  // set since they were last written
+  std::set<std::string, std::less<>> whole_{};       // declared with a type of whole numbers
+  std::set<std::string, std::less<>> fields_{};      // declared with sizes
+  std::set<std::string, std::less<>> of_machine_{};  // hang on what is given for the machine
+  std::set<std::string, std::less<>> unwritten_{};   // set since they were last written
   std::map<std::string, std::string, std::less<>> spellings_{};  // of V. names, without indices
   // The program calls what is not there: V. variables come out where they are set, and P
   // parameters in front of such a call.

@@ -40,6 +40,10 @@ bool belongs_to_program(std::string_view name) {
 
 }  // namespace
 
+bool isg_outlives_program(std::string_view name) {
+  return name.starts_with("V.S.") || name.starts_with("V.E.");
+}
+
 std::string IsgFlow::place_at(ExpressionReader& expression) {
   expression.pass_blanks();
   const std::size_t begin = expression.at();
@@ -154,6 +158,11 @@ bool IsgFlow::assign(const std::string& name, Value value, std::size_t begin) {
     return refuse(Code::value_invalid, begin, name + ", outside of what is declared");
   if (values.size() >= most_values && !values.contains(name))
     return refuse(Code::value_invalid, begin, "so many variables");
+  note_counter(name);
+  if (!isg_outlives_program(name) && kept_text_.hangs_on_machine())
+    of_machine_.insert(name);
+  else if (!of_machine_.empty())
+    of_machine_.erase(name);
   values[name] = std::move(value);
   assigned_.push_back(name);
   if (!is_local(name) && !name.starts_with("V.S.")) unwritten_.insert(name);
@@ -172,7 +181,9 @@ Value IsgFlow::read(ExpressionReader& expression) {
     }
     return expression.fail(Code::expression_invalid, begin, name);
   }
+  const bool reads = kept_text_.pause();
   const std::string name = place_at(expression);
+  kept_text_.go_on(reads);
   if (expression.failed()) return {};
   const std::size_t equals = behind_blanks(line, expression.at());
   const bool assigns = equals + 1 < line.size() && line[equals] == '=' && line[equals + 1] != '=';
@@ -189,13 +200,37 @@ Value IsgFlow::read(ExpressionReader& expression) {
   // Which of the two comes first nobody says.
   if (reads_words_ && std::ranges::find(assigned_, name) != assigned_.end())
     return expression.fail(Code::value_invalid, begin, name + ", which its own line sets");
-  if (const Value* const value = held(name)) return *value;
-  if (const double* const value = given(name)) {
-    if (!is_place_of_axis(name)) return {.number = *value};
+  const std::size_t end = expression.at();
+  const Value value = value_of(expression, name, begin);
+  std::string text;
+  append_number(text, value);
+  kept_text_.take(begin, end, text.front() == '-' ? "[" + text + "]" : text);
+  return value;
+}
+
+Value IsgFlow::value_of(ExpressionReader& expression, const std::string& name, std::size_t begin) {
+  const bool* const counted = counter(name);
+  const Value* const value = held(name);
+  if (value != nullptr && (counted == nullptr || *counted)) {
+    if (counted != nullptr) kept_text_.keep(name, true);
+    if (of_machine_.contains(name)) kept_text_.hang_by_the_way();
+    return *value;
+  }
+  if (const double* const number = given(name)) {
+    if (isg_outlives_program(name))
+      kept_text_.keep(name, true);
+    else
+      kept_text_.hang_by_the_way();
+    if (!is_place_of_axis(name)) return {.number = *number};
     return without_value(expression, Code::machine_state, begin,
                          name + ", which the motion of the program changes");
   }
+  if (isg_outlives_program(name) && kept_text_.may_be_unknown(name)) {
+    kept_text_.keep(name, false);
+    return {.number = 1};
+  }
   if (name.starts_with("V.G.WZ")) return read_radius(expression, name, begin);
+  if (counted != nullptr) return without_value(expression, Code::variable_unset, begin, name);
   if (!belongs_to_program(name)) return without_value(expression, Code::machine_state, begin, name);
   return without_value(expression, Code::variable_unset, begin,
                        lost_to_.empty() ? name : name + ", which may have been set by " + lost_to_);
@@ -334,6 +369,8 @@ void IsgFlow::write_values(std::string& flat) {
 
 void IsgFlow::lose_values(const std::string& to) {
   lost_to_ = to;
+  counters_.clear();
+  of_machine_.clear();
   values_.clear();
   fields_.clear();
 }

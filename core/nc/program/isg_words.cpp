@@ -304,6 +304,7 @@ bool IsgFlow::scan_assignment(std::size_t& at) {
     if (sign_at(line_, behind) == '+' || sign_at(line_, behind) == '-')
       return scan_radius(at = begin, behind);
   }
+  kept_text_.begin(isg_outlives_program(name) ? name : "");
   Value value = expression.expression();
   if (expression.failed()) return refuse(expression.fault());
   if (is_operator(expression.peek()))
@@ -318,6 +319,7 @@ bool IsgFlow::scan_assignment(std::size_t& at) {
                    : sign == '*' ? before.number * value.number
                                  : before.number / value.number;
   }
+  kept_text_.end();
   at = expression.at();
   const std::size_t end = end_without_blanks(line_, begin, at);
   const bool is_own = name.front() == 'P' || name.starts_with("V.L.") || name.starts_with("V.P.") ||
@@ -328,8 +330,13 @@ bool IsgFlow::scan_assignment(std::size_t& at) {
   if (comes_out) {
     unwritten_.erase(name);
     std::string text(line_.substr(begin, value_begin - begin));
-    if (changes) text = name + " = ";
-    append_number(text, value);
+    if (kept_text_.stays()) {
+      text += kept_text_.text(line_, value_begin, end);
+    } else {
+      if (changes) text = name + " = ";
+      append_number(text, value);
+      if (kept_text_.hangs_by_the_way()) warn_of_given(begin, name);
+    }
     pieces_.push_back({.begin = begin, .end = end});
     double number = 0;
     bool whole = false;

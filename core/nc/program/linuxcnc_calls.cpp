@@ -101,6 +101,7 @@ bool LinuxcncFlow::execute_words(std::string& flat) {
   // What the line prints it prints behind its assignments.
   bool assigned = true;
   for (const Assignment& assignment : assignments_) assigned = assigned && assign(assignment);
+  write_kept_assignments();
   if (call_word == nullptr) write_line(flat);
   if (!assigned) return false;
   if (call_word != nullptr)
@@ -170,6 +171,7 @@ void LinuxcncFlow::call_sub_of_machine(const std::string& label, const Arguments
   lost_to_ = "o" + label;
   common_.clear();
   globals_.clear();
+  counters_.clear();
   const std::string_view written = line_.substr(arguments.begin, arguments.end - arguments.begin);
   if (written.find('#') == std::string_view::npos) return write_as_it_is(flat);
   std::string text(line_.substr(head_.behind, arguments.begin - head_.behind));
@@ -251,9 +253,15 @@ bool LinuxcncFlow::scan_assignment(std::size_t& at) {
   if (!expression.failed() && expression.peek() != '=')
     return refuse(Code::expression_invalid, at, "# without =");
   expression.go_to(expression.at() + (expression.failed() ? 0 : 1));
+  expression.pass_blanks();
+  const std::size_t value_begin = expression.at();
+  kept_text_.begin(outlives_program(assignment.target) ? spelled(assignment.target) : "");
   assignment.value = expression.operand().number;
+  kept_text_.end();
   if (expression.failed()) return refuse(expression.fault());
   at = expression.at();
+  assignment.kept = kept_text_;
+  if (kept_text_.stays()) assignment.text = kept_text_.text(line_, value_begin, at);
   const std::size_t behind = behind_blanks(line_, at);
   if (behind < line_.size() &&
       std::string_view("+-*/[]").find(line_[behind]) != std::string_view::npos)
@@ -264,19 +272,23 @@ bool LinuxcncFlow::scan_assignment(std::size_t& at) {
 
 bool LinuxcncFlow::assign(const Assignment& assignment) {
   const auto& [name, number] = assignment.target;
+  const std::string spelling = spelled(assignment.target);
   Locals& locals = locals_.back();
-  const bool is_state =
-      name.empty() ? number == 0 || number > last_number_of_programs : names_a_state(name);
-  if (is_state)
+  if (is_state(assignment.target))
     return refuse(number == 0 && name.empty() ? Code::value_invalid : Code::machine_state,
-                  assignment.begin,
-                  name.empty() ? "#" + std::to_string(number) : "#<" + name + ">");
-  if (!is_own(assignment.target)) {
+                  assignment.begin, spelling);
+  const bool is_everyones = !is_own(assignment.target);
+  kept_text_ = assignment.kept;
+  if (is_everyones) note_counter(spelling);
+  if (is_everyones && assignment.text.empty()) {
     if (name.empty())
       unwritten_numbers_.insert(number);
     else
       unwritten_names_.insert(name);
+    if (kept_text_.hangs_by_the_way()) warn_of_given(assignment.begin, spelling);
   }
+  if (!is_everyones) locals.of_machine.erase(spelling);
+  if (!is_everyones && kept_text_.hangs_on_machine()) locals.of_machine.insert(spelling);
   if (!name.empty())
     (name.front() == '_' ? globals_ : locals.named)[name] = assignment.value;
   else if (number < static_cast<std::int64_t>(locals.numbered.size()))
@@ -284,6 +296,22 @@ bool LinuxcncFlow::assign(const Assignment& assignment) {
   else
     common_[number] = assignment.value;
   return true;
+}
+
+// What the control computes itself stands in one line, as all of it holds behind that.
+void LinuxcncFlow::write_kept_assignments() {
+  std::string text;
+  for (const Assignment& assignment : assignments_) {
+    if (assignment.text.empty()) continue;
+    const auto& [name, number] = assignment.target;
+    if (name.empty())
+      unwritten_numbers_.erase(number);
+    else
+      unwritten_names_.erase(name);
+    text.append(text.empty() ? "" : " ").append(spelled(assignment.target));
+    text.append("=").append(assignment.text);
+  }
+  if (!text.empty()) settings_.append(text).append(line_end());
 }
 
 LinuxcncFlow::Target LinuxcncFlow::target_at(ExpressionReader& expression) {
@@ -300,6 +328,31 @@ LinuxcncFlow::Target LinuxcncFlow::target_at(ExpressionReader& expression) {
   std::string name = plain_name(line.substr(expression.at() + 1, close - expression.at() - 1));
   expression.go_to(close + 1);
   return {.name = std::move(name)};
+}
+
+bool LinuxcncFlow::is_state(const Target& target) {
+  return target.name.empty() ? target.number == 0 || target.number > last_number_of_programs
+                             : names_a_state(target.name);
+}
+
+std::string LinuxcncFlow::spelled(const Target& target) {
+  return target.name.empty() ? "#" + std::to_string(target.number) : "#<" + target.name + ">";
+}
+
+const double* LinuxcncFlow::given_to(const Target& target) const {
+  return given(target.name.empty() ? std::to_string(target.number) : in_upper_case(target.name));
+}
+
+// Everyone's, and not set by the program but by the control, or by what that holds.
+bool LinuxcncFlow::is_of_machine(const Target& target) const {
+  if (!outlives_program(target)) return false;
+  const bool is_set =
+      target.name.empty() ? common_.contains(target.number) : globals_.contains(target.name);
+  return is_set ? counter(spelled(target)) != nullptr : given_to(target) != nullptr;
+}
+
+bool LinuxcncFlow::is_given_state(const Target& target) const {
+  return is_state(target) && given_to(target) != nullptr;
 }
 
 // Not everyone's.
@@ -322,13 +375,14 @@ std::optional<double> LinuxcncFlow::content_of(const Target& target) const {
     known = locals.numbered.at(static_cast<std::size_t>(number));
   else
     known = content(common_, number);
+  const bool* const counted = known ? counter(spelled(target)) : nullptr;
+  if (counted != nullptr && !*counted) return {};
   if (known) return known;
   if (name == "_metric" || name == "_imperial") return (name == "_imperial") == modes_.inch ? 1 : 0;
   if (name == "_absolute" || name == "_incremental")
     return (name == "_incremental") == modes_.incremental ? 1 : 0;
   if (!lost_to_.empty() && !is_own(target)) return {};
-  if (const double* value = given(name.empty() ? std::to_string(number) : in_upper_case(name)))
-    return *value;
+  if (const double* const value = given_to(target)) return *value;
   // #5410 counts in the unit of the machine.
   constexpr std::int64_t diameter_of_tool = 5410;
   const bool is_diameter = number == diameter_of_tool && name.empty() && modes_.inch == setup_.inch;
@@ -339,17 +393,39 @@ std::optional<double> LinuxcncFlow::content_of(const Target& target) const {
 Value LinuxcncFlow::read(ExpressionReader& expression) {
   suppose();
   const std::size_t begin = expression.at();
+  const bool reads = kept_text_.pause();
   const Target target = target_at(expression);
+  kept_text_.go_on(reads);
   if (expression.failed()) return {};
-  if (const auto content = content_of(target)) return {.number = *content};
-  const bool is_state =
-      target.name.empty() ? target.number > last_number_of_programs : names_a_state(target.name);
-  std::string name =
-      target.name.empty() ? "#" + std::to_string(target.number) : "#<" + target.name + ">";
-  if (!is_state && !is_own(target) && !lost_to_.empty())
-    name += ", which may have been set by " + lost_to_;
-  return without_value(expression, is_state ? Code::machine_state : Code::variable_unset, begin,
-                       std::move(name));
+  const Value value = value_of(expression, target, begin);
+  std::string text;
+  append_value(text, value.number, PointStyle::as_whole);
+  kept_text_.take(begin, expression.at(), text.front() == '-' ? "[" + text + "]" : text);
+  return value;
+}
+
+Value LinuxcncFlow::value_of(ExpressionReader& expression, const Target& target,
+                             std::size_t begin) {
+  const std::string name = spelled(target);
+  const bool is_everyones = outlives_program(target);
+  const bool* const counted = is_everyones ? counter(name) : nullptr;
+  const std::optional<double> content = content_of(target);
+  if (content) {
+    if (is_of_machine(target))
+      kept_text_.keep(name, true);
+    else if (locals_.back().of_machine.contains(name) || is_given_state(target))
+      kept_text_.hang_by_the_way();
+    return {.number = *content};
+  }
+  if (is_everyones && kept_text_.may_be_unknown(name)) {
+    kept_text_.keep(name, false);
+    return {.number = 1};
+  }
+  std::string detail = name;
+  if (counted == nullptr && is_everyones && !lost_to_.empty())
+    detail += ", which may have been set by " + lost_to_;
+  return without_value(expression, is_state(target) ? Code::machine_state : Code::variable_unset,
+                       begin, std::move(detail));
 }
 
 bool LinuxcncFlow::exists(ExpressionReader& expression) {
@@ -357,7 +433,8 @@ bool LinuxcncFlow::exists(ExpressionReader& expression) {
     static_cast<void>(expression.fail(Code::expression_invalid, expression.at(), "EXISTS"));
     return false;
   }
-  return content_of(target_at(expression)).has_value();
+  const Target target = target_at(expression);
+  return content_of(target).has_value() || counter(spelled(target)) != nullptr;
 }
 
 }  // namespace trc::program

@@ -65,6 +65,7 @@ class LinuxcncFlow : public CodeFlow {
   struct Locals {
     std::array<std::optional<double>, 31> numbered{};
     std::map<std::string, double, std::less<>> named{};
+    std::set<std::string, std::less<>> of_machine{};  // hang on what is given for the machine
     // Left, by the text and the line of `repeat`.
     std::map<std::pair<std::size_t, std::size_t>, std::int64_t> repetitions{};
   };
@@ -76,6 +77,8 @@ class LinuxcncFlow : public CodeFlow {
     Target target{};
     double value = 0;
     std::size_t begin = 0;
+    KeptText kept{};     // what the value hangs on
+    std::string text{};  // of the value, where the control computes it (D-88)
   };
 
   // Where the arguments of a call stand in the line.
@@ -125,11 +128,23 @@ class LinuxcncFlow : public CodeFlow {
   [[nodiscard]] std::string with_values(std::string_view comments) override;
   void append_message(std::string& out, std::string_view message) const;
   void write_values();
+  void write_kept_assignments();
 
   bool scan_assignment(std::size_t& at) override;
   bool assign(const Assignment& assignment);
   [[nodiscard]] Target target_at(ExpressionReader& expression);
   [[nodiscard]] bool is_own(const Target& target) const;
+  [[nodiscard]] static bool is_state(const Target& target);
+  // Whether the control keeps it beyond the end of the program.
+  [[nodiscard]] bool outlives_program(const Target& target) const {
+    return !is_own(target) && !is_state(target);
+  }
+  [[nodiscard]] const double* given_to(const Target& target) const;
+  [[nodiscard]] bool is_of_machine(const Target& target) const;
+  [[nodiscard]] bool is_given_state(const Target& target) const;
+  [[nodiscard]] static std::string spelled(const Target& target);
+  [[nodiscard]] Value value_of(ExpressionReader& expression, const Target& target,
+                               std::size_t begin);
   [[nodiscard]] std::optional<double> content_of(const Target& target) const;
   Value read(ExpressionReader& expression) override;
   bool exists(ExpressionReader& expression) override;

@@ -14,25 +14,23 @@ constexpr std::size_t npos = std::string_view::npos;
 constexpr int usual_decimals = 6;
 
 bool prints_values(std::string_view comment) {
-  constexpr auto words = std::to_array<std::string_view>({"PRINT,", "DEBUG,", "LOG,"});
+  constexpr auto words = std::to_array<std::string_view>({"PRINT,", "DEBUG,", "LOG,", "ABORT,"});
   const std::string begin = in_upper_case(without_blanks_in_front(comment.substr(1, 12)));
   return std::ranges::any_of(words, [&](std::string_view word) { return begin.starts_with(word); });
 }
 
-// Of %d, %f or %.3f at `at`, which goes behind it; -1: it is none of them.
+// Of %d, %f, %lf or %.3f at `at`, which goes behind it; -1: it is none of them, and is printed.
 int decimals_at(std::string_view message, std::size_t& at) {
-  const std::string format = in_upper_case(message.substr(at, 4));
-  const bool has_decimals =
-      format.size() == 4 && format[1] == '.' && is_digit(format[2]) && format[3] == 'F';
   constexpr int of_float = 4;
-  int decimals = -1;
-  if (has_decimals)
-    decimals = format[2] - '0';
-  else if (format.size() > 1 && (format[1] == 'D' || format[1] == 'I'))
-    decimals = 0;
-  else if (format.size() > 1 && format[1] == 'F')
-    decimals = of_float;
-  at += decimals < 0 ? 1 : has_decimals ? 4 : 2;
+  const std::string_view format = message.substr(at + 1);
+  const bool has_decimals =
+      format.size() > 2 && format[0] == '.' && is_digit(format[1]) && format[2] == 'f';
+  const int decimals = has_decimals               ? format[1] - '0'
+                       : format.starts_with("lf") ? usual_decimals
+                       : format.starts_with('f')  ? of_float
+                       : format.starts_with('d')  ? 0
+                                                  : -1;
+  at += decimals < 0 ? 1 : has_decimals ? 4 : format.starts_with("lf") ? 3 : 2;
   return decimals;
 }
 
@@ -79,7 +77,8 @@ void LinuxcncFlow::append_message(std::string& out, std::string_view message) co
         target.number = target.number * 10 + (message[at] - '0');
     }
     const bool is_parameter = !target.name.empty() || target.number > 0;
-    const std::optional<double> value = is_parameter ? content_of(target) : std::nullopt;
+    const std::optional<double> value =
+        is_parameter && !is_of_machine(target) ? content_of(target) : std::nullopt;
     if (value)
       append_fixed(out, *value, decimals);
     else

@@ -177,6 +177,8 @@ bool ProgramReader::resolve(std::vector<LinePointer>& lines) {
     flat_.clear();
     flow_->hold(modes());
     const program::Flow::Step step = flow_->step(flat_);
+    for (const Diagnostic& warning : flow_->warnings())
+      if (!diagnostics_.report(with_place(warning))) return false;
     if (step == program::Flow::Step::refused && !take_refusals()) return false;
     if (!read_flat_lines(lines)) return false;
     executed_ = step == program::Flow::Step::ended;
@@ -222,14 +224,20 @@ bool ProgramReader::read_flat_lines(std::string_view flat, bool sets_variables,
   return true;
 }
 
+// Where the line stands that was executed last.
+Diagnostic ProgramReader::with_place(Diagnostic found) const {
+  found.source.line = flow_->line_in_program();
+  found.source.number = flow_->number_in_program();
+  found.calls = diagnostics_.calls().of(flow_->chain(), flow_->line_within());
+  // Of a line of another text the column says nothing.
+  if (flow_->line_within() > 0) found.column = 0;
+  return found;
+}
+
 // Whether the rest of the program is looked at.
 bool ProgramReader::take_refusals() {
-  for (Diagnostic refusal : flow_->refusals()) {
-    refusal.source.line = flow_->line_in_program();
-    refusal.source.number = flow_->number_in_program();
-    refusal.calls = diagnostics_.calls().of(flow_->chain(), flow_->line_within());
-    // Of a line of another text the column says nothing.
-    if (flow_->line_within() > 0) refusal.column = 0;
+  for (const Diagnostic& found : flow_->refusals()) {
+    Diagnostic refusal = with_place(found);
     if (tells_all_alone(refusal.code)) return interpreter_.stop(std::move(refusal));
     if (!interpreter_.note(std::move(refusal))) return false;
   }

@@ -67,6 +67,7 @@ class ProgramReader {
   bool read_flat_lines(std::vector<LinePointer>& lines);
   bool read_flat_lines(std::string_view flat, bool sets_variables, std::vector<LinePointer>& lines);
   bool take_refusals();
+  [[nodiscard]] Diagnostic with_place(Diagnostic found) const;
 
   ReaderLimits limits_;
   const ProgramSetup& setup_;

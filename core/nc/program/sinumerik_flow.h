@@ -47,6 +47,7 @@ class SinumerikFlow : public Flow, private Variables {
     std::vector<Value> elements{};
     std::optional<Place> stands_for{};  // VAR: the variable of the caller
     bool is_lost = false;               // the machine may have set it
+    bool of_machine = false;            // hangs on what is given for the machine
   };
   using Scope = std::map<std::string, Variable, std::less<>>;
   // Of PROC.
@@ -196,6 +197,7 @@ class SinumerikFlow : public Flow, private Variables {
   bool convert(Value& value, Type type, std::size_t begin);
   [[nodiscard]] Value content_of(const Place& place, ExpressionReader& expression,
                                  std::size_t begin);
+  Value value_of(const Place& place, ExpressionReader& expression, std::size_t begin);
   Value read(ExpressionReader& expression) override;
   Value read_system_variable(ExpressionReader& expression);
   bool exists(ExpressionReader& expression) override;

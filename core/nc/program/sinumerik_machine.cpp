@@ -178,14 +178,18 @@ void SinumerikFlow::lose_values() {
   for (const std::string& name : given_to_calls_) {
     if (setup_.pass_words.contains(called_)) continue;
     lost_to_ = called_;
-    if (Variable* const variable = declared(name))
+    if (Variable* const variable = declared(name)) {
       variable->is_lost = true;
-    else
-      parameters_.erase(number_of_parameter(name));
+      continue;
+    }
+    const std::int64_t number = number_of_parameter(name);
+    parameters_.erase(number);
+    counters_.erase("R" + std::to_string(number));
   }
   if (calls_of_line_.empty()) return;
   lost_to_ = calls_of_line_.back();
   parameters_.clear();
+  counters_.clear();
 }
 
 }  // namespace trc::program

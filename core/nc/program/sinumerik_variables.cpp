@@ -129,9 +129,28 @@ bool SinumerikFlow::assign_at(ExpressionReader& expression) {
     for (; set.element < variable.elements.size(); ++set.element) note_setting(set);
     return initialise(expression, variable, place->element);
   }
+  const std::size_t value_begin = expression.at();
+  kept_text_.begin(place->parameter >= 0 ? "R" + std::to_string(place->parameter) : "");
   const Value value = expression.expression();
+  kept_text_.end();
   if (expression.failed()) return refuse(expression.fault());
-  return store(*place, value, begin);
+  if (!store(*place, value, begin)) return false;
+  if (place->parameter < 0) {
+    scopes_[place->scope][place->name].of_machine = kept_text_.hangs_on_machine();
+    return true;
+  }
+  // The control computes it anew in each run (D-88).
+  const std::string name = "R" + std::to_string(place->parameter);
+  note_counter(name);
+  if (kept_text_.stays()) {
+    const std::size_t end = end_without_blanks(line_, value_begin, expression.at());
+    settings_.append(name).append("=").append(kept_text_.text(line_, value_begin, end));
+    settings_.append(line_end());
+    unwritten_.erase(place->parameter);
+  } else if (kept_text_.hangs_by_the_way()) {
+    warn_of_given(begin, name);
+  }
+  return true;
 }
 
 bool SinumerikFlow::store(const Place& place, const Value& value, std::size_t begin) {
@@ -141,6 +160,7 @@ bool SinumerikFlow::store(const Place& place, const Value& value, std::size_t be
   if (!convert(converted, is_parameter ? Type::real : variable->type, begin)) return false;
   note_setting(place);
   if (is_parameter) {
+    if (!counters_.empty()) counters_.erase("R" + std::to_string(place.parameter));
     parameters_[place.parameter] = converted.number;
   } else {
     variable->elements[place.element] = std::move(converted);
@@ -170,18 +190,39 @@ bool SinumerikFlow::convert(Value& value, Type type, std::size_t begin) {
 
 Value SinumerikFlow::content_of(const Place& place, ExpressionReader& expression,
                                 std::size_t begin) {
+  const Value value = value_of(place, expression, begin);
+  const std::string text = value.is_text ? value.text : text_of_value(value);
+  kept_text_.take(begin, expression.at(), text.starts_with('-') ? "(" + text + ")" : text);
+  return value;
+}
+
+Value SinumerikFlow::value_of(const Place& place, ExpressionReader& expression, std::size_t begin) {
   const std::string lost = lost_to_.empty() ? "" : ", which may have been set by " + lost_to_;
   if (place.parameter < 0) {
     const Variable& variable = scopes_[place.scope][place.name];
+    if (variable.of_machine) kept_text_.hang_by_the_way();
     if (!variable.is_lost) return variable.elements[place.element];
     if (const double* const value = given(place.name)) return {.number = *value};
     return without_value(expression, Code::variable_unset, begin, place.name + lost);
   }
-  if (const auto known = parameters_.find(place.parameter); known != parameters_.end())
-    return {.number = known->second};
   const std::string name = "R" + std::to_string(place.parameter);
-  if (const double* const value = given(name)) return {.number = *value};
-  return without_value(expression, Code::variable_unset, begin, name + lost);
+  const bool* const counted = counter(name);
+  const auto known = parameters_.find(place.parameter);
+  if (known != parameters_.end() && (counted == nullptr || *counted)) {
+    if (counted != nullptr) kept_text_.keep(name, true);
+    return {.number = known->second};
+  }
+  const double* const value = known == parameters_.end() ? given(name) : nullptr;
+  if (value != nullptr) {
+    kept_text_.keep(name, true);
+    return {.number = *value};
+  }
+  if (kept_text_.may_be_unknown(name)) {
+    kept_text_.keep(name, false);
+    return {.number = 1};
+  }
+  return without_value(expression, Code::variable_unset, begin,
+                       counted == nullptr ? name + lost : name);
 }
 
 Value SinumerikFlow::read(ExpressionReader& expression) {
@@ -205,13 +246,17 @@ Value SinumerikFlow::read(ExpressionReader& expression) {
     whole = in_upper_case(whole);
     std::erase(whole, ' ');
     const double* const value = given(whole);
+    if (value != nullptr) kept_text_.hang_by_the_way();
     const bool is_call = end < line.size() && line[end] == '(';
     if (value == nullptr && is_call) return expression.fail(Code::expression_invalid, begin, whole);
     expression.go_to(end);
+    if (value != nullptr) kept_text_.take(begin, end, text_of_value({.number = *value}));
     if (value == nullptr) return without_value(expression, Code::variable_unset, begin, whole);
     return {.number = *value};
   }
+  const bool reads = kept_text_.pause();
   const auto place = place_at(expression);
+  kept_text_.go_on(reads);
   return expression.failed() ? Value{} : content_of(*place, expression, begin);
 }
 
@@ -229,7 +274,17 @@ Value SinumerikFlow::read_system_variable(ExpressionReader& expression) {
   std::erase(name, ' ');
   expression.go_to(end);
   if (name == "$PI") return {.number = std::numbers::pi};
-  if (const double* const value = given(name)) return {.number = *value};
+  if (const double* const value = given(name)) {
+    kept_text_.hang_by_the_way();
+    kept_text_.take(begin, end, text_of_value({.number = *value}));
+    return {.number = *value};
+  }
+  // What the control itself counts and measures.
+  if (name.starts_with("$A") && kept_text_.may_be_unknown(name)) {
+    kept_text_.keep(name, false);
+    kept_text_.take(begin, end, name);
+    return {.number = 1};
+  }
   return without_value(expression, Code::machine_state, begin, name);
 }
 

@@ -123,8 +123,17 @@ bool SinumerikFlow::scan_setting(std::size_t& at) {
     if (changes) pieces_.back().instead = std::move(text);
     return true;
   }
-  if (!scan_value(begin, at)) return false;
+  const std::size_t value_begin = behind_blanks(line_, at);
+  kept_text_.begin(name.starts_with("$A") ? in_upper_case(text.substr(0, text.size() - 1)) : "");
+  const bool goes_on = scan_value(begin, at);
+  kept_text_.end();
+  if (!goes_on) return false;
   Piece& piece = pieces_.back();
+  // A counter of the control, which it computes itself (D-88).
+  if (kept_text_.stays()) {
+    piece.instead = text + kept_text_.text(line_, value_begin, piece.end);
+    return true;
+  }
   if (!changes) return true;
   const std::string whole =
       piece.instead.value_or(std::string(line_.substr(piece.begin, piece.end - piece.begin)));

@@ -122,6 +122,7 @@ void ProgramState::hold_for_corner(const MoveRequest& request) {
   if (setup_.dialect == DialectName::heidenhain && mode_.active() && in_plane_blocks_ > 1)
     corner_ = CornerCut{.form = CornerCut::Form::open};
   if (!corner_) return;
+  corner_feed_ = request.corner ? request.corner_feed : 0;
   held_.push_back(std::move(blocks_.back()));
   blocks_.pop_back();
 }

@@ -45,10 +45,12 @@ struct MoveRequest {
   double feed = 0;                                // mm/min in force
   ContourRole role = ContourRole::unspecified;
   std::optional<CornerCut> corner{};  // behind the motion, in a contour
+  double corner_feed = 0;             // of it, mm/min; 0: that of the motion
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(source, kind, end, center, radius, incremental, tracking, feed, role, corner);
+    archive(source, kind, end, center, radius, incremental, tracking, feed, role, corner,
+            corner_feed);
   }
 };
 
@@ -161,6 +163,11 @@ class ProgramState {
   // The first motion in the plane of a selection needs a tool radius: 900219; one
   // given as 0 gets a warning once (900220).
   bool move(const MoveRequest& request);
+  // Where the contour leads at its end so far; nothing where none has begun.
+  [[nodiscard]] std::optional<Vector> tangent_of_contour() const {
+    if (!mode_.active() || in_plane_blocks_ == 0) return {};
+    return tangent_at_end(last_path_);
+  }
   // RND and CHF of Klartext, lines of their own behind a motion of a contour. `feed`: of the cut,
   // mm/min; 0: that of the motion. 900003 where the motion has no corner to be cut.
   bool cut_corner_behind(const CornerCut& cut, double feed, const Source& source);

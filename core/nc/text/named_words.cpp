@@ -244,6 +244,36 @@ bool NamedWordReader::read_frame() {
   return false;
 }
 
+// What the control counts and measures itself (D-88): $AC_PARAM[2]*2+1, with such names alone; the
+// place is unchanged where there is none.
+bool NamedWordReader::read_value_of_control() {
+  const std::size_t begin = at_;
+  int depth = 0;
+  bool has_name = false;
+  for (;;) {
+    for (skip_blanks(); peek() == '(' || peek() == '-'; skip_blanks()) depth += line_[at_++] == '(';
+    if (peek() == '$' && upper(peek(1)) == 'A') {
+      has_name = true;
+      for (++at_; is_letter(peek()) || is_digit(peek()) || peek() == '_';) ++at_;
+      if (peek() == '[') at_ = std::min(line_.find(']', at_), line_.size() - 1) + 1;
+    } else {
+      NamedWord number;
+      const std::size_t length = read_named_number(line_.substr(at_), number.value, number.whole);
+      if (length == 0) break;
+      at_ += length;
+    }
+    for (skip_blanks(); peek() == ')'; skip_blanks()) --depth, ++at_;
+    if (std::string_view("+-*/").find(peek()) != std::string_view::npos) {
+      ++at_;
+      continue;
+    }
+    if (depth != 0 || !has_name) break;
+    return true;
+  }
+  at_ = begin;
+  return false;
+}
+
 std::size_t NamedWordReader::end_of_call(std::size_t begin) const {
   std::size_t depth = 0;
   bool quoted = false;
@@ -275,12 +305,19 @@ NamedWord NamedWordReader::name() {
     if (close == std::string_view::npos) return fail(Code::nc_unclosed, word.begin, spelled + "(");
     word.kind = NamedWord::Kind::call;
     word.end = static_cast<std::uint32_t>(close);
+  } else if (peek() == '"') {  // CALL "POCKET", EXTCALL "POCKET"
+    const std::size_t close = line_.find('"', at_ + 1);
+    if (close == std::string_view::npos) return fail(Code::nc_unclosed, word.begin, spelled);
+    if (spelled == "EXTCALL") word.kind = NamedWord::Kind::call;
+    word.end = static_cast<std::uint32_t>(close + 1);
   } else if (peek() == '=') {
     ++at_;
     word.kind = NamedWord::Kind::assignment;
     const bool is_frame =
         spelled.starts_with("P_") && word.begin > 0 && line_[word.begin - 1] == '$';
-    word.is_variable = is_frame && read_frame();
+    const bool is_of_control =
+        spelled.starts_with("A") && word.begin > 0 && line_[word.begin - 1] == '$';
+    word.is_variable = (is_frame && read_frame()) || (is_of_control && read_value_of_control());
     if (!word.is_variable && !read_value(word)) {
       TextFault found = fault_;
       return fail(found.code, word.begin, spelled + "=, " + found.detail);

@@ -58,6 +58,7 @@ class NamedWordReader {
   [[nodiscard]] bool read_value(NamedWord& word);
   [[nodiscard]] bool read_variable();
   [[nodiscard]] bool read_frame();
+  [[nodiscard]] bool read_value_of_control();
   [[nodiscard]] bool is_assigned() const;
   [[nodiscard]] bool read_plain_number(NamedWord& word);
   [[nodiscard]] std::size_t end_of_call(std::size_t begin) const;

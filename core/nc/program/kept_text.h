@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace trc::program {
+
+// What an assignment hangs on, while its value is read. A variable that outlives the program and is
+// set from what the control holds in itself is a counter: its assignment stays in the flat program,
+// so that the control computes it anew in each run. It stands there by its name, other variables,
+// which the flat program has not, as their values (D-88).
+class KeptText {
+ public:
+  // `kept`: the variable that is set, where it outlives the program, else empty.
+  void begin(std::string kept) {
+    *this = {};
+    reads_ = true;
+    kept_ = std::move(kept);
+  }
+  void end() { reads_ = false; }
+  // An index, whose variables do not stand in the text. Goes on with what pause() returned.
+  bool pause() { return std::exchange(reads_, false); }
+  void go_on(bool reads) { reads_ = reads; }
+
+  // Whether its value may be unknown here: the control has it.
+  [[nodiscard]] bool may_be_unknown(std::string_view name) const { return reads_ && name == kept_; }
+  // The variable that is read is one that the control holds. `known`: it has a value here too.
+  void keep(const std::string& name, bool known) {
+    if (!reads_) return;
+    if (name != kept_) return hang_by_the_way();
+    counts_ = true;
+    is_known_ &= known;
+    name_ = name;
+  }
+  // What it holds was computed from what is given for the machine, and is not in the output.
+  void hang_by_the_way() { hangs_by_the_way_ |= reads_; }
+  // A variable has been read, from `begin` of the line to `end`.
+  void take(std::size_t begin, std::size_t end, std::string value) {
+    if (reads_) parts_.push_back({begin, end, name_.empty() ? std::move(value) : name_});
+    name_.clear();
+  }
+
+  [[nodiscard]] bool stays() const { return counts_; }
+  [[nodiscard]] bool hangs_on_machine() const { return counts_ || hangs_by_the_way_; }
+  [[nodiscard]] bool hangs_by_the_way() const { return hangs_by_the_way_; }
+  [[nodiscard]] bool is_known() const { return is_known_; }
+  // Of the expression that stands there in the line.
+  [[nodiscard]] std::string text(std::string_view line, std::size_t begin, std::size_t end) const {
+    std::string text;
+    for (const Part& part : parts_) {
+      if (part.begin < begin) continue;
+      text.append(line.substr(begin, part.begin - begin)).append(part.instead);
+      begin = part.end;
+    }
+    return text.append(line.substr(begin, end - begin));
+  }
+
+ private:
+  struct Part {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+    std::string instead{};
+  };
+  std::vector<Part> parts_{};
+  std::string kept_{};
+  std::string name_{};  // of the variable that is being read, where it stands by name
+  bool reads_ = false;
+  bool counts_ = false;
+  bool is_known_ = true;
+  bool hangs_by_the_way_ = false;
+};
+
+}  // namespace trc::program
