@@ -114,11 +114,12 @@ const Route* route_of(const Request& request) {
   return nullptr;
 }
 
-// "GET, HEAD"; empty when nothing is there.
+// "GET, HEAD"; empty when nothing is there. At "*": what there is anywhere.
 std::string methods_at(std::string_view path) {
   std::string methods;
   for (const Route& route : routes()) {
-    if (!fits(route.path, path)) continue;
+    if (path != "*" && !fits(route.path, path)) continue;
+    if (methods.find(route.method) != std::string::npos) continue;
     if (!methods.empty()) methods += ", ";
     methods += route.method;
     if (route.method == "GET") methods += ", HEAD";

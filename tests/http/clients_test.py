@@ -817,6 +817,15 @@ class Programs(unittest.TestCase):
                                              {"Content-Type": "application/json"})
         self.assertEqual((status, error["code"]), (501, "unimplemented"))
 
+    def test_the_server_says_what_it_can_do(self):
+        for target in ("*", f"http://localhost:{self.server.port}"):
+            status, headers, body = self.server.ask("OPTIONS", target)
+            self.assertEqual((status, body), (204, b""))
+            self.assertEqual(headers["Allow"], "POST, GET, HEAD, DELETE, OPTIONS")
+        status, headers, _ = self.server.ask("OPTIONS", f"http://localhost:{self.server.port}/v1/info")
+        self.assertEqual((status, headers["Allow"]), (204, "GET, HEAD, OPTIONS"))
+        self.assertEqual(self.server.ask("OPTIONS", "/nothing")[0], 404)
+
     def test_the_open_api_document_says_what_is_there(self):
         _, document = self.server.ask_json("GET", "/v1/openapi.json")
         self.assertTrue(document["openapi"].startswith("3."))
