@@ -314,9 +314,9 @@ void Api::log(const Request& request, unsigned status, std::uint64_t bytes, doub
                                   .number("ms", ms));
 }
 
-std::shared_ptr<RpcCall> Api::call(std::string method, const Request& request, RpcCall::Done done) {
-  RpcCall::Options options{.method = std::move(method),
-                           .traceparent = std::string(request.header("traceparent"))};
+std::shared_ptr<RpcCall> Api::call(RpcCall::Options options, const Request& request,
+                                   RpcCall::Done done) {
+  options.traceparent = std::string(request.header("traceparent"));
   (void)read_timeout(request.header("connect-timeout-ms"), options.timeout);
   begin();
   auto call = RpcCall::start(channel_, options,

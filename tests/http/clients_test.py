@@ -1070,6 +1070,16 @@ class Programs(unittest.TestCase):
         self.assertEqual(radii[1], 0)
         self.server.ask("DELETE", "/v1/views/" + view["id"])
 
+    def test_a_line_that_is_read_again_has_the_tool_of_each_time(self):
+        text = ("O1\nG90 G17 G40 G21\nG0 X-20 Y-20\nD1 M98 P2\nD2 M98 P2\nM30\n"
+                "O2\nG41 G1 X0 Y0 F500\nY50\nX50\nY0\nX-10\nG40 X-20 Y-20\nM99\n")
+        _, view = self.server.ask_json("POST", "/v1/views?dialect=fanuc&tools=1:5,2:3", text, TEXT)
+        for line in (8, 9, 10, 12):
+            _, found = self.server.ask_json("GET", f"/v1/views/{view['id']}/blocks?line={line}")
+            radii = [block["toolRadius"] for block in found["blocks"] if block.get("onPath")]
+            self.assertEqual(radii, [5, 3], line)
+        self.server.ask("DELETE", "/v1/views/" + view["id"])
+
     def test_a_large_program_is_measured_behind_its_first_picture(self):
         text = program_of(100_000)
         self.assertGreater(len(text), 1 << 20)
