@@ -41,8 +41,10 @@ struct Config {
   // Origins whose pages may use it, "https://mes.example"; empty: none but its own.
   std::vector<std::string> http_cors_origins;
   std::uint32_t http_max_connections = 256;
+  std::uint32_t http_max_connections_per_peer = 0;
   std::uint32_t http_max_body_mib = 64;
-  std::uint32_t http_max_memory_mib = 0;  // bodies, answers and views together
+  std::uint32_t http_max_memory_mib = 0;           // bodies, answers and views together
+  std::uint32_t http_max_memory_per_peer_mib = 0;  // bodies and answers of one client
   std::uint32_t http_max_views = 32;
   // For the head of a request, for each 64 KiB of its body, and of its answer.
   std::uint32_t http_timeout_s = 20;

@@ -104,11 +104,17 @@ void declare_http(Settings& settings, Config& config) {
       ->expected(0, 64);
   settings.number("http-max-connections", config.http_max_connections, 1, 65536,
                   "open connections of HTTP; beyond them the one that has waited longest goes");
+  settings.number(
+      "http-max-connections-per-peer", config.http_max_connections_per_peer, 0, 65536,
+      "of one address; 0: three quarters of all, or all where only this machine gets in");
   settings.number("http-max-body-mib", config.http_max_body_mib, 1, 1024,
                   "largest NC program over HTTP");
   settings.number("http-max-memory-mib", config.http_max_memory_mib, 0, 1U << 20U,
                   "memory of bodies, answers and views of HTTP together; 0: 512, or a quarter of "
                   "memory-limit-mib");
+  settings.number("http-max-memory-per-peer-mib", config.http_max_memory_per_peer_mib, 0, 1U << 20U,
+                  "bodies and answers of one address; 0: three quarters of all, or all where only "
+                  "this machine gets in");
   settings.number("http-max-views", config.http_max_views, 1, 10000,
                   "programs kept for those who look at them; the oldest gives way to a new one");
   settings.number("http-timeout-s", config.http_timeout_s, 1, 3600,

@@ -4,8 +4,9 @@ import {Listing} from './listing.js';
 import {motionsOf, textOf} from './motions.js';
 import {boundsOf, cornersOf, redraw, zoomTo} from './picture.js';
 import {axesOf, inPlane} from './planes.js';
+import {settingWord} from './settings_texts.js';
 import {$, inUnit, isOwnPlane, positionText, shown, withUnit} from './shown.js';
-import {t} from './texts.js';
+import {currentLanguage, t} from './texts.js';
 
 export function say(text, kind = '') {
   $('state').textContent = text;
@@ -37,7 +38,7 @@ export function showSaid(view) {
   const found = view.diagnostics ?? [];
   sayWhatBecame(view);
   const order = {ERROR: 0, WARNING: 1, NOTE: 2};
-  const items = [...found].sort((a, b) => order[a.severity] - order[b.severity]).map(item);
+  const items = [...wayOut(found), ...[...found].sort((a, b) => order[a.severity] - order[b.severity]).map(item)];
   shown.current.proposals = !isOwnPlane(view) ? [] : found.flatMap(d => (d.entryHelp?.proposals ?? []).map(p => motionsOf(p, at => inPlane(view.plane, at))));
   if (view.diagnosticsLeftOut) {
     const rest = document.createElement('li');
@@ -51,7 +52,7 @@ export function showSaid(view) {
 // In a word; what is worst.
 export function sayWhatBecame(view) {
   const found = view.diagnostics ?? [];
-  if (view.refused) return say(t('refused'), 'error');
+  if (view.refused) return say(t(view.pathBlocks ? 'refused' : 'refusedAll'), 'error');
   if (view.summary?.path?.minClearance?.blocksGouging) return say(t('gouges'), 'error');
   if (found.some(d => d.severity === 'WARNING')) return say(t('warnings'), 'warning');
   if (!view.toolRadius) return say(t('uncompensated'), 'warning');
@@ -73,7 +74,7 @@ function item(diagnostic) {
   head.textContent = `${t(kind)} ${diagnostic.code}` + (diagnostic.line ? `, ${t('line')} ${diagnostic.line}` : '');
   const remedy = document.createElement('span');
   remedy.className = 'remedy';
-  remedy.textContent = (diagnostic.help ?? diagnostic.remedy ?? '').replace('SurveyRadii (trc radii)', inside ? 'trc radii' : t('quoted', {word: t('largest')}));
+  remedy.textContent = helpOf(diagnostic).replace('SurveyRadii (trc radii)', inside ? 'trc radii' : t('quoted', {word: t('largest')}));
   const message = document.createElement('span');
   message.textContent = ` ${diagnostic.text ?? diagnostic.message ?? ''}`;
   message.lang = remedy.lang = diagnostic.language || 'en';
@@ -84,6 +85,24 @@ function item(diagnostic) {
   entry.append(button);
   if (diagnostic.entryHelp) entry.append(...helpWithEntry(diagnostic.entryHelp));
   return entry;
+}
+
+const helpOf = diagnostic => diagnostic.help ?? diagnostic.remedy ?? '';
+
+// A program of another control is read as one by a click.
+function wayOut(found) {
+  const looksLikeAnother = 900016;
+  const dialect = inside ? null : found.filter(d => d.code === looksLikeAnother).map(d => /--dialect (\w+)/.exec(helpOf(d))?.[1]).find(Boolean);
+  if (!dialect) return [];
+  const entry = document.createElement('li'), button = document.createElement('button');
+  button.className = 'way-out';
+  button.textContent = t('readAs', {dialect: settingWord(dialect, currentLanguage())});
+  button.addEventListener('click', () => {
+    shown.options.inputs.get('dialect').value = dialect;
+    $('form').requestSubmit();
+  });
+  entry.append(button);
+  return [entry];
 }
 
 // What would do in place of the approach or the retract that was refused.
@@ -132,13 +151,18 @@ function showCertificate(view) {
   const add = (name, value) => {
     const dt = document.createElement('dt'), dd = document.createElement('dd');
     dt.textContent = name;
-    dd.textContent = value;
+    // Numbers stay with their units.
+    dd.append(...[value].flat().flatMap((part, i) => {
+      const whole = document.createElement('span');
+      whole.textContent = part;
+      return i ? [' ', whole] : [whole];
+    }));
     rows.push(dt, dd);
   };
   const c = view.summary?.path?.minClearance;
   if (c) {
-    add(t('smallest'), `${withUnit(c.distance)}, ${t('required')} ${withUnit(c.toolRadius)}`);
-    if (c.point) add(t('at'), positionText(c.point));
+    add(t('smallest'), [`${withUnit(c.distance)},`, `${t('required')} ${withUnit(c.toolRadius)}`]);
+    if (c.point) add(t('at'), positionText(c.point).split(' '));
     add(t('checked'), `${c.blocksChecked ?? 0}`);
     if (c.blocksGouging) add(t('tooNear'), `${c.blocksGouging}`);
     const {coverage} = view.summary.path;
@@ -151,7 +175,7 @@ function showCertificate(view) {
   if (!view.pathBlocks) return $('certificate').replaceChildren(...rows);
   add(t('plane'), axesOf(view.plane).slice(0, 2).join('').toUpperCase());
   const measured = axesOf(view.ownPlane).slice(0, 2).join('').toUpperCase();
-  add(isOwnPlane(view) ? t('length') : t('lengthIn', {plane: measured}), `${withUnit(lengthOf(view))}, ${view.pathBlocks} ${t(Number(view.pathBlocks) === 1 ? 'block' : 'blocks')}`);
+  add(isOwnPlane(view) ? t('length') : t('lengthIn', {plane: measured}), [`${withUnit(lengthOf(view))},`, `${view.pathBlocks} ${t(Number(view.pathBlocks) === 1 ? 'block' : 'blocks')}`]);
   add(t('height'), `${axesOf(view.plane)[2].toUpperCase()} ${inUnit(view.lowest)} … ${withUnit(view.highest)}`);
   $('certificate').replaceChildren(...rows);
 }

@@ -88,6 +88,15 @@ struct ProgramSession::Parts {
   // Where the path answers to.
   [[nodiscard]] Answers& path_out() { return setup.nc_text ? to_writer : *output; }
 
+  // Reads: `read` gives lines and blocks.
+  template <class Read>
+  auto reading(const Read& read) {
+    const std::size_t before = path.waiting().size();
+    const auto result = read();
+    const std::span<const Block> waiting = path.waiting();
+    if (setup.blocks_read && waiting.size() > before) setup.blocks_read(waiting.subspan(before));
+    return result;
+  }
   // Compensates and writes what has been read.
   void advance();
   bool take(LinePointer& given);
@@ -202,7 +211,7 @@ bool ProgramSession::feed(std::string_view text, Answers& out) {
   while (!text.empty() && !parts.stopped() && out.wanted()) {
     const std::string_view piece = text.substr(0, bytes_per_piece);
     text.remove_prefix(piece.size());
-    parts.reader.feed(piece, parts.lines);
+    parts.reading([&] { return parts.reader.feed(piece, parts.lines); });
     parts.advance();
   }
   return !parts.stopped() && out.wanted();
@@ -212,7 +221,7 @@ bool ProgramSession::resolve(Answers& out) {
   Parts& parts = *parts_;
   parts.output = &out;
   if (parts.stopped()) return false;
-  const bool is_left = parts.reader.resolve(parts.lines);
+  const bool is_left = parts.reading([&] { return parts.reader.resolve(parts.lines); });
   parts.advance();
   return is_left && !parts.stopped() && out.wanted();
 }
@@ -223,7 +232,10 @@ bool ProgramSession::finish(Answers& out) {
   Parts& parts = *parts_;
   parts.output = &out;
   if (!parts.stopped()) {
-    parts.reader.finish(parts.lines);
+    parts.reading([&] {
+      parts.reader.finish(parts.lines);
+      return true;
+    });
     parts.advance();
     const bool goes_on = parts.path.advance(parts.path_out()) && parts.path.end(parts.path_out());
     if (goes_on && parts.setup.nc_text) parts.writer.finish(out.text());

@@ -2,7 +2,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +20,9 @@ struct ProgramSessionSetup {
   std::size_t longest_line = 64 * 1024;  // bytes; 900006 beyond
   // So many different faults of reading are told in one run: at the end of the text at the latest.
   std::size_t most_faults = 50;
+  // Is given each block of the programmed contour once, when it has been read and before it is
+  // compensated. Errors of the compensation end it too.
+  std::function<void(std::span<const Block>)> blocks_read{};
 };
 
 // One NC channel fed with NC text: a reader, a PathSession and a writer. The text may be cut

@@ -114,11 +114,12 @@ const Route* route_of(const Request& request) {
   return nullptr;
 }
 
-// "GET, HEAD"; empty when nothing is there.
+// "GET, HEAD"; empty when nothing is there. At "*": what there is anywhere.
 std::string methods_at(std::string_view path) {
   std::string methods;
   for (const Route& route : routes()) {
-    if (!fits(route.path, path)) continue;
+    if (path != "*" && !fits(route.path, path)) continue;
+    if (methods.find(route.method) != std::string::npos) continue;
     if (!methods.empty()) methods += ", ";
     methods += route.method;
     if (route.method == "GET") methods += ", HEAD";
@@ -313,9 +314,9 @@ void Api::log(const Request& request, unsigned status, std::uint64_t bytes, doub
                                   .number("ms", ms));
 }
 
-std::shared_ptr<RpcCall> Api::call(std::string method, const Request& request, RpcCall::Done done) {
-  RpcCall::Options options{.method = std::move(method),
-                           .traceparent = std::string(request.header("traceparent"))};
+std::shared_ptr<RpcCall> Api::call(RpcCall::Options options, const Request& request,
+                                   RpcCall::Done done) {
+  options.traceparent = std::string(request.header("traceparent"));
   (void)read_timeout(request.header("connect-timeout-ms"), options.timeout);
   begin();
   auto call = RpcCall::start(channel_, options,

@@ -78,7 +78,7 @@ class Api final : public Service {
   [[nodiscard]] std::size_t most_message_bytes() const;
 
   // Starts an RPC of this process for a request. `done` as of RpcCall.
-  [[nodiscard]] std::shared_ptr<RpcCall> call(std::string method, const Request& request,
+  [[nodiscard]] std::shared_ptr<RpcCall> call(RpcCall::Options options, const Request& request,
                                               RpcCall::Done done);
   // Long work ends when it is.
   [[nodiscard]] bool stopping();

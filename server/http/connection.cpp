@@ -53,7 +53,9 @@ class Connection final : public Exchange,
         allowed_clients_(std::move(given.allowed_clients)),
         service_(service),
         limits_(limits),
-        share_(memory) {
+        peer_memory_(std::move(given.of_peer)),
+        share_(memory),
+        share_of_peer_(*peer_memory_) {
     request_.peer = std::move(given.peer);
   }
 
@@ -110,10 +112,11 @@ class Connection final : public Exchange,
                [self = this->shared_from_this(), then = std::move(then)] { then(); });
   }
 
-  bool hold(std::size_t bytes) override { return share_.take(bytes); }
+  bool hold(std::size_t bytes) override { return share_of_peer_.take(bytes) && share_.take(bytes); }
 
  private:
   static constexpr bool is_tls = std::is_same_v<Stream, TlsStream>;
+  static constexpr std::string_view scheme = is_tls ? "https" : "http";
 
   beast::tcp_stream& lowest() { return beast::get_lowest_layer(stream_); }
 
@@ -136,8 +139,13 @@ class Connection final : public Exchange,
     }
   }
 
-  void await_request() {
+  void give_memory_back() {
     share_.release();
+    share_of_peer_.release();
+  }
+
+  void await_request() {
+    give_memory_back();
     is_whole_ = false;
     parser_.emplace();
     parser_->header_limit(static_cast<std::uint32_t>(limits_.most_header_bytes));
@@ -169,8 +177,15 @@ class Connection final : public Exchange,
       keep_alive_ = false;
       return refuse(*fault_of_head);
     }
-    auto target = read_target({head.target().data(), head.target().size()});
+    auto target = read_target(request_.method, {head.target().data(), head.target().size()});
     if (!target) return refuse(400, "TARGET_MALFORMED", "The target of the request is not one");
+    if (!target->scheme.empty()) {
+      if (target->scheme != scheme)
+        return refuse(problem(421, "SCHEME_NOT_SERVED", "This server is not the one that is meant",
+                              "targets begin with " + std::string(scheme) + ":// here"));
+      // It counts, whatever the header says.
+      request_.set_header("host", std::move(target->host));
+    }
     request_.path = std::move(target->path);
     request_.query = std::move(target->query);
     if (!allowed_)
@@ -184,9 +199,11 @@ class Connection final : public Exchange,
     most_body_bytes_ = admission.most_body_bytes;
     const auto length = parser_->content_length();
     if (length && *length > most_body_bytes_) return refuse(body_too_large(most_body_bytes_));
-    if (length && !take_memory(static_cast<std::size_t>(*length)))
-      return refuse(no_memory_for_body());
     held_body_ = length ? static_cast<std::size_t>(*length) : 0;
+    if (const Room room = take_memory(held_body_); room != Room::some)
+      return refuse(no_memory_for_body(room));
+    // Of chunks: none is waited for that is announced to be larger.
+    parser_->body_limit(most_body_bytes_);
     if (expects_continue(parser_->get()) && !is_whole_)
       return send("HTTP/1.1 100 Continue\r\n\r\n", [self = this->shared_from_this()](bool taken) {
         if (taken) self->read_body();
@@ -241,25 +258,27 @@ class Connection final : public Exchange,
   }
 
   void on_chunks(error_code fault, std::size_t way) {
+    if (fault == bhttp::error::body_limit) return refuse(body_too_large(most_body_bytes_));
     if (fault && fault.category() == make_error_code(bhttp::error::bad_chunk).category() &&
         fault != bhttp::error::partial_message && fault != bhttp::error::end_of_stream)
       return refuse(400, "REQUEST_MALFORMED", "The body of the request is malformed");
     if (fault) return close_socket();
     const std::size_t size = parser_->get().body().size();
-    if (size > most_body_bytes_) return refuse(body_too_large(most_body_bytes_));
     if (size > held_body_) {
       const std::size_t more = std::max(size - held_body_, piece_bytes);
-      if (!take_memory(more)) return refuse(no_memory_for_body());
+      if (const Room room = take_memory(more); room != Room::some)
+        return refuse(no_memory_for_body(room));
       held_body_ += more;
     }
     read_chunks(way_after(way));
   }
 
   // What somebody sends now matters more than views that somebody has looked at.
-  bool take_memory(std::size_t bytes) {
+  Room take_memory(std::size_t bytes) {
+    if (!share_of_peer_.take(bytes)) return Room::none_of_own;
     while (!share_.take(bytes))
-      if (!service_.make_room()) return false;
-    return true;
+      if (!service_.make_room()) return Room::none;
+    return Room::some;
   }
 
   void dispatch() {
@@ -308,7 +327,7 @@ class Connection final : public Exchange,
   }
   void refuse(const v1::Problem& problem) {
     keep_alive_ = keep_alive_ && is_whole_;
-    share_.release();
+    give_memory_back();
     request_.body = {};
     parser_->get().body().clear();
     parser_->get().body().shrink_to_fit();
@@ -365,7 +384,7 @@ class Connection final : public Exchange,
   // be lost with it.
   void say_farewell() {
     error_code ignored;
-    share_.release();
+    give_memory_back();
     // Who has an answer and stays may make room for others.
     waits();
     if constexpr (!is_tls) lowest().socket().shutdown(tcp::socket::shutdown_send, ignored);
@@ -401,7 +420,9 @@ class Connection final : public Exchange,
   const std::vector<std::string> allowed_clients_;
   Service& service_;
   const ConnectionLimits limits_;
+  const std::shared_ptr<Memory> peer_memory_;
   Share share_;
+  Share share_of_peer_;
   bool allowed_ = true;
 
   beast::flat_buffer buffer_{piece_bytes * 2};

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "server/http/memory.h"
 #include "server/http/service.h"
 
 namespace trc::server::http {
@@ -17,6 +18,7 @@ struct NewConnection {
   std::shared_ptr<boost::asio::ssl::context> tls{};  // null: plain text
   std::vector<std::string> allowed_clients{};
   std::string peer{};
+  std::shared_ptr<Memory> of_peer{};  // of the memory of all: what this client may have
 };
 // Lives until it is closed. The service and the memory must outlive it.
 std::shared_ptr<OpenConnection> serve(NewConnection connection, Service& service, Memory& memory,

@@ -12,13 +12,6 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return result;
-}
-
 // Of a type as in "text/plain; charset=utf-8", in lower case.
 std::string without_parameters(std::string_view type) {
   return lower(trimmed(type.substr(0, type.find(';'))));
@@ -40,10 +33,22 @@ std::string parameter_of(std::string_view type, std::string_view name) {
 
 }  // namespace
 
+std::string lower(std::string_view text) {
+  std::string result(text);
+  for (char& c : result)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return result;
+}
+
 std::string_view Request::header(std::string_view name) const {
   const auto found = std::find_if(headers.begin(), headers.end(),
                                   [&](const auto& pair) { return pair.first == name; });
   return found == headers.end() ? std::string_view() : found->second;
+}
+
+void Request::set_header(std::string_view name, std::string value) {
+  std::erase_if(headers, [&](const auto& pair) { return pair.first == name; });
+  headers.emplace_back(name, std::move(value));
 }
 
 bool Request::accepts(std::string_view type) const {

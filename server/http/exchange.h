@@ -14,6 +14,9 @@ namespace trc::server::http {
 // Names and values in the order they came or go.
 using Pairs = std::vector<std::pair<std::string, std::string>>;
 
+// Of ASCII letters.
+[[nodiscard]] std::string lower(std::string_view text);
+
 // What a client asks, read as a whole.
 struct Request {
   std::string method;
@@ -25,6 +28,8 @@ struct Request {
 
   // Empty when there is none.
   [[nodiscard]] std::string_view header(std::string_view name) const;
+  // In place of the one it has.
+  void set_header(std::string_view name, std::string value);
   // Whether the Accept header names this type itself, and does not refuse it (q=0).
   [[nodiscard]] bool accepts(std::string_view type) const;
   // The Content-Type without parameters, in lower case.

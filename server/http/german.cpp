@@ -35,6 +35,8 @@ constexpr auto sentences = std::to_array<Sentence>({
     {"This server is for this machine", "Dieser Server ist für diesen Rechner da"},
     {"the Host header must be localhost, 127.0.0.1 or [::1]",
      "der Kopf Host muss localhost, 127.0.0.1 oder [::1] sein"},
+    {"This server is not the one that is meant", "Dieser Server ist nicht der gemeinte"},
+    {"targets begin with {}:// here", "hier beginnen Adressen mit {}://"},
     {"Pages of this origin may not use the server",
      "Seiten dieser Herkunft dürfen den Server nicht benutzen"},
     {"the setting http-cors-origins does not name it",
@@ -64,6 +66,10 @@ constexpr auto sentences = std::to_array<Sentence>({
      "later",
      "Anfragen und Ansichten nehmen allen Speicher ein, den die Einstellung http-max-memory-mib "
      "erlaubt; später noch einmal versuchen"},
+    {"requests of this address take all the memory the setting http-max-memory-per-peer-mib "
+     "allows; try again later",
+     "Anfragen dieser Adresse nehmen allen Speicher ein, den die Einstellung "
+     "http-max-memory-per-peer-mib erlaubt; später noch einmal versuchen"},
     {"The content type is not taken here", "Dieser Content-Type wird hier nicht angenommen"},
     {"The body must be JSON", "Der Inhalt muss JSON sein"},
     {"send a {} as application/json", "eine Nachricht {} als application/json senden"},

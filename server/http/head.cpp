@@ -18,12 +18,7 @@ namespace {
 
 namespace bhttp = boost::beast::http;
 
-std::string lower(boost::beast::string_view text) {
-  std::string result(text.data(), text.size());
-  for (char& c : result)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return result;
-}
+std::string_view std_view(boost::beast::string_view text) { return {text.data(), text.size()}; }
 
 }  // namespace
 
@@ -33,7 +28,7 @@ Request request_of(const RequestHead& head, std::string peer) {
   const auto method = head.method_string();
   request.method = std::string(method.data(), method.size());
   for (const auto& field : head)
-    request.headers.emplace_back(lower(field.name_string()),
+    request.headers.emplace_back(lower(std_view(field.name_string())),
                                  std::string(field.value().data(), field.value().size()));
   return request;
 }
@@ -53,18 +48,18 @@ std::optional<v1::Problem> fault_of(const Request& request) {
     return problem(400, "REQUEST_MALFORMED", "This is not HTTP",
                    "Content-Length must be one whole number");
   const std::string_view coding = request.header("transfer-encoding");
-  if (!coding.empty() && lower({coding.data(), coding.size()}) != "chunked")
+  if (!coding.empty() && lower(coding) != "chunked")
     return problem(501, "TRANSFER_ENCODING", "The transfer encoding is not known",
                    "a body comes with Content-Length or with Transfer-Encoding: chunked");
   const std::string_view expected = request.header("expect");
-  if (!expected.empty() && lower({expected.data(), expected.size()}) != "100-continue")
+  if (!expected.empty() && lower(expected) != "100-continue")
     return problem(417, "EXPECTATION_FAILED", "The expectation is not known",
                    "only 100-continue is met");
   return std::nullopt;
 }
 
 bool expects_continue(const RequestHead& head) {
-  return lower(head[bhttp::field::expect]) == "100-continue";
+  return lower(std_view(head[bhttp::field::expect])) == "100-continue";
 }
 
 std::string bytes_of(const Head& head, std::optional<std::size_t> length, bool keep_alive) {
@@ -102,7 +97,11 @@ v1::Problem body_too_large(std::size_t most_bytes) {
                      " bytes are taken here (http-max-body-mib, max-message-bytes)");
 }
 
-v1::Problem no_memory_for_body() {
+v1::Problem no_memory_for_body(Room room) {
+  if (room == Room::none_of_own)
+    return problem(503, "HTTP_MEMORY_LIMIT", "A limit of the server is reached",
+                   "requests of this address take all the memory the setting "
+                   "http-max-memory-per-peer-mib allows; try again later");
   return problem(503, "HTTP_MEMORY_LIMIT", "A limit of the server is reached",
                  "requests and views take all the memory the setting http-max-memory-mib "
                  "allows; try again later");

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "server/http/exchange.h"
+#include "server/http/memory.h"
 #include "trc/v1/http.pb.h"
 
 namespace trc::server::http {
@@ -35,6 +36,6 @@ using RequestHead = boost::beast::http::request_header<boost::beast::http::field
 
 // Why a body is not taken.
 [[nodiscard]] v1::Problem body_too_large(std::size_t most_bytes);
-[[nodiscard]] v1::Problem no_memory_for_body();
+[[nodiscard]] v1::Problem no_memory_for_body(Room room);
 
 }  // namespace trc::server::http

@@ -8,6 +8,7 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/strand.hpp>
+#include <limits>
 #include <list>
 #include <mutex>
 #include <sstream>
@@ -17,7 +18,9 @@
 
 #include "server/http/api.h"
 #include "server/http/connection.h"
+#include "server/http/memory.h"
 #include "server/http/tls.h"
+#include "server/resources/peers.h"
 #include "server/resources/round.h"
 
 namespace trc::server::http {
@@ -25,6 +28,33 @@ namespace {
 
 namespace asio = boost::asio;
 using Tcp = asio::ip::tcp;
+
+// The client, whatever its port is, as the limits of one client have it.
+std::string client_of(const std::string& peer) {
+  return peer_of_address((peer.starts_with('[') ? "ipv6:" : "ipv4:") + peer);
+}
+
+// Connections that are looked at one after the other: how many, and which may go first.
+struct Waiting {
+  void look_at(OpenConnection& connection) {
+    ++count;
+    const auto waiting = connection.waiting_since();
+    if (!waiting || (longest != nullptr && *waiting >= since)) return;
+    since = *waiting;
+    longest = &connection;
+  }
+
+  std::size_t count = 0;
+  OpenConnection* longest = nullptr;  // null: all are at work
+  OpenConnection::Clock::time_point since{};
+};
+
+// Where one may have all, that is no limit of its own.
+std::size_t memory_of_peer(const Config& config) {
+  const bool has_all = config.http_max_memory_per_peer_mib >= config.http_max_memory_mib;
+  return has_all ? std::numeric_limits<std::size_t>::max()
+                 : std::size_t{config.http_max_memory_per_peer_mib} << 20U;
+}
 
 // They move bytes; computing is done elsewhere.
 constexpr unsigned thread_count = 2;
@@ -44,6 +74,7 @@ struct HttpServer::Parts {
   Parts(Backend& given, Options options)
       : backend(given),
         memory(std::size_t{given.config.http_max_memory_mib} << 20U),
+        of_peers(memory_of_peer(given.config)),
         api(given, options.channel, memory,
             {.local = options.local,
              .tls = options.certificates != nullptr,
@@ -57,46 +88,57 @@ struct HttpServer::Parts {
   void run() {
     while (!io.stopped()) do_round([this] { io.run(); });
   }
-  // Makes room by the connection that has waited longest for a request; false when all are at work.
-  bool make_room();
+  // Makes room for a connection of this client by the one that has waited longest for a request:
+  // of the client's own, when it has as many as it may have. False when all of them are at work.
+  bool make_room(const std::string& client, const std::string& peer);
   [[nodiscard]] bool any_works();
 
   Backend& backend;
   Memory memory;
+  MemoryOfPeers of_peers;
   Api api;
   const ConnectionLimits limits;
   std::unique_ptr<Tls> tls;
   asio::io_context io{static_cast<int>(thread_count)};
   asio::executor_work_guard<asio::io_context::executor_type> work{io.get_executor()};
   std::mutex mutex;
-  std::list<std::weak_ptr<OpenConnection>> connections;
+  struct Known {
+    std::weak_ptr<OpenConnection> connection;
+    std::string client;
+  };
+  std::list<Known> connections;
   std::vector<std::thread> threads;
 };
 
-bool HttpServer::Parts::make_room() {
+bool HttpServer::Parts::make_room(const std::string& client, const std::string& peer) {
   // Locked ones go after the mutex: a connection that ends does not come back here, but closing
   // one takes its time.
   std::vector<std::shared_ptr<OpenConnection>> alive;
   const std::lock_guard lock(mutex);
-  auto longest = connections.end();
-  std::optional<OpenConnection::Clock::time_point> since;
+  Waiting of_all;
+  Waiting own;
   for (auto one = connections.begin(); one != connections.end();) {
-    alive.push_back(one->lock());
+    alive.push_back(one->connection.lock());
     if (alive.back() == nullptr) {
       one = connections.erase(one);
       continue;
     }
-    const auto waiting = alive.back()->waiting_since();
-    if (waiting && (!since || *waiting < *since)) {
-      since = waiting;
-      longest = one;
-    }
+    of_all.look_at(*alive.back());
+    if (one->client == client) own.look_at(*alive.back());
     ++one;
   }
-  if (connections.size() < backend.config.http_max_connections) return true;
-  if (longest == connections.end()) return false;
-  if (const auto connection = longest->lock()) connection->close();
-  connections.erase(longest);
+  const bool has_its_share = own.count >= backend.config.http_max_connections_per_peer;
+  if (!has_its_share && of_all.count < backend.config.http_max_connections) return true;
+  OpenConnection* const longest = has_its_share ? own.longest : of_all.longest;
+  if (longest == nullptr) {
+    const char* const reason = has_its_share ? "http_connections_of_peer" : "http_connections";
+    backend.telemetry.metrics.count_connection_closed(reason);
+    backend.telemetry.log.warning(
+        LogLine("connection_closed").text("peer", peer).text("reason", reason));
+    return false;
+  }
+  longest->close();
+  connections.remove_if([&](const Known& one) { return one.connection.lock().get() == longest; });
   return true;
 }
 
@@ -104,7 +146,7 @@ bool HttpServer::Parts::any_works() {
   std::vector<std::shared_ptr<OpenConnection>> alive;
   const std::lock_guard lock(mutex);
   for (const auto& one : connections) {
-    alive.push_back(one.lock());
+    alive.push_back(one.connection.lock());
     if (alive.back() != nullptr && !alive.back()->waiting_since()) return true;
   }
   return false;
@@ -118,7 +160,7 @@ HttpServer::~HttpServer() {
     std::vector<std::shared_ptr<OpenConnection>> alive;
     const std::lock_guard lock(parts_->mutex);
     for (const auto& one : parts_->connections) {
-      alive.push_back(one.lock());
+      alive.push_back(one.connection.lock());
       if (alive.back() != nullptr) alive.back()->close();
     }
   }
@@ -131,7 +173,6 @@ HttpServer::~HttpServer() {
 
 void HttpServer::take(Descriptor connection) {
   Parts& parts = *parts_;
-  if (!parts.make_room()) return;
   sockaddr_storage address{};
   socklen_t length = sizeof address;
   if (::getsockname(connection.number(), reinterpret_cast<sockaddr*>(&address), &length) != 0)
@@ -149,13 +190,16 @@ void HttpServer::take(Descriptor connection) {
   NewConnection given{.socket = std::move(socket),
                       .allowed_clients = parts.backend.config.tls_allowed_clients};
   given.peer = peer_of(given.socket);
+  const std::string client = client_of(given.peer);
+  if (!parts.make_room(client, given.peer)) return;
+  given.of_peer = parts.of_peers.of(client);
   if (parts.tls) {
     given.tls = parts.tls->context();
     if (given.tls == nullptr) return;
   }
   const auto served = serve(std::move(given), parts.api, parts.memory, parts.limits);
   const std::lock_guard lock(parts.mutex);
-  parts.connections.push_back(served);
+  parts.connections.push_back({.connection = served, .client = client});
 }
 
 bool HttpServer::wait_until_idle(std::chrono::steady_clock::time_point deadline) {

@@ -2,6 +2,11 @@
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
 #include <utility>
 
 namespace trc::server::http {
@@ -19,6 +24,30 @@ class Memory {
   const std::size_t most_bytes_;
   std::atomic<std::size_t> used_{0};
 };
+
+// The memory each client may have of it.
+class MemoryOfPeers {
+ public:
+  explicit MemoryOfPeers(std::size_t most_bytes_each) : most_bytes_(most_bytes_each) {}
+
+  // That of the client of this name, as long as somebody holds it.
+  [[nodiscard]] std::shared_ptr<Memory> of(const std::string& name) {
+    const std::lock_guard lock(mutex_);
+    std::erase_if(peers_, [](const auto& entry) { return entry.second.expired(); });
+    std::weak_ptr<Memory>& known = peers_[name];
+    auto memory = known.lock();
+    if (memory == nullptr) known = memory = std::make_shared<Memory>(most_bytes_);
+    return memory;
+  }
+
+ private:
+  const std::size_t most_bytes_;
+  std::mutex mutex_;
+  std::map<std::string, std::weak_ptr<Memory>> peers_;
+};
+
+// Whether there is memory, and if not: because all, or only the own, is taken.
+enum class Room : std::uint8_t { some, none, none_of_own };
 
 // A part of it, given back when it is destroyed.
 class Share {

@@ -12,12 +12,12 @@ constexpr std::size_t most_held_bytes = 1U << 20U;
 
 }  // namespace
 
-void Run::start(Api& api, ExchangePointer exchange, std::string method,
+void Run::start(Api& api, ExchangePointer exchange, RpcCall::Options call,
                 std::unique_ptr<Questions> questions, std::shared_ptr<Format> format) {
   const std::shared_ptr<Run> run(
       new Run(api, std::move(exchange), std::move(questions), std::move(format)));
   run->call_ =
-      api.call(std::move(method), run->exchange_->request(), [run](const grpc::Status& status) {
+      api.call(std::move(call), run->exchange_->request(), [run](const grpc::Status& status) {
         run->exchange_->post([run, status] { run->on_done(status); });
       });
   run->exchange_->when_gone([run] { run->give_up(); });

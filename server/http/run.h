@@ -68,6 +68,11 @@ class PreparedQuestions final : public Questions {
 class Run : public std::enable_shared_from_this<Run> {
  public:
   static void start(Api& api, ExchangePointer exchange, std::string method,
+                    std::unique_ptr<Questions> questions, std::shared_ptr<Format> format) {
+    start(api, std::move(exchange), RpcCall::Options{.method = std::move(method)},
+          std::move(questions), std::move(format));
+  }
+  static void start(Api& api, ExchangePointer exchange, RpcCall::Options call,
                     std::unique_ptr<Questions> questions, std::shared_ptr<Format> format);
 
  private:

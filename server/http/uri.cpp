@@ -33,18 +33,55 @@ std::optional<std::string> decoded(std::string_view text, bool plus_is_blank) {
   return result;
 }
 
+// Host and port, as in [::1]:8080. Names of users have no place in a request.
+bool is_authority(std::string_view text) {
+  std::string_view port;
+  if (text.starts_with('[')) {
+    const std::size_t end = text.find(']');
+    if (end == std::string_view::npos || end == 1) return false;
+    port = text.substr(end + 1);
+    if (!port.empty() && !port.starts_with(':')) return false;
+  } else {
+    const std::size_t colon = std::min(text.find(':'), text.size());
+    if (colon == 0) return false;
+    port = text.substr(colon);
+  }
+  if (!port.empty()) port.remove_prefix(1);
+  return port.find_first_not_of("0123456789") == std::string_view::npos &&
+         text.find_first_of("@\\") == std::string_view::npos;
+}
+
+// Takes scheme and host from an absolute target, so that its path is left; false: it is none.
+bool take_origin(std::string_view& target, Target& read) {
+  constexpr std::string_view mark = "://";
+  const std::size_t end = target.find(mark);
+  if (end == std::string_view::npos || end == 0) return false;
+  const std::string_view rest = target.substr(end + mark.size());
+  const std::size_t path = std::min(rest.find_first_of("/?"), rest.size());
+  if (!is_authority(rest.substr(0, path))) return false;
+  read.scheme = lower(target.substr(0, end));
+  read.host = rest.substr(0, path);
+  target = rest.substr(path);
+  return true;
+}
+
 }  // namespace
 
-std::optional<Target> read_target(std::string_view target) {
+std::optional<Target> read_target(std::string_view method, std::string_view target) {
   target = target.substr(0, target.find('#'));
-  if (!target.starts_with('/')) return std::nullopt;
+  Target read;
+  const bool is_whole = !target.starts_with('/') && target != "*";
+  if (is_whole && !take_origin(target, read)) return std::nullopt;
+  // What has no path means the root, and of OPTIONS the server.
+  if (target.empty()) target = method == "OPTIONS" ? "*" : "/";
+  if (target == "*" && method != "OPTIONS") return std::nullopt;
   const std::size_t mark = target.find('?');
-  auto path = decoded(target.substr(0, mark), false);
+  auto path = mark == 0 ? std::string("/") : decoded(target.substr(0, mark), false);
   if (!path) return std::nullopt;
   const bool controls =
       std::any_of(path->begin(), path->end(), [](char c) { return c >= 0 && c < ' '; });
   if (controls) return std::nullopt;
-  Target read{.path = std::move(*path)};
+  read.path = std::move(*path);
   std::string_view query = mark == std::string_view::npos ? "" : target.substr(mark + 1);
   while (!query.empty()) {
     const std::string_view pair = query.substr(0, query.find('&'));

@@ -8,12 +8,16 @@
 
 namespace trc::server::http {
 
-// The path and the query of a request target, decoded; empty when the target is not an absolute
-// path, or an escape in it is not a byte, or the path has a control character.
+// A request target, decoded.
 struct Target {
-  std::string path{};
+  std::string path{};  // "*": the server itself, of OPTIONS alone
   Pairs query{};
+  // Of an absolute target, in lower case, and its host with the port; empty of another.
+  std::string scheme{};
+  std::string host{};
 };
-[[nodiscard]] std::optional<Target> read_target(std::string_view target);
+// None when the target is neither an absolute path nor an absolute URI (RFC 9112, 3.2), or an
+// escape in it is not a byte, or the path has a control character.
+[[nodiscard]] std::optional<Target> read_target(std::string_view method, std::string_view target);
 
 }  // namespace trc::server::http

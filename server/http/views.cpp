@@ -161,6 +161,27 @@ std::optional<TileName> tile_named(std::string_view path) {
                   .y = static_cast<std::uint32_t>(y)};
 }
 
+struct AskedView {
+  ViewedProgram program{};
+  v1::ProgramSetup setup{};
+  bool measured_later = false;
+};
+
+void start_view(Api& api, const ExchangePointer& exchange, AskedView& asked) {
+  const Api::Stay stay(api);
+  if (api.stopping()) return exchange->break_off();
+  const auto text = asked.program.text;
+  // Older views give way to a new one.
+  auto builder = std::make_unique<ViewBuilder>(std::move(asked.program), api.memory(),
+                                               [&api] { return api.views().give_up_one(); });
+  if (asked.measured_later) builder->measure_later();
+  const std::string tap = ViewStore::new_id();
+  api.backend().contour_taps.add(tap, builder->contour());
+  Run::start(api, exchange, {.method = compensate_program_rpc, .contour_tap = tap},
+             std::make_unique<ProgramQuestions>(asked.setup, text, api.most_message_bytes()),
+             std::make_shared<ViewFormat>(api, std::move(builder)));
+}
+
 // Takes from the query which plane is shown; false: it is none.
 bool take_plane(Pairs& query, std::optional<Plane>& plane) {
   const auto asked = std::ranges::find(query, "shown_plane", &Pairs::value_type::first);
@@ -198,16 +219,19 @@ void make_view(Api& api, const ExchangePointer& exchange) {
   wire::ProgramSettings settings;
   if (const auto refused = read_setup(setup, api.backend().config, settings))
     return answer_problem(*exchange, problem_of(refused->status));
-  const auto text = exchange->request().take_body();
-  // Older views give way to a new one.
-  auto builder = std::make_unique<ViewBuilder>(
-      ViewedProgram{
-          .text = text, .name = setup.file_name(), .settings = std::move(settings), .plane = plane},
-      api.memory(), [&api] { return api.views().give_up_one(); });
-  if (measured_later) builder->measure_later();
-  Run::start(api, exchange, compensate_program_rpc,
-             std::make_unique<ProgramQuestions>(setup, text, api.most_message_bytes()),
-             std::make_shared<ViewFormat>(api, std::move(builder)));
+  const auto asked = std::make_shared<AskedView>();
+  asked->program = {.text = exchange->request().take_body(),
+                    .name = setup.file_name(),
+                    .settings = std::move(settings),
+                    .plane = plane};
+  asked->setup = std::move(setup);
+  asked->measured_later = measured_later;
+  api.compute([&api, exchange, asked] {
+    ViewedProgram& program = asked->program;
+    program.look = first_look(*program.text, program.settings.path.session,
+                              [&api] { api.backend().pool.give_way(); });
+    exchange->post([&api, exchange, asked] { start_view(api, exchange, *asked); });
+  });
 }
 
 void view_said(Api& api, const ExchangePointer& exchange) {

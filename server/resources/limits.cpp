@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "server/address.h"
+
 namespace trc::server {
 namespace {
 
@@ -38,6 +40,11 @@ std::optional<std::string> fill_in_limits(Config& config, std::uint64_t memory_b
   fill_in(config.memory_limit_mib, std::min<std::uint64_t>(memory_bytes / mib, 1U << 30U));
   const std::uint64_t whole = config.memory_limit_mib;
   fill_in(config.http_max_memory_mib, std::min(usual_http_mib, whole / 4));
+  // Where all come from this machine, there is nobody a share could be kept for.
+  const bool has_one_peer = is_local_address(config.http_listen);
+  const auto share_of = [&](std::uint64_t all) { return has_one_peer ? all : most_of(all); };
+  fill_in(config.http_max_connections_per_peer, share_of(config.http_max_connections));
+  fill_in(config.http_max_memory_per_peer_mib, share_of(config.http_max_memory_mib));
   const std::uint64_t http = config.http_listen.empty() ? 0 : config.http_max_memory_mib;
   // What HTTP leaves to the rest.
   const std::uint64_t limit = whole - std::min(http, whole);

@@ -12,13 +12,19 @@ constexpr std::size_t few_bytes = 16U << 10U;
 // So much output leaves before more input is taken.
 constexpr std::size_t much_output_bytes = 512U << 10U;
 
+std::function<void(std::span<const Block>)> tapped_by(const StreamContext& stream) {
+  if (stream.contour_tap == nullptr) return {};
+  return [tap = stream.contour_tap](std::span<const Block> blocks) { tap->take(blocks); };
+}
+
 }  // namespace
 
 ProgramRun::ProgramRun(const StreamContext& stream, const Settings& settings)
     : StreamRun(stream, settings.path,
                 {.session = settings.path.session,
                  .nc_text = settings.nc_text,
-                 .longest_line = stream.backend.config.max_line_bytes}),
+                 .longest_line = stream.backend.config.max_line_bytes,
+                 .blocks_read = tapped_by(stream)}),
       gives_text_(settings.nc_text) {}
 
 void ProgramRun::feed(const Request& request) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <memory>
 
 #include "core/session/session.h"
 #include "server/backend.h"
@@ -19,6 +20,7 @@ struct StreamContext {
   // Set when nobody waits for the result any more; work looks at it every few blocks.
   const std::atomic<bool>& cancelled;
   StreamAccount& account;
+  std::shared_ptr<ContourTap> contour_tap{};  // may be null
 
   // Where long work passes by: it ends when it is abandoned or passes a limit, and gives way to
   // other streams.

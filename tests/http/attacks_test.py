@@ -86,10 +86,34 @@ class Attacks(unittest.TestCase):
         for request in (b"\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03", b"GET\r\n\r\n",
                         b"GET /v1/info HTTP/9.9\r\n\r\n", b"\r\n\r\n\x00\xff\r\n",
                         b"PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n",
-                        b"GET http://other/ HTTP/1.1\r\nHost: localhost\r\n\r\n",
+                        b"GET * HTTP/1.1\r\nHost: localhost\r\n\r\n",
+                        b"GET http:///v1/info HTTP/1.1\r\nHost: localhost\r\n\r\n",
+                        b"GET http://localhost:x/v1/info HTTP/1.1\r\nHost: localhost\r\n\r\n",
+                        b"GET http://a@localhost/v1/info HTTP/1.1\r\nHost: localhost\r\n\r\n",
+                        b"CONNECT localhost:80 HTTP/1.1\r\nHost: localhost\r\n\r\n",
                         b"GET /%zz HTTP/1.1\r\nHost: localhost\r\n\r\n",
                         b"GET /a\x01b HTTP/1.1\r\nHost: localhost\r\n\r\n"):
             self.assertIn(status_of(answer_to(self.server, request)), (0, 400, 404, 505), request)
+
+    def test_the_host_of_an_absolute_target_is_the_one_that_counts(self):
+        info = b"/v1/info HTTP/1.1\r\nConnection: close\r\nHost: %s\r\n"
+        port = str(self.server.port).encode()
+        for target, host, status in ((b"http://127.0.0.1:" + port, b"evil.example", 200),
+                                     (b"HTTP://LOCALHOST:" + port, b"localhost", 200),
+                                     (b"http://[::1]", b"localhost", 200),
+                                     (b"http://evil.example", b"localhost", 421),
+                                     (b"http://127.0.0.1.evil.example", b"localhost", 421),
+                                     (b"https://localhost", b"localhost", 421),
+                                     (b"ftp://localhost", b"localhost", 421)):
+            answer = answer_to(self.server, b"GET " + target + info % host + b"\r\n")
+            self.assertEqual(status_of(answer), status, target)
+        # An origin is that of the page when it is that of the target.
+        for origin, status in ((b"http://localhost:" + port, 200), (b"http://evil.example", 403)):
+            answer = answer_to(self.server, b"GET http://localhost:" + port + info % b"evil.example" +
+                               b"Origin: " + origin + b"\r\n\r\n")
+            self.assertEqual(status_of(answer), status, origin)
+        answer = answer_to(self.server, b"GET http://localhost/v1/info HTTP/1.1\r\n\r\n")
+        self.assertEqual(status_of(answer), 400)
 
     def test_an_end_of_the_connection_is_no_end_of_an_answer(self):
         answer = answer_to(self.server, b"GET /v1/info HTTP/1.0\r\nHost: localhost\r\n\r\n")
@@ -223,6 +247,14 @@ class Attacks(unittest.TestCase):
         chunk = b"10000\r\n" + b"a" * 65536 + b"\r\n"
         chunks = HEAD + b"Transfer-Encoding: chunked\r\n\r\n" + chunk * 80
         self.assertEqual(status_of(answer_to(self.server, chunks)), 413)
+        # Refused when they are announced, not when they have come.
+        for announced in (b"FFFFFFFFFFFFFFFF", b"7FFFFFFFFFFFFFFF", b"%x" % ((4 << 20) + 1),
+                          b"1\r\na\r\n%x" % (4 << 20)):
+            begin = time.monotonic()
+            answer = answer_to(self.server, HEAD + b"Transfer-Encoding: chunked\r\n\r\n" +
+                               announced + b"\r\nN10 G01")
+            self.assertEqual(status_of(answer), 413, announced)
+            self.assertIn(b"BODY_TOO_LARGE", answer)
         packed = b"Content-Encoding: gzip\r\nContent-Length: 20\r\n\r\n" + b"\x1f\x8b" * 10
         self.assertEqual(status_of(answer_to(self.server, HEAD + packed)), 415)
 
@@ -368,6 +400,81 @@ class Attacks(unittest.TestCase):
 
     def test_memory_stays(self):
         self.assertLess(self.server.resident_mib(), 400)
+
+
+class Peers(unittest.TestCase):
+    """One address leaves a share to the others."""
+    INFO = b"GET /v1/info HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n"
+
+    @staticmethod
+    def begun(server, length=10):
+        """A request of which the body does not come."""
+        connection = server.connect()
+        connection.sendall(HEAD + b"Expect: 100-continue\r\nContent-Length: %d\r\n\r\n" % length)
+        return connection, connection.recv(4096)
+
+    @staticmethod
+    def from_another(server, request):
+        with socket.create_connection(("127.0.0.1", server.port), timeout=20,
+                                      source_address=("127.0.0.2", 0)) as connection:
+            connection.sendall(request)
+            got = b""
+            while piece := connection.recv(65536):
+                got += piece
+            return got
+
+    def test_connections_at_work_leave_room_for_others(self):
+        with Server("--http-max-connections", "8", "--http-max-connections-per-peer", "6") as server:
+            held = [self.begun(server) for _ in range(6)]
+            try:
+                self.assertEqual({said[:12] for _, said in held}, {b"HTTP/1.1 100"})
+                # One more of the same address is closed, and the log says why.
+                with server.connect() as connection:
+                    self.assertEqual(connection.recv(1), b"")
+                self.assertRegex(server.said(), '"connection_closed".*"http_connections_of_peer"')
+                self.assertEqual(status_of(self.from_another(server, self.INFO)), 200)
+            finally:
+                for connection, _ in held:
+                    connection.close()
+
+    def test_those_that_wait_make_room_for_their_own(self):
+        with Server("--http-max-connections", "8", "--http-max-connections-per-peer", "2") as server:
+            # The other's waits longest, and stays.
+            other = socket.create_connection(("127.0.0.1", server.port), timeout=20,
+                                             source_address=("127.0.0.2", 0))
+            time.sleep(0.2)
+            own = [server.connect() for _ in range(2)]
+            time.sleep(0.2)
+            self.assertEqual(server.ask("GET", "/v1/info")[0], 200)
+            self.assertEqual(own[0].recv(1), b"")
+            other.sendall(self.INFO)
+            self.assertEqual(status_of(other.recv(16)), 200)
+            for connection in (other, *own):
+                connection.close()
+
+    def test_bodies_leave_memory_for_others(self):
+        with Server("--http-max-memory-mib", "16", "--http-max-memory-per-peer-mib", "12") as server:
+            held = [self.begun(server, 4 << 20) for _ in range(3)]
+            try:
+                self.assertEqual({said[:12] for _, said in held}, {b"HTTP/1.1 100"})
+                refused = HEAD + b"Content-Length: %d\r\n\r\n" % (4 << 20)
+                answer = answer_to(server, refused)
+                self.assertEqual(status_of(answer), 503)
+                self.assertIn(b"http-max-memory-per-peer-mib", answer)
+                text = SQUARE.encode() + b"\n" * (3 << 20)
+                answer = self.from_another(server, HEAD + TEXT_HEAD + b"Connection: close\r\n" +
+                                           b"Content-Length: %d\r\n\r\n" % len(text) + text)
+                self.assertEqual(status_of(answer), 200)
+            finally:
+                for connection, _ in held:
+                    connection.close()
+
+    def test_where_only_this_machine_gets_in_nothing_is_kept_for_others(self):
+        with Server("--http-max-connections", "8") as server:
+            held = [self.begun(server) for _ in range(8)]
+            self.assertEqual({said[:12] for _, said in held}, {b"HTTP/1.1 100"})
+            for connection, _ in held:
+                connection.close()
 
 
 class Idle(unittest.TestCase):

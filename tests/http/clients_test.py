@@ -817,6 +817,15 @@ class Programs(unittest.TestCase):
                                              {"Content-Type": "application/json"})
         self.assertEqual((status, error["code"]), (501, "unimplemented"))
 
+    def test_the_server_says_what_it_can_do(self):
+        for target in ("*", f"http://localhost:{self.server.port}"):
+            status, headers, body = self.server.ask("OPTIONS", target)
+            self.assertEqual((status, body), (204, b""))
+            self.assertEqual(headers["Allow"], "POST, GET, HEAD, DELETE, OPTIONS")
+        status, headers, _ = self.server.ask("OPTIONS", f"http://localhost:{self.server.port}/v1/info")
+        self.assertEqual((status, headers["Allow"]), (204, "GET, HEAD, OPTIONS"))
+        self.assertEqual(self.server.ask("OPTIONS", "/nothing")[0], 404)
+
     def test_the_open_api_document_says_what_is_there(self):
         _, document = self.server.ask_json("GET", "/v1/openapi.json")
         self.assertTrue(document["openapi"].startswith("3."))
@@ -1059,6 +1068,16 @@ class Programs(unittest.TestCase):
         self.assertEqual([radii[line] for line in (2, 3, 4, 5, 6, 7)], [5] * 6)
         self.assertEqual([radii[line] for line in (9, 10, 11, 12, 13, 14)], [3] * 6)
         self.assertEqual(radii[1], 0)
+        self.server.ask("DELETE", "/v1/views/" + view["id"])
+
+    def test_a_line_that_is_read_again_has_the_tool_of_each_time(self):
+        text = ("O1\nG90 G17 G40 G21\nG0 X-20 Y-20\nD1 M98 P2\nD2 M98 P2\nM30\n"
+                "O2\nG41 G1 X0 Y0 F500\nY50\nX50\nY0\nX-10\nG40 X-20 Y-20\nM99\n")
+        _, view = self.server.ask_json("POST", "/v1/views?dialect=fanuc&tools=1:5,2:3", text, TEXT)
+        for line in (8, 9, 10, 12):
+            _, found = self.server.ask_json("GET", f"/v1/views/{view['id']}/blocks?line={line}")
+            radii = [block["toolRadius"] for block in found["blocks"] if block.get("onPath")]
+            self.assertEqual(radii, [5, 3], line)
         self.server.ask("DELETE", "/v1/views/" + view["id"])
 
     def test_a_large_program_is_measured_behind_its_first_picture(self):

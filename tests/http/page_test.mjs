@@ -114,6 +114,28 @@ const tests = {
     assert.ok(await page.locator('#save-nc').isDisabled(), 'half a program is not saved');
   },
 
+  async 'a program of another control is read as one by a click'(page) {
+    await show(page, file('inch.nc', 'O1001 (A REMARK THAT IS LONGER THAN THE LISTING IS WIDE, AND IS READ ALL THE SAME)\nG20 G17 G90 G40\nG0 X-1. Y-1.\n' +
+      'G41 G1 X0. Y-.5 F20.\nY1.5\nX2.\nY0.\nX-.5\nG40 X-1. Y-1.\nM30\n'));
+    assert.match(await page.textContent('#state'), /nothing of it is compensated/);
+    await page.click('#diagnostics .way-out');
+    await page.waitForFunction(() => document.getElementById('state').textContent.startsWith('Compensated'));
+    assert.equal(await page.inputValue('[name=dialect]'), 'fanuc');
+    assert.equal(await page.locator('#diagnostics .way-out').count(), 0);
+    assert.match(await page.textContent('#certificate'), /0\.19685 inch, needed 0\.19685 inch/);
+    // A coordinate and a number with its unit are not parted; a long line is marked as far as it goes.
+    const heights = await page.evaluate(() => [...document.querySelectorAll('#certificate dd span')].map(part => part.getClientRects().length));
+    assert.deepEqual([...new Set(heights)], [1]);
+    await page.locator('#input [role=option]').first().click();
+    const {row, line} = await page.evaluate(() => {
+      const row = document.querySelector('#input [role=option]'), range = document.createRange();
+      range.selectNodeContents(row);
+      return {row: row.getBoundingClientRect().right, line: range.getBoundingClientRect().right};
+    });
+    assert.ok(row >= line, `the row ends at ${row}, its text at ${line}`);
+    await page.selectOption('[name=dialect]', '');
+  },
+
   async 'what it shows is what the command line says'(page) {
     const path = join(top, 'client/samples/bracket.nc');
     await show(page, path, {tool_radius: ''});

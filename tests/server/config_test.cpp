@@ -71,7 +71,8 @@ TEST(ServerConfig, StartsWithTheDocumentedDefaults) {
   for (const std::uint32_t open :
        {config.memory_limit_mib, config.max_session_memory_mib, config.max_grpc_buffer_mib,
         config.max_streams, config.max_streams_per_peer, config.max_memory_per_peer_mib,
-        config.max_connections_per_peer})
+        config.max_connections_per_peer, config.http_max_connections_per_peer,
+        config.http_max_memory_per_peer_mib})
     EXPECT_EQ(open, 0U);
   EXPECT_EQ(config.max_selection_cpu_s, 120U);
   EXPECT_EQ(config.max_stream_cpu_s, 7200U);

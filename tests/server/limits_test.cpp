@@ -49,6 +49,25 @@ TEST(Limits, OfHttpArePartOfTheSum) {
   EXPECT_NE(fault->find("http-max-memory-mib"), std::string::npos) << *fault;
 }
 
+// Nobody else comes where only this machine gets in.
+TEST(Limits, OneAddressLeavesAQuarterOfHttpToOthers) {
+  Config open;
+  open.http_listen = "0.0.0.0:0";
+  EXPECT_EQ(fill_in_limits(open, 64 * gib), std::nullopt);
+  EXPECT_EQ(open.http_max_connections_per_peer, 192U);
+  EXPECT_EQ(open.http_max_memory_per_peer_mib, 384U);
+  Config local;
+  local.http_listen = "127.0.0.1:0";
+  EXPECT_EQ(fill_in_limits(local, 64 * gib), std::nullopt);
+  EXPECT_EQ(local.http_max_connections_per_peer, 256U);
+  EXPECT_EQ(local.http_max_memory_per_peer_mib, 512U);
+  Config said;
+  said.http_listen = "0.0.0.0:0";
+  said.http_max_connections_per_peer = 256;
+  EXPECT_EQ(fill_in_limits(said, 64 * gib), std::nullopt);
+  EXPECT_EQ(said.http_max_connections_per_peer, 256U);
+}
+
 TEST(Limits, AreTheSameWhenFilledInTwice) {
   Config config;
   EXPECT_EQ(fill_in_limits(config, gib), std::nullopt);

@@ -21,7 +21,7 @@ void Elements::add(Element element, const Segment& shape) {
   else
     group.box.add(shape);
   group.has_special = group.has_special || element.is_special();
-  length_ += length_of(element);
+  length_ += length_of(element, shape);
   blocks_ += element.ends_block ? 1 : 0;
   if (size_ == 0) lowest_ = highest_ = element.third_from;
   lowest_ = std::min(lowest_, element.third_to);
@@ -57,8 +57,8 @@ std::size_t Elements::bytes() const {
          groups_.capacity() * sizeof(Group);
 }
 
-double Elements::length_of(const Element& element) const {
-  const double in_plane = trc::length_of(shape_of(element));
+double Elements::length_of(const Element& element, const Segment& shape) {
+  const double in_plane = trc::length_of(shape);
   const double across = static_cast<double>(element.third_to - element.third_from);
   return across == 0 ? in_plane : std::hypot(in_plane, across);
 }
@@ -72,7 +72,7 @@ std::optional<Elements::Place> Elements::place_after(double length) const {
   double left = length - group->length;
   auto at = static_cast<std::size_t>(group - groups_.begin()) * group_size;
   for (;; ++at) {
-    const double own = length_of((*this)[at]);
+    const double own = length_of((*this)[at], shape_of((*this)[at]));
     if (left <= own || at + 1 == size_)
       return Place{.element = at, .share = own > 0 ? std::clamp(left / own, 0.0, 1.0) : 1};
     left -= own;

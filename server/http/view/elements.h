@@ -97,7 +97,7 @@ class Elements {
   [[nodiscard]] std::optional<Place> place_after(double length) const;
 
  private:
-  [[nodiscard]] double length_of(const Element& element) const;
+  [[nodiscard]] static double length_of(const Element& element, const Segment& shape);
 
   static constexpr std::size_t piece_size = 64 * group_size;
 

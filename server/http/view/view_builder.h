@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "core/geometry/plane.h"
-#include "core/session/contour_reader.h"
 #include "core/trc/result/compensated_block.h"
 #include "core/trc/result/first_motions.h"
 #include "proto/wire/setup.h"
@@ -16,6 +15,7 @@
 #include "server/http/view/elements.h"
 #include "server/http/view/lines.h"
 #include "server/http/view/view.h"
+#include "server/http/view/view_contour.h"
 #include "trc/v1/http.pb.h"
 
 namespace trc::server::http {
@@ -25,10 +25,12 @@ struct ViewedProgram {
   std::shared_ptr<const std::string> text{};
   std::string name{};
   wire::ProgramSettings settings{};
-  std::optional<Plane> plane{};  // that is shown; none: that of the first compensated block
+  std::optional<Plane> plane{};  // that is shown; none: that of the first look
+  FirstLook look{};
 };
 
-// Puts a view together while the answers come in: the contour is read beside the path.
+// Puts a view together while the answers come in. The contour grows beside the path, from what the
+// same session reads.
 class ViewBuilder {
  public:
   // `make_room` frees memory that matters less; false: there is none.
@@ -45,21 +47,16 @@ class ViewBuilder {
   [[nodiscard]] std::shared_ptr<View> finish(std::string id);
 
   [[nodiscard]] const wire::ProgramSettings& settings() const { return settings_; }
+  // Must be given all blocks that are read.
+  [[nodiscard]] std::shared_ptr<ContourTap> contour() const { return contour_; }
 
  private:
-  // A piece of the contour; false at its end, or where there is no memory.
-  bool read_contour();
-  void add_contour(const std::vector<Block>& blocks);
-  void add_contour(const Block& block);
-  // Where nothing is compensated the first motion says which plane is shown.
-  void settle_plane();
-  void settle_plane(std::optional<Plane> own);
-  void add_tool_radius(double radius);
+  // So many lines, as far as there are.
+  void find_lines(std::uint64_t count);
+  void read_contour();
   [[nodiscard]] float tool_radius_of(const CompensatedBlock& block);
-  void mark_masked();
-  // Draws what of the selection read last is no wall as what leads to one.
-  void mark_leads();
-  void describe();
+  void mark_masked(ViewContour::Whole& contour);
+  void describe(const ViewContour::Whole& contour);
   // Takes the memory for what there is by now.
   bool account();
 
@@ -74,25 +71,14 @@ class ViewBuilder {
   // that kerf masking has filled.
   std::vector<std::uint32_t> replaced_;
 
-  ContourReader reader_;
-  FirstMotions first_on_contour_;
   FirstMotions first_on_path_;
-  std::size_t read_bytes_ = 0;  // of the text
-  // Read before it was known which plane is shown.
-  std::vector<Block> waiting_;
-  std::optional<Plane> asked_plane_;
-  std::optional<Plane> plane_;  // that is shown
-  Plane own_plane_ = Plane::xy;
-  // Of the motion before.
-  Side side_ = Side::off;
-  Elements contour_;
-  // Of each element of the contour: Source::index of its block.
-  std::vector<std::uint32_t> contour_blocks_;
-  // The blocks of the selection that is being read, and where its elements begin.
-  std::vector<Block> selection_;
-  std::size_t selection_begin_ = 0;
-  // Of each line; of one that is read again and again, as in subprograms, what it had last.
-  std::vector<float> radius_of_line_;
+  std::size_t found_bytes_ = 0;  // of the text: its lines are found
+  const FirstLook look_;
+  const Plane plane_;  // that is shown
+  std::shared_ptr<ViewContour> contour_;
+  // As programmed in the blocks (Source::index) from the first one on that is being added.
+  std::vector<float> radii_;
+  std::uint64_t first_radius_ = 0;
   float path_radius_ = 0;  // of the compensated block before
   Elements path_;
 };

@@ -1,0 +1,154 @@
+#include "server/http/view/view_contour.h"
+
+#include <algorithm>
+#include <unordered_set>
+#include <utility>
+
+#include "core/session/contour_reader.h"
+#include "core/trc/walls/selection_contours.h"
+#include "server/http/view/seen.h"
+#include "server/http/view/view.h"
+
+namespace trc::server::http {
+namespace {
+
+// Blocks of a selection. Of a longer one leads are hardly seen, and all it has would be held twice.
+constexpr std::size_t longest_with_leads = 1U << 16U;
+
+bool moves(const MotionBlock& motion) {
+  return std::holds_alternative<Arc>(motion.path) || motion.normal.moves() ||
+         start_of(motion.path) != end_of(motion.path);
+}
+
+// What the first motions say, as they are read.
+class Look {
+ public:
+  explicit Look(ContourReader& reader) : reader_(reader) {}
+
+  // True once all is known.
+  bool take(const std::vector<Block>& blocks) {
+    return std::ranges::any_of(blocks, [this](const Block& block) {
+      const auto* motion = std::get_if<MotionBlock>(&block);
+      return motion != nullptr && motion->mode != nullptr && take(*motion);
+    });
+  }
+  [[nodiscard]] FirstLook found() const { return found_; }
+
+ private:
+  bool take(const MotionBlock& motion) {
+    const bool active = motion.mode->active();
+    if (!plane_known_) found_.plane = motion.mode->plane;
+    plane_known_ = true;
+    if (active && !std::exchange(compensated_, true)) found_.plane = motion.mode->plane;
+    if (active || (!found_.moves && moves(motion))) {
+      found_.moves = true;
+      found_.is_inch = reader_.is_inch(motion.source.index);
+    }
+    return active && motion.mode->cutting_radius() > 0;
+  }
+
+  ContourReader& reader_;
+  FirstLook found_;
+  bool plane_known_ = false;
+  bool compensated_ = false;
+};
+
+}  // namespace
+
+FirstLook first_look(std::string_view text, const SessionSetup& session,
+                     const std::function<void()>& pass) {
+  ContourReader reader(session);
+  Look look(reader);
+  for (std::size_t at = 0; at < text.size(); at += text_piece) {
+    reader.feed(text.substr(at, text_piece));
+    if (look.take(reader.take())) return look.found();
+    pass();
+  }
+  look.take(reader.finish());
+  return look.found();
+}
+
+ViewContour::ViewContour(const SessionSetup& session, Plane shown)
+    : leads_(session.compensator.leads), shown_(shown), first_(session.program.start) {}
+
+void ViewContour::take(std::span<const Block> blocks) {
+  const std::lock_guard lock(mutex_);
+  for (const Block& block : blocks) add(block);
+}
+
+void ViewContour::read_radii(std::uint64_t first, std::uint64_t last,
+                             std::vector<float>& radii) const {
+  radii.assign(last - first + 1, 0);
+  const std::lock_guard lock(mutex_);
+  const std::uint64_t end = std::min<std::uint64_t>(last + 1, radius_of_block_.size());
+  if (first < end)
+    std::copy(radius_of_block_.begin() + static_cast<std::ptrdiff_t>(first),
+              radius_of_block_.begin() + static_cast<std::ptrdiff_t>(end), radii.begin());
+}
+
+std::size_t ViewContour::bytes() const {
+  const std::lock_guard lock(mutex_);
+  return whole_.elements.bytes() + whole_.blocks.capacity() * sizeof(std::uint32_t) +
+         radius_of_block_.capacity() * sizeof(float) + selection_.capacity() * sizeof(Block);
+}
+
+ViewContour::Whole ViewContour::finish() {
+  const std::lock_guard lock(mutex_);
+  mark_leads();
+  radius_of_block_ = {};
+  return std::exchange(whole_, {});
+}
+
+void ViewContour::add(const Block& block) {
+  const auto* given = std::get_if<MotionBlock>(&block);
+  if (given == nullptr || given->mode == nullptr) return;
+  const MotionBlock& motion = *given;
+  // What leads to a contour, or from one side of it to the other, is not part of it.
+  const bool active = motion.mode->active();
+  const Side side = active ? motion.mode->side : Side::off;
+  const bool is_contour = active && std::exchange(side_, side) == side;
+  if (!active) {
+    side_ = Side::off;
+    mark_leads();
+  }
+  const Element element{
+      .feed = motion.rapid ? 0 : static_cast<float>(motion.feed),
+      .line = motion.source.line,
+      .tool_radius = active ? static_cast<float>(motion.mode->cutting_radius()) : 0,
+      .style = is_contour ? Style::contour : Style::plain,
+      .rapid = motion.rapid,
+      .unsaid = first_.begins_unsaid(motion.mode->plane, motion.path, motion.normal, motion.rapid)};
+  add_seen(whole_.elements, element,
+           {.plane = motion.mode->plane, .shape = motion.path, .normal = motion.normal}, shown_);
+  const std::uint64_t index = motion.source.index;
+  whole_.blocks.resize(whole_.elements.size(), static_cast<std::uint32_t>(index));
+  if (active && selection_.size() <= longest_with_leads) selection_.push_back(block);
+  if (index >= radius_of_block_.size()) radius_of_block_.resize(index + 1);
+  radius_of_block_[index] = element.tool_radius;
+  if (active) add_tool_radius(motion.mode->cutting_radius());
+}
+
+void ViewContour::add_tool_radius(double radius) {
+  constexpr std::size_t most_radii = 16;
+  std::vector<double>& radii = whole_.tool_radii;
+  if (radius <= 0 || radii.size() >= most_radii) return;
+  if (std::find(radii.begin(), radii.end(), radius) == radii.end()) radii.push_back(radius);
+}
+
+void ViewContour::mark_leads() {
+  const std::vector<Block> selection = std::exchange(selection_, {});
+  const std::size_t begin = std::exchange(selection_begin_, whole_.elements.size());
+  if (selection.size() > longest_with_leads) return;
+  std::unordered_set<std::uint32_t> leads;
+  for (const SelectionContour& contour : contours_of(selection)) {
+    const SidedWalls walls = find_walls(contour, leads_);
+    for (std::size_t i = 0; i < contour.blocks.size(); ++i)
+      if (walls.is_lead(i))
+        leads.insert(static_cast<std::uint32_t>(contour.blocks[i]->source.index));
+  }
+  if (leads.empty()) return;
+  for (std::size_t i = begin; i < whole_.elements.size(); ++i)
+    if (leads.contains(whole_.blocks[i])) whole_.elements.restyle(i, Style::lead);
+}
+
+}  // namespace trc::server::http
