@@ -139,6 +139,20 @@ TEST(ClosingPrograms, NoLapIsLeftOutForAnotherOne) {  // D-39
   EXPECT_TRUE(outcome.tells(Code::most_left_out));
 }
 
+// Three quarters of the first lap and one of the second are masked under G141 alone, and the plunge
+// between them would come in the midst of the wall.
+TEST(ClosingPrograms, NoPlungeIsMovedByMasking) {  // D-39
+  const std::string contour =
+      "N10 G0 X33 Y0.3 Z0 F800\nN20 G42 G1 X31.8 Y-1.8\nN30 G2 X30 Y0 J1.8 Z-3\n"
+      "N40 G3 X0 Y30 I-30\nN50 X-30 Y0 J-30\nN60 X0 Y-30 I30\nN70 X30 Y0 J30\n"
+      "N80 G2 X31.4 Y1.756 I1.8\nN90 G1 Z-6\nN100 X31.797 Y-1.803\nN110 G2 X29.997 Y-0.003 J1.8\n"
+      "N120 G3 X-0.003 Y29.997 I-30\nN130 X-30.003 Y-0.003 J-30\nN140 X-0.003 Y-30.003 I30\n"
+      "N150 X29.997 Y-0.003 J30\nN160 G2 X31.397 Y1.753 I1.8\nN170 G40 G1 X33 Y1\n";
+  const Result outcome = run("G141 G25", 1.5, contour);
+  EXPECT_FALSE(outcome.whole);
+  EXPECT_TRUE(outcome.tells(Code::most_left_out));
+}
+
 // Two squares outside, one after the other from the corner in which they touch: the second would be
 // cut through the first.
 TEST(ClosingPrograms, PartsThatTouchAreNotTakenForLaps) {  // D-57

@@ -75,6 +75,21 @@ TEST(EntryTurns, LeadToAPost) {
                            "G3 X0 Y0 I4 J0\n" + post + "G3 X4 Y4 J4\nG40 G1 X0 Y5\n");
 }
 
+// In half turns, and with three decimals, which have each of them touch the wall by a little.
+TEST(EntryTurns, MayTouchAsCirclesAreRounded) {
+  std::string helix;
+  for (const char* depth : {"-1", "-2", "-3"})
+    helix += std::string("G3 X-0.083 Y5.656 I2.787 J2.869 Z") + depth +
+             "\nG3 X-5.656 Y-0.083 I-2.787 J-2.869\n";
+  expect_machined(2,
+                  "G0 X-3.587 Y3.484 Z0 F800\nG41 G1 X-5.656 Y-0.083\n" + helix +
+                      "G3 X0 Y0 I2.787 J2.869\nG1 X6.967 Y7.174\nG3 X6.905 Y11.416 I-2.152 J2.09\n"
+                      "G1 X-5.29 Y23.26\nG3 X-9.532 Y23.198 I-2.09 J-2.152\nG1 X-23.466 Y8.851\n"
+                      "G3 X-23.404 Y4.609 I2.152 J-2.09\nG1 X-11.209 Y-7.236\n"
+                      "G3 X-6.967 Y-7.174 I2.09 J2.152\nG1 X0 Y0\n"
+                      "G3 X-0.083 Y5.656 I-2.869 J2.787\nG40 G1 X-3.587 Y3.484\n");
+}
+
 // Up out of it, the same way.
 TEST(EntryTurns, LeadOutOfAPocket) {
   expect_machined(2, std::string("G0 X0 Y5 Z-3 F800\nG41 G1 X-4 Y4\nG3 X0 Y0 I4 J0\n") + pocket +

@@ -215,12 +215,8 @@ bool LoopRelease::holds_a_whole(const PathPlace& from, const PathPlace& to,
   const std::size_t last = number_of(end - 1);
   if (is_parted_by_rapid(first, last + 1)) return true;
   if (!stretch.is_long()) return false;
-  if (path_.changes_depth(from.block, end)) return true;
-  const Walls& walls = obstacles_.walls();
-  const double lap = stretch.of_walls / static_cast<double>(walls.rings.size() + 1);
-  if (!walls.rings.empty() && stretch.length > 0.9 * lap) return true;
-  // Of few blocks nearly all may lie in one notch; laps that are not told are one long contour.
-  return walls.goes_round(first, last) && stretch.length > 0.1 * lap;
+  return path_.changes_depth(from.block, end) ||
+         holds_a_lap(obstacles_.walls(), first, last, stretch);
 }
 
 bool LoopRelease::go_round_a_part(std::size_t first, std::size_t last) const {

@@ -285,8 +285,7 @@ void ContourMasking::find_walls() {
 double ContourMasking::wall_length(std::size_t index) const {
   const PathBlock& block = held(index);
   if (!is_contour(block)) return 0;
-  const std::size_t first = base_ == 0 && !is_contour(*held_.front()) ? 1 : 0;
-  const std::size_t number = index - first;
+  const std::size_t number = number_of(index);
   if (walls_.is_lead(number)) return 0;
   return length_of(part_of(block.programmed.path, walls_.part_of(number)));
 }
@@ -322,6 +321,15 @@ void ContourMasking::report_masked(std::size_t first, std::size_t end) {
   }
 }
 
+bool ContourMasking::holds_a_whole(std::size_t first, std::size_t end,
+                                   const LeftOut& stretch) const {
+  if (!stretch.is_long()) return false;
+  const auto moves = [](const PassiveBlock& block) { return block.normal.moves(); };
+  for (std::size_t index = first; index < end; ++index)
+    if (std::any_of(held(index).passive.begin(), held(index).passive.end(), moves)) return true;
+  return holds_a_lap(walls_, number_of(first), number_of(end - 1), stretch);
+}
+
 bool ContourMasking::check_left_out() {
   LeftOut longest = std::exchange(longest_left_out_, {});
   double of_walls = std::exchange(contour_length_, 0);
@@ -339,6 +347,16 @@ bool ContourMasking::check_left_out() {
   }
   if (longest.length == 0) return true;
   longest.of_walls = of_walls;
+  const std::size_t end = base_ + held_.size();
+  for (std::size_t index = base_; longest.is_long() && index < end; ++index) {
+    if (!held(index).masked) continue;
+    std::size_t behind = end;
+    LeftOut stretch = left_out(index, behind);
+    stretch.of_walls = of_walls;
+    if (holds_a_whole(index, behind, stretch))
+      return diagnostics_.report(refusal_of(stretch, std::nullopt));
+    index = behind - 1;
+  }
   if (!longest.is_more_than(largest_masked_share_)) return true;
   return diagnostics_.report(refusal_of(longest, largest_masked_share_));
 }

@@ -97,6 +97,13 @@ class ContourMasking {
   // Of the contour that is held: what of it is a wall, as far as its begin is known (D-38).
   void find_walls();
   [[nodiscard]] double wall_length(std::size_t index) const;
+  // Of a held block among those of the contour.
+  [[nodiscard]] std::size_t number_of(std::size_t index) const {
+    return index - (base_ == 0 && held_.front()->role != Role::contour ? 1 : 0);
+  }
+  // Whether a stretch of masked blocks is what may not be left out, whatever its share (D-39).
+  [[nodiscard]] bool holds_a_whole(std::size_t first, std::size_t end,
+                                   const LeftOut& stretch) const;
   // Refuses a contour too much of which is masked: one stretch, or all long ones (D-39).
   bool check_left_out();
   // There is no way on over these blocks, among them the first or the last one of the contour:

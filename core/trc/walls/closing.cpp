@@ -491,10 +491,13 @@ std::optional<Closing> closing_of_some(const ContourView& contour, std::size_t f
 std::optional<Closing> find_closing(const ContourView& contour, double closing_tolerance,
                                     double tool_radius) {
   if (const auto between = between_turns(contour, closing_tolerance)) {
-    const auto closing =
+    auto closing =
         closing_of_some(contour, between->first, between->end, closing_tolerance, tool_radius);
-    if (closing && are_leads(contour, *between, *closing, closing_tolerance, tool_radius))
+    if (closing && are_leads(contour, *between, *closing, closing_tolerance, tool_radius)) {
+      closing->has_turns_in = between->first > 0;
+      closing->has_turns_out = between->end < contour.count;
       return closing;
+    }
   }
   return closing_of_all(contour, closing_tolerance, tool_radius);
 }

@@ -313,6 +313,9 @@ Walls find_walls(const ContourView& contour, const LeadSettings& settings, doubl
     walls.touch = std::max(closing->gap, kink_in(contour, *closing, tool_radius,
                                                  settings.input_resolution, scratch.memory()));
     reach_along_leads(contour, *closing, settings.input_resolution, walls);
+    if (closing->has_turns_in) walls.turns_in = {0, closing->first.number + 1};
+    if (closing->has_turns_out) walls.turns_out = {closing->second.number, contour.count};
+    walls.touch_of_turns = std::min(Tolerances{}.on_top, settings.closing_tolerance);
     // What comes by once goes over nothing of its own.
     if (!closing->is_alone || closing->overrun) {
       const double tolerance = settings.closing_tolerance;

@@ -29,6 +29,13 @@ void LeftOut::add(const LeftOut& other) {
   in_all = all;
 }
 
+bool holds_a_lap(const Walls& walls, std::size_t first, std::size_t last, const LeftOut& stretch) {
+  const double lap = stretch.of_walls / static_cast<double>(walls.rings.size() + 1);
+  if (!walls.rings.empty() && stretch.length > 0.9 * lap) return true;
+  // Of few blocks nearly all may lie in one notch; laps that are not told are one long contour.
+  return walls.goes_round(first, last) && stretch.length > 0.1 * lap;
+}
+
 Diagnostic note_of(const LeftOut& stretch) {
   Diagnostic note = diagnostic(Code::blocks_masked, stretch.first);
   if (stretch.is_long() || stretch.is_a_part) note.severity = Severity::warning;

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 
 #include "core/base/diagnostic.h"
+#include "core/trc/walls/walls.h"
 
 namespace trc {
 
@@ -29,6 +31,11 @@ struct LeftOut {
     return std::max(length, in_all) > share * of_walls;
   }
 };
+
+// Whether a long stretch, from one block of the contour to another one, is a lap or nearly all of
+// one that others do not make up for; `of_walls` of it is known.
+[[nodiscard]] bool holds_a_lap(const Walls& walls, std::size_t first, std::size_t last,
+                               const LeftOut& stretch);
 
 // What is said of it: a note; a warning where it is longer than 10 · R, or no local damage (D-99).
 [[nodiscard]] Diagnostic note_of(const LeftOut& stretch);

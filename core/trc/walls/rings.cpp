@@ -9,10 +9,12 @@ namespace trc {
 
 Visits visits_of(const ContourView& contour, const Closing& closing, double tolerance,
                  std::pmr::memory_resource* memory) {
-  const auto& [first, second, point, gap, joins, is_alone, overrun] = closing;
+  const ContourPlace& first = closing.first;
+  const ContourPlace& second = closing.second;
+  const Point& point = closing.point;
   Visits visits(memory);
   double way = 0;
-  const double near = tolerance + gap;
+  const double near = tolerance + closing.gap;
   // Blocks that meet there are one visit, and so are short ones around it.
   const auto note = [&](std::size_t number, double along) {
     const bool is_same = !visits.empty() && way + along - visits.back().way <= 4 * near;

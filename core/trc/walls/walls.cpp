@@ -39,6 +39,8 @@ double Walls::touch_between(std::size_t number, std::size_t path) const {
     return (begin.holds(number) && end.holds(path)) || (end.holds(number) && begin.holds(path));
   };
   double most = meet(head, tail) ? touch : 0;
+  if ((turns_in.holds(path) || turns_out.holds(path)) && (head.holds(number) || tail.holds(number)))
+    most = std::max(most, touch_of_turns);
   if (rings.empty()) return most;
   // Of several laps the end lies on the begin of the last one, which may be within the tail.
   const auto begin_of = [&](std::size_t ring) {

@@ -72,6 +72,12 @@ struct Walls {
   // none.
   std::size_t blocks_of_round = 0;
 
+  // Where whole turns lead in or out, the blocks of that lead: each turn may touch the walls where
+  // the contour closes, as exactly as circles are programmed (D-106).
+  Range turns_in{};
+  Range turns_out{};
+  double touch_of_turns = 0;
+
   [[nodiscard]] bool are_all() const { return leads.empty() && parts.empty() && rings.empty(); }
   // Nothing is set.
   [[nodiscard]] bool are_plain() const { return are_all() && touch == 0; }
