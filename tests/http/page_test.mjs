@@ -136,6 +136,18 @@ const tests = {
     await page.selectOption('[name=dialect]', '');
   },
 
+  async 'tools have names and edges'(page) {
+    const path = file('named.mpf', ['G17 G90 G40 G0 X-20 Y-20', 'T="ROUGH 10" D2', 'G41 G1 X0 Y0 F500', 'Y50', 'X50', 'Y0', 'X0', 'G40 X-20 Y-20', 'M30', ''].join('\n'));
+    await page.selectOption('[name=dialect]', 'sinumerik');
+    await show(page, path, {tool_radius: '', tools: '7"ROUGH 10"/2:5'});
+    assert.match(await page.textContent('#certificate'), /needed 5 mm/);
+    await page.fill('[name=tools]', '7"ROUGH 10:5');
+    await page.click('#compute');
+    await page.waitForFunction(() => /Tool table: “7"ROUGH 10:5” is not possible/.test(document.getElementById('state').textContent));
+    await page.fill('[name=tools]', '');
+    await page.selectOption('[name=dialect]', '');
+  },
+
   async 'what it shows is what the command line says'(page) {
     const path = join(top, 'client/samples/bracket.nc');
     await show(page, path, {tool_radius: ''});
