@@ -123,6 +123,11 @@ const tests = {
     assert.equal(await page.inputValue('[name=dialect]'), 'fanuc');
     assert.equal(await page.locator('#diagnostics .way-out').count(), 0);
     assert.match(await page.textContent('#certificate'), /0\.19685 inch, needed 0\.19685 inch/);
+    await page.selectOption('[name=dialect]', 'sinumerik');
+    await page.click('#compute');
+    await page.waitForFunction(() => /G20/.test(document.getElementById('diagnostics').textContent));
+    await page.click('#diagnostics .way-out');
+    await page.waitForFunction(() => document.getElementById('state').textContent.startsWith('Compensated'));
     // A coordinate and a number with its unit are not parted; a long line is marked as far as it goes.
     const heights = await page.evaluate(() => [...document.querySelectorAll('#certificate dd span')].map(part => part.getClientRects().length));
     assert.deepEqual([...new Set(heights)], [1]);
