@@ -51,10 +51,6 @@ constexpr auto rows = std::to_array<Sentence>({
     {"--set: {}", "--set: {}"},
     {"unknown setting {}; nearest: {}", "unbekannte Einstellung {}; am ähnlichsten: {}"},
     // Tables of tools and subprograms.
-    {"--tools: the page takes tools by number, none with a name or an edge; trc plot -o part.html "
-     "takes them all",
-     "--tools: die Seite nimmt Werkzeuge mit Nummer, keine mit Namen oder Schneide; trc plot -o "
-     "part.html nimmt alle"},
     {"--tools: {}", "--tools: {}"},
     {"--listen {}: the page is for this machine alone; trcd --http-listen serves others",
      "--listen {}: die Seite ist nur für diesen Rechner da; anderen dient trcd --http-listen"},

@@ -1,7 +1,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cctype>
 #include <csignal>
 #include <cstdlib>
@@ -65,12 +64,6 @@ std::string query_of(const v1::ProgramSetup& setup, const ProgramOptions& option
   return query;
 }
 
-// The page has a line for tools by number.
-bool are_numbered(const v1::ProgramSetup& setup) {
-  return std::none_of(setup.tools().begin(), setup.tools().end(),
-                      [](const v1::Tool& tool) { return !tool.name().empty() || tool.edge() > 1; });
-}
-
 // Not waited for; a desk without xdg-open has the address.
 void open_browser(const std::string& address) {
   const pid_t child = fork();
@@ -86,12 +79,6 @@ void open_browser(const std::string& address) {
 Exit run(const Call& call) {
   v1::ProgramSetup setup;
   if (!setup_of(call.program, setup)) return Exit::wrong_call;
-  if (!are_numbered(setup)) {
-    complain(
-        "--tools: the page takes tools by number, none with a name or an edge; trc plot -o "
-        "part.html takes them all");
-    return Exit::wrong_call;
-  }
   if (server::split_host_port(call.listen) && !server::is_local_address(call.listen)) {
     complain("--listen " + call.listen +
              ": the page is for this machine alone; trcd --http-listen serves others");

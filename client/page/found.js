@@ -89,11 +89,10 @@ function item(diagnostic) {
 
 const helpOf = diagnostic => diagnostic.help ?? diagnostic.remedy ?? '';
 
-// A program of another control is read as one by a click.
+// A program of another control is read as one by a click. Where several would do none is offered.
 function wayOut(found) {
-  const looksLikeAnother = 900016;
-  const dialect = inside ? null : found.filter(d => d.code === looksLikeAnother).map(d => /--dialect (\w+)/.exec(helpOf(d))?.[1]).find(Boolean);
-  if (!dialect) return [];
+  const dialect = inside ? null : found.filter(d => d.severity === 'ERROR').map(d => /--dialect (\w+)\b(?!, \w)/.exec(helpOf(d))?.[1]).find(Boolean);
+  if (!dialect || shown.options.values.dialect === dialect) return [];
   const entry = document.createElement('li'), button = document.createElement('button');
   button.className = 'way-out';
   button.textContent = t('readAs', {dialect: settingWord(dialect, currentLanguage())});

@@ -135,7 +135,7 @@ async function show(program, fit) {
 function settingsToCompare({compareWith, settings, view}) {
   const radius = Number(compareWith.tool_radius), [own, ...others] = view.toolRadii ?? [];
   if (!(radius > 0) || !own || others.length || settings.tool_radius || settings.nominal_radius) return compareWith;
-  const tool = /^\s*(\d+)\s*:[^,]*$/.exec(settings.tools ?? '');
+  const tool = /^\s*(\d*(?:"(?:[^"]|"")*")?(?:\/\d+)?)\s*:[^,]*$/.exec(settings.tools ?? '');
   if (tool) return {tools: `${tool[1]}:${radius}`};
   const wear = radius - own + Number(settings.wear ?? 0);
   return {...compareWith, wear, max_wear: Math.max(1, Math.abs(wear))};

@@ -80,8 +80,8 @@ const germanWords = {
   'names with commas between': 'Namen, mit Kommas dazwischen',
   'names with their values, as in #500=12.5,#501=3': 'Namen mit ihren Werten, wie in #500=12.5,#501=3',
   'auto, none or blocks:IN,OUT': 'auto, none oder blocks:EIN,AUS',
-  'the tool table, number of the D or T word:radius in mm, as in 1:5,2:3.5, or with the wear too, as in 1:5:-0.02':
-    'Nummer des D- oder T-Worts:Radius in mm, wie 1:5,2:3.5, oder mit Verschleiß, wie 1:5:-0.02',
+  'the tool table, number of the D or T word:radius in mm, as in 1:5,2:3.5, or with the wear too, as in 1:5:-0.02; a name stands in quotes, an edge behind a stroke, as in 7"ROUGH"/2:5':
+    'Nummer des D- oder T-Worts:Radius in mm, wie 1:5,2:3.5, mit Verschleiß 1:5:-0.02, mit Name und Schneide 7"ROUGH"/2:5',
   true: 'ja', false: 'nein', off: 'aus', on: 'ein', none: 'keine', auto: 'selbst finden', blocks: 'gezählt',
   direct: 'direkt', indirect: 'indirekt', on_path: 'auf der Bahn', perpendicular: 'senkrecht',
   inside_corner: 'in der Innenecke', without_block: 'ohne Satz', linear: 'linear', circular: 'zirkular',

@@ -329,23 +329,81 @@ std::string value_of(const Message& owner, const FieldDescriptor& field) {
   }
 }
 
+// As `split`; what stands in quotes is not parted.
+std::vector<std::string_view> split_outside_quotes(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  bool quoted = false;
+  std::size_t begin = 0;
+  for (std::size_t at = 0; at <= text.size(); ++at) {
+    if (at < text.size() && text[at] == '"') quoted = !quoted;
+    if (at < text.size() && (quoted || text[at] != separator)) continue;
+    parts.push_back(text.substr(begin, at - begin));
+    begin = at + 1;
+  }
+  return parts;
+}
+
+// Takes "A ""B""" from the front of a text; false: it has a begin and no end, or nothing in it.
+bool take_name(std::string_view& text, std::string& name) {
+  if (!text.starts_with('"')) return true;
+  for (std::size_t at = 1; at < text.size(); ++at) {
+    const bool is_quote = text[at] == '"';
+    if (is_quote && (at + 1 == text.size() || text[at + 1] != '"')) {
+      text.remove_prefix(at + 1);
+      return !name.empty();
+    }
+    name += text[at];
+    if (is_quote) ++at;
+  }
+  return false;
+}
+
+// What a tool is called by, its number, its name in quotes or both, and the edge its radius is of:
+// 7, "ROUGH 10", 7"ROUGH 10"/2.
+bool set_call(std::string_view text, v1::Tool& tool) {
+  const std::size_t number_end = std::min(text.find_first_of("\"/"), text.size());
+  const std::string_view digits = text.substr(0, number_end);
+  text.remove_prefix(number_end);
+  if (!take_name(text, *tool.mutable_name())) return false;
+  const auto number = number_from<std::uint32_t>(digits);
+  const bool is_named_alone = digits.empty() && !tool.name().empty();
+  if (!number && !is_named_alone) return false;
+  tool.set_number(number.value_or(0));
+  if (text.empty()) return true;
+  const auto edge =
+      text.starts_with('/') ? number_from<std::uint32_t>(text.substr(1)) : std::nullopt;
+  if (edge) tool.set_edge(*edge);
+  return edge.has_value();
+}
+
+std::string call_of(const v1::Tool& tool) {
+  std::string call;
+  if (tool.number() > 0 || tool.name().empty()) call += std::to_string(tool.number());
+  if (!tool.name().empty()) {
+    call += '"';
+    for (const char c : tool.name()) call.append(c == '"' ? 2 : 1, c);
+    call += '"';
+  }
+  if (tool.edge() > 0) call += "/" + std::to_string(tool.edge());
+  return call;
+}
+
 std::string set_tools(std::string_view text, v1::ProgramSetup& setup) {
-  for (const std::string_view entry : split(text, ',')) {
-    const auto parts = split(entry, ':');
-    const bool complete = parts.size() == 2 || parts.size() == 3;
-    const auto number = complete ? number_from<std::uint32_t>(parts[0]) : std::nullopt;
+  for (const std::string_view entry : split_outside_quotes(text, ',')) {
+    const auto parts = split_outside_quotes(entry, ':');
+    v1::Tool tool;
+    const bool complete = (parts.size() == 2 || parts.size() == 3) && set_call(parts[0], tool);
     const auto radius = complete ? finite_from(parts[1]) : std::nullopt;
     const auto wear = parts.size() == 3 ? finite_from(parts[2]) : std::optional<double>(0);
-    if (!number || !radius || !wear)
+    if (!complete || !radius || !wear)
       return "tools: \"" + std::string(entry) +
              "\" is no D or T word with its radius in mm, as in 1:5, or with its wear too, as in "
              "1:5:-0.02" +
              (entry.find(':') == entry.npos ? "; commas separate tools, decimals have a point"
                                             : "");
-    v1::Tool& tool = *setup.add_tools();
-    tool.set_number(*number);
     tool.set_radius(*radius);
     tool.set_wear(*wear);
+    *setup.add_tools() = std::move(tool);
   }
   return {};
 }
@@ -470,8 +528,7 @@ std::vector<std::string> assignments_of(const v1::ProgramSetup& setup) {
     if (is_set_in(setup, *field)) found.push_back(field->name() + "=" + value_of(setup, *field));
   std::string tools;
   for (const v1::Tool& tool : setup.tools()) {
-    tools +=
-        (tools.empty() ? "" : ",") + std::to_string(tool.number()) + ":" + shortest(tool.radius());
+    tools += (tools.empty() ? "" : ",") + call_of(tool) + ":" + shortest(tool.radius());
     if (tool.wear() != 0) tools += ":" + shortest(tool.wear());
   }
   if (!tools.empty()) found.push_back("tools=" + tools);
@@ -491,7 +548,8 @@ std::vector<SettingRow> settings() {
   rows.push_back(
       {"tools",
        "the tool table, number of the D or T word:radius in mm, as in 1:5,2:3.5, or with the wear "
-       "too, as in 1:5:-0.02"});
+       "too, as in 1:5:-0.02; a name stands in quotes, an edge behind a stroke, as in "
+       "7\"ROUGH\"/2:5"});
   rows.push_back({"variables", "names with their values, as in #500=12.5,#501=3"});
   return rows;
 }

@@ -123,6 +123,11 @@ const tests = {
     assert.equal(await page.inputValue('[name=dialect]'), 'fanuc');
     assert.equal(await page.locator('#diagnostics .way-out').count(), 0);
     assert.match(await page.textContent('#certificate'), /0\.19685 inch, needed 0\.19685 inch/);
+    await page.selectOption('[name=dialect]', 'sinumerik');
+    await page.click('#compute');
+    await page.waitForFunction(() => /G20/.test(document.getElementById('diagnostics').textContent));
+    await page.click('#diagnostics .way-out');
+    await page.waitForFunction(() => document.getElementById('state').textContent.startsWith('Compensated'));
     // A coordinate and a number with its unit are not parted; a long line is marked as far as it goes.
     const heights = await page.evaluate(() => [...document.querySelectorAll('#certificate dd span')].map(part => part.getClientRects().length));
     assert.deepEqual([...new Set(heights)], [1]);
@@ -133,6 +138,18 @@ const tests = {
       return {row: row.getBoundingClientRect().right, line: range.getBoundingClientRect().right};
     });
     assert.ok(row >= line, `the row ends at ${row}, its text at ${line}`);
+    await page.selectOption('[name=dialect]', '');
+  },
+
+  async 'tools have names and edges'(page) {
+    const path = file('named.mpf', ['G17 G90 G40 G0 X-20 Y-20', 'T="ROUGH 10" D2', 'G41 G1 X0 Y0 F500', 'Y50', 'X50', 'Y0', 'X0', 'G40 X-20 Y-20', 'M30', ''].join('\n'));
+    await page.selectOption('[name=dialect]', 'sinumerik');
+    await show(page, path, {tool_radius: '', tools: '7"ROUGH 10"/2:5'});
+    assert.match(await page.textContent('#certificate'), /needed 5 mm/);
+    await page.fill('[name=tools]', '7"ROUGH 10:5');
+    await page.click('#compute');
+    await page.waitForFunction(() => /Tool table: “7"ROUGH 10:5” is not possible/.test(document.getElementById('state').textContent));
+    await page.fill('[name=tools]', '');
     await page.selectOption('[name=dialect]', '');
   },
 

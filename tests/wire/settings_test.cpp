@@ -50,7 +50,7 @@ TEST(Settings, AreWrittenAsTheyAreRead) {
       "encoding=latin1",
       "renumber=true",
       "max_executed_lines=5000",
-      "tools=1:5,2:3.5:-0.02",
+      "tools=1:5,2:3.5:-0.02,7\"ROUGH, 10:1\"/2:5,\"A \"\"B\"\"\":3,5/3:4",
       "variables=#500=12.5,#501=-3",
   };
   v1::ProgramSetup setup;
@@ -116,6 +116,16 @@ TEST(Settings, TakePositionsListsAndTools) {
   EXPECT_EQ(setup.tools(1).number(), 2u);
   EXPECT_EQ(setup.tools(1).radius(), 3.5);
   EXPECT_EQ(set({"tools=1:5:-0.02"}).tools(0).wear(), -0.02);
+  const v1::ProgramSetup called = set({"tools=7\"ROUGH, 10:1\"/2:5:-0.02,\"A \"\"B\"\"\":3,5/3:4"});
+  ASSERT_EQ(called.tools_size(), 3);
+  EXPECT_EQ(called.tools(0).number(), 7u);
+  EXPECT_EQ(called.tools(0).name(), "ROUGH, 10:1");
+  EXPECT_EQ(called.tools(0).edge(), 2u);
+  EXPECT_EQ(called.tools(0).wear(), -0.02);
+  EXPECT_EQ(called.tools(1).number(), 0u);
+  EXPECT_EQ(called.tools(1).name(), "A \"B\"");
+  EXPECT_EQ(called.tools(2).name(), "");
+  EXPECT_EQ(called.tools(2).edge(), 3u);
   EXPECT_EQ(set({"allowance=0.2"}).path().allowance(), 0.2);
   EXPECT_EQ(set({"nominal_radius=5"}).path().nominal_radius(), 5);
 }
@@ -136,7 +146,10 @@ TEST(Settings, SayWhatAFieldTakes) {
   EXPECT_NE(fault_of("selection_mode=G999").find("without_block (G239)"), std::string::npos);
   EXPECT_NE(fault_of("selection_mode=G25"), "");
   EXPECT_NE(fault_of("start_position=1,2,3,4"), "");
-  EXPECT_NE(fault_of("tools=1").find("as in 1:5"), std::string::npos);
+  for (const char* tools : {"1", ":5", "\"\":5", "\"A:5", "1\"A\"2:5", "1/:5", "1/x:5", "/2:5",
+                            "1\"A\"/2/3:5", "-1:5", "1.5:5"})
+    EXPECT_NE(fault_of(std::string("tools=") + tools).find("as in 1:5"), std::string::npos)
+        << tools;
   EXPECT_NE(fault_of("tool_radius").find("key=value"), std::string::npos);
 }
 
