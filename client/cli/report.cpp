@@ -208,8 +208,10 @@ std::string text_of(const Diagnostic& diagnostic, const Shown& shown) {
   if (diagnostic.source.line > 0) place += ':' + std::to_string(diagnostic.source.line);
   if (diagnostic.source.line > 0 && column > 0) place += ':' + std::to_string(column);
   place += ':';
+  // Blocks of Klartext have numbers without N.
   if (diagnostic.source.number != Source::no_number)
-    place += " N" + std::to_string(diagnostic.source.number) + ':';
+    place += (diagnostic.words == ControlWords::klartext ? " " : " N") +
+             std::to_string(diagnostic.source.number) + ':';
 
   const DiagnosticTexts texts = texts_of(diagnostic);
   std::string text =

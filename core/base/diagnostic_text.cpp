@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "core/base/diagnostic.h"
 #include "core/base/entry_help.h"
@@ -337,6 +338,20 @@ std::string text_of(const RelatedPlace& related, Language language) {
   return std::string(language == Language::german ? row->german : row->english);
 }
 
+namespace {
+
+// Blocks of Klartext have numbers without N: "line 7 (block 6)".
+std::string with_block_numbers(std::string text, bool german) {
+  for (std::size_t at = text.find("(N"); at != std::string::npos; at = text.find("(N", at + 1)) {
+    const std::size_t end = text.find_first_not_of("0123456789", at + 2);
+    if (end != std::string::npos && end > at + 2 && text[end] == ')')
+      text.replace(at + 1, 1, german ? "Satz " : "block ");
+  }
+  return text;
+}
+
+}  // namespace
+
 std::string_view title_of(Code code, Language language) {
   return language == Language::german ? german_row_of(code).title : row_of(code).cause;
 }
@@ -371,7 +386,8 @@ std::string message_of(const Diagnostic& diagnostic, Language language) {
   }
   if (separator[0] == ',') text.append(")");
   if (!diagnostic.calls.empty()) text.append(", ").append(text_of(diagnostic.calls, language));
-  return text;
+  return diagnostic.words == ControlWords::klartext ? with_block_numbers(std::move(text), german)
+                                                    : text;
 }
 
 std::string text_of(const std::vector<CallPlace>& calls, Language language) {
@@ -506,8 +522,11 @@ std::string help_of(const Diagnostic& diagnostic, Language language) {
         Code::nc_unsupported,    Code::position_unknown,     Code::nc_number,
         Code::circle_incomplete, Code::circle_center_misfit, Code::ended_while_active,
         Code::no_tool_radius,    Code::line_reversed,        Code::arc_wrapped};
+    // Of these the words of expressions say little.
+    const bool has_own_reason = diagnostic.detail.ends_with(", words behind a statement") ||
+                                diagnostic.detail.ends_with(" or a tool offset of Fanuc");
     const std::string_view by_reason =
-        std::ranges::find(of_words, diagnostic.code) != of_words.end()
+        has_own_reason || std::ranges::find(of_words, diagnostic.code) != of_words.end()
             ? help_by_reason(diagnostic.detail, language)
             : std::string_view();
     if (const std::string_view of_values = help_about_values(diagnostic, german);

@@ -56,6 +56,36 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Program the tool or its radius in front of the change, or give tool_radius in the setup.",
      "Das Werkzeug oder seinen Radius vor der Änderung programmieren, oder tool_radius im Setup "
      "angeben."},
+    {"a variable of Haas or a tool offset of Fanuc",
+     "Where it is a variable of the program, write one of #100 to #199 or #500 to #999 in its "
+     "place: #100 for #10100. The radius of a tool is given by G10 L12 P R.",
+     "Wo sie eine Variable des Programms ist, an ihre Stelle eine von #100 bis #199 oder #500 bis "
+     "#999 schreiben: #100 für #10100. Den Radius eines Werkzeugs gibt G10 L12 P R."},
+    {"words behind a statement",
+     "Write what follows into a line of its own: a control statement stands alone in its line.",
+     "Was folgt, in eine eigene Zeile schreiben: eine Steueranweisung steht allein in ihrer "
+     "Zeile."},
+    {"which fits where they are absolute",
+     "Where I, J and K are meant absolutely, say so: circle_center_mode.reference ABSOLUTE in "
+     "the setup, or in the program G90.1 of LinuxCNC, G161 of ISG. Else correct them or the end "
+     "point.",
+     "Sind I, J und K absolut gemeint, dies sagen: circle_center_mode.reference ABSOLUTE im "
+     "Setup, oder im Programm G90.1 bei LinuxCNC, G161 bei ISG. Sonst sie oder den Endpunkt "
+     "berichtigen."},
+    {"which fits where they count from the start",
+     "Where I, J and K are meant from the start of the arc, say so: circle_center_mode.reference "
+     "START in the setup, or in the program G91.1 of LinuxCNC, G162 of ISG. Else correct them or "
+     "the end "
+     "point.",
+     "Sind I, J und K vom Anfang des Bogens aus gemeint, dies sagen: circle_center_mode.reference "
+     "START im Setup, oder im Programm G91.1 bei LinuxCNC, G162 bei ISG. Sonst sie oder den "
+     "Endpunkt "
+     "berichtigen."},
+    {"is the number of a register",
+     "Write the number of the register that holds the radius, as D1, or give tool_radius in the "
+     "setup and take the word out.",
+     "Die Nummer des Registers schreiben, das den Radius hat, wie D1, oder tool_radius im Setup "
+     "angeben und das Wort streichen."},
     {"is the number of a tool",
      "Write the number of the tool, or G41.1 or G42.1 where D is the diameter.",
      "Die Nummer des Werkzeugs schreiben, oder G41.1 oder G42.1, wo D der Durchmesser ist."},
@@ -102,6 +132,12 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Das Wort streichen, oder die Funktion, die es braucht, in die Zeile schreiben."},
     {"a motion of an axis by itself", "Write it as a motion of the path: G00 or G01 with the axis.",
      "Es als Bewegung der Bahn schreiben: G00 oder G01 mit der Achse."},
+    {"the time of a block, in force since",
+     "Write G94 and a feed per minute in front of the contour, and G93 anew behind it: the blocks "
+     "of "
+     "the path have other lengths.",
+     "Vor der Kontur G94 und einen Vorschub je Minute schreiben, dahinter G93 neu: die Sätze der "
+     "Bahn sind anders lang."},
     {"with the feed at the contour (G11, CFC)",
      "Write CFTCP in front of the contour: the feed at the tool centre; or a feed per minute, "
      "G94.",
@@ -208,6 +244,11 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Die Koordinaten mit dem Radius darin schreiben; eine Kontur hat RL oder RR."},
     {"TRC in space (CUT3D", "Let the control compensate in space; contours of a plane have CUT2D.",
      "Im Raum die Steuerung korrigieren lassen; Konturen einer Ebene haben CUT2D."},
+    {"a jump to a label",
+     "Write the blocks in the order in which they run, what repeats as CALL LBL 1 REP 3. A program "
+     "without RL and RR needs no compensation.",
+     "Die Sätze in der Reihenfolge schreiben, in der sie laufen, was sich wiederholt als CALL LBL "
+     "1 REP 3. Ein Programm ohne RL und RR braucht keine Korrektur."},
     {"a jump", "Write the blocks in the order in which they run.",
      "Die Sätze in der Reihenfolge schreiben, in der sie laufen."},
     {"TRC under polar coordinates", "Program G15 in front of the contour.",
@@ -350,10 +391,18 @@ constexpr auto helps = std::to_array<ReasonHelp>({
     {"the call of either of two subprograms",
      "Write a blank behind L or LL, in front of the name that is meant.",
      "Hinter L oder LL ein Leerzeichen schreiben, vor den Namen, der gemeint ist."},
+    {"behind blocks without a number of their program",
+     "Take the blocks in front of it out, or put the number in front of them; if they are a "
+     "program "
+     "of their own, give each as a text of its own.",
+     "Die Sätze davor streichen oder die Nummer vor sie stellen; sind sie ein eigenes Programm, "
+     "jedes als eigenen Text übergeben."},
     {"a second program", "Give each program as a text of its own.",
      "Jedes Programm als eigenen Text übergeben."},
     {"a second block in the line", "Write each block in a line of its own, and comments in ( ).",
      "Jeden Satz in eine eigene Zeile schreiben, Kommentare in ( )."},
+    {"write it into a line of its own", "Write it into a line of its own.",
+     "Es in eine eigene Zeile schreiben."},
     {"behind other words",
      "Write the number in front of its block; a jump or a call by N is not known in "
      "this dialect.",

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/nc/dialect/g_function.h"
@@ -66,12 +67,18 @@ struct Interpreter::BlockWords {
   }
   [[nodiscard]] bool has(GGroup group) const { return of(group).function != nullptr; }
   void set(const GFunction& function, std::uint32_t begin) {
+    if (function.group == GGroup::unfollowed_end || function.group == GGroup::frame)
+      ends.push_back(static_cast<std::int16_t>(function.tenths()));
     functions[static_cast<std::size_t>(function.group)] = {.function = &function, .begin = begin};
   }
   void clear(GGroup group) { functions[static_cast<std::size_t>(group)] = {}; }
 
   std::array<Function, g_group_count> functions{};
-  MoveRequest move{};                     // in the unit of the program
+  // In tenths; of a line with several of them `functions` has one: G15 G50, G69 G50.1.
+  std::vector<std::int16_t> ends{};
+  bool adds_to_frame = false;  // ASCALE
+  std::string frame{};         // of Sinumerik: which one the line sets as a whole, $P_UIFR[1]
+  MoveRequest move{};          // in the unit of the program
   std::optional<std::uint32_t> axis{};    // where the first axis word stands
   std::optional<std::uint32_t> center{};  // the first I J K R
   std::optional<Value> feed{};
@@ -122,6 +129,7 @@ struct Interpreter::BlockWords {
   std::optional<Value> modal_corner_feed{};  // FRCM=
   std::optional<Value> angle{};              // ANG= and ,A in a contour, degrees
   bool sets_position = false;                // G92: the axis words say where the machine stands
+  std::optional<Value> kept_modes{};         // M70 … M72 of LinuxCNC
   bool names_tool = false;                   // M61 of LinuxCNC: Q is the tool in the spindle
   std::optional<Value> quantity{};           // Q
   std::optional<Value> offset{};             // H

@@ -13,9 +13,6 @@ namespace {
 
 using enum GGroup;
 
-// SCALE of Sinumerik, which ends where it stands alone.
-constexpr int scale_tenths = 10060;
-
 // NAME(…) of Sinumerik; under G66 of Fanuc what its own line says.
 std::string_view called_name(std::string_view text, std::uint32_t begin) {
   return text.substr(begin, text.find(';', begin) - begin);
@@ -37,7 +34,7 @@ bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
     return refuse(line, TextFault{.code = Code::nc_word_twice,
                                   .begin = block.later_tool->begin,
                                   .detail = "T without M06"});
-  if (!watch_tool(line, block)) return false;
+  if (!watch_tool(line, block) || !check_kept_modes(line, block)) return false;
   take_tool_words(line, block);
   take_spindle_limit(line, block);
   if (dialect_.name == DialectName::fanuc) {
@@ -52,6 +49,7 @@ bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
   forget_what_ends_nothing(block);
   end_what_was_unfollowed(block);
   take_what_is_unfollowed(line, block);
+  take_work_offset(block);
   if (dialect_.name == DialectName::sinumerik) {
     take_pole(block);
     if (!resolve_polar_words(line, block) || !take_soft_lead(line, block)) return false;
@@ -125,22 +123,32 @@ bool Interpreter::check_skipped_modes(const ProgramLine& line, const BlockWords&
   return true;
 }
 
-// Under which function coordinates mean something else from here on.
-void Interpreter::take_what_is_unfollowed(const ProgramLine& line, BlockWords& block) {
-  if (block.of(frame).is(absolute_frame) && code_.unfollowed == scale_tenths) code_.unfollowed = -1;
-  if (block.has(unfollowed) && block.of(unfollowed).function->tenths() == scale_tenths &&
-      !block.axis) {
-    code_.unfollowed = -1;
-    block.forget |= all_axes;
-    block.clear(unfollowed);
-  }
-  if (block.has(motion) && code_.unfollowed == spline_interpolation * 10) code_.unfollowed = -1;
-  if (block.has(unfollowed)) {
-    code_.unfollowed = block.of(unfollowed).function->tenths();
-    code_.unfollowed_line = line.source.line;
-    code_.unfollowed_meaning = block.of(unfollowed).function->meaning;
-  }
-  if (block.has(unfollowed_end)) code_.unfollowed = -1;
+// The work offset in force, selected once more, changes nothing (D-111). What else moves
+// coordinates, or may do so unseen, leaves open which one a selection behind it goes back to.
+void Interpreter::take_work_offset(BlockWords& block) {
+  constexpr std::array beside_offsets{12, 13, 27, 28, 29, 30, 31, 38, 53, 60, 70, 71, 72, 153};
+  const BlockWords::Function& move = block.of(single_move);
+  const bool moves_alone =
+      !block.has(single_move) ||
+      (std::ranges::find(beside_offsets, move.function->number) != beside_offsets.end() &&
+       (move.function->tenth == 0 || move.is(38)));
+  const bool may_change = block.has(frame) || block.has(tool_data) || block.has(unfollowed) ||
+                          block.has(unfollowed_end) || block.calls_the_machine ||
+                          machine_follows_ || !moves_alone;
+  if (may_change) code_.work_offset = 0;
+  if (!block.has(zero_shift)) return;
+  const GFunction& function = *block.of(zero_shift).function;
+  constexpr std::array shifts_by_words{53, 74, 92, 159};
+  constexpr std::int64_t for_its_number = 1'000'000;
+  const std::int64_t number =
+      block.tool_data_number ? whole_number(block.tool_data_number->value) : 0;
+  const bool is_selection =
+      std::ranges::find(shifts_by_words, function.number) == shifts_by_words.end() && number >= 0 &&
+      !block.has(dwell) && !may_change && !block.to_skip;
+  const std::int64_t selected =
+      is_selection ? number * for_its_number + function.tenths() : std::int64_t{0};
+  if (selected != 0 && selected == code_.work_offset) block.clear(zero_shift);
+  code_.work_offset = selected;
 }
 
 // Whether a line of axis words alone says all that its motion hangs on.
@@ -149,7 +157,7 @@ bool Interpreter::may_read_plain_lines() const {
   const bool plain_whole_numbers = dialect_.name != DialectName::fanuc ||
                                    whole == WholeNumbers::units ||
                                    (whole == WholeNumbers::unsaid && code_.points_seen);
-  return !code_.cycle && code_.unfollowed < 0 && !code_.tangent_arcs &&
+  return !code_.cycle && code_.unfollowed.empty() && !code_.tangent_arcs &&
          !code_.dimension_uncertain && code_.y_seen && faults_.empty() && plain_whole_numbers &&
          !code_.enters_parameters && code_.modal_rounding == 0 && !code_.soft_approach &&
          !called_motion_ && !called_dimension_ && !code_.tooth_feed &&
@@ -224,47 +232,6 @@ void Interpreter::take_unit_of_old(ProgramLine& line, BlockWords& block) const {
     if (word.begin == found.begin) word.role = WordRole::mode;
   block.set(*dialect_.function(found.is(70) ? 20 : 21), found.begin);
   found = {};
-}
-
-// G69, G50 and the like stand in the first line of many programs, where there is nothing to end.
-void Interpreter::forget_what_ends_nothing(BlockWords& block) {
-  const auto ends = [&](GGroup group, std::initializer_list<int> tenths) {
-    return block.has(group) &&
-           std::ranges::find(tenths, block.of(group).function->tenths()) != tenths.end();
-  };
-  if (block.has(unfollowed_end) && code_.unfollowed < 0) block.clear(unfollowed_end);
-  if (ends(frame, {501, 690, 1000})) {
-    if (!code_.turned) {
-      // The axes of G50.1 and G100 are those that are mirrored no longer; with T beside it G100 is
-      // a tool change that goes there.
-      block.copied |= block.axis && !block.tool_number && !block.of(frame).is(69);
-      block.clear(frame);
-    }
-    code_.turned = false;
-  }
-  code_.turned |= ends(frame, {511, 531, 680, 682, 1010});
-  if (ends(frame, {2550}) && !code_.dynamic_offset) block.clear(frame);
-  if (ends(frame, {2540, 2550})) code_.dynamic_offset = block.of(frame).is(254);
-}
-
-// G49 and G43 end the control of the tool tip, G07.1 with 0 its cylinder (D-51), G113 is G13.1 too.
-void Interpreter::end_what_was_unfollowed(BlockWords& block) {
-  constexpr std::array led{431, 434, 435, 2340};
-  const bool ends_tip =
-      block.changes_length && std::ranges::find(led, code_.unfollowed) != led.end();
-  constexpr int cylinder = 71;
-  constexpr int polar = 1120;
-  if (code_.unfollowed == polar && block.of(zero_shift).is(113)) code_.unfollowed = -1;
-  const bool ends_cylinder =
-      code_.unfollowed == cylinder && block.has(unfollowed) &&
-      block.of(unfollowed).function->tenths() == cylinder && !block.move.tracking.empty() &&
-      std::ranges::all_of(block.move.tracking,
-                          [](const auto& radius) { return radius.value_or(0) == 0; });
-  if (!ends_tip && !ends_cylinder) return;
-  code_.unfollowed = -1;
-  block.copied = true;
-  block.forget |= all_axes;
-  if (ends_cylinder) block.clear(unfollowed);
 }
 
 // P beside G2 and G3 of LinuxCNC: how many turns, the last of which may be a part of one.

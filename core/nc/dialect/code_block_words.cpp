@@ -185,7 +185,11 @@ bool Interpreter::read_code_word(const CodeWord& word, ProgramLine& line, BlockW
       if (blocks_read_ > 0)
         return refuse(line, TextFault{.code = Code::nc_unsupported,
                                       .begin = word.begin,
-                                      .detail = "O, a second program in one text"});
+                                      .detail = code_.program_named
+                                                    ? "O, a second program in one text"
+                                                    : "O, behind blocks without a number of their "
+                                                      "program"});
+      code_.program_named = true;
       add(line, word, WordRole::comment);
       return true;
     case 'G':
@@ -221,6 +225,8 @@ bool Interpreter::read_code_function(const CodeWord& word, ProgramLine& line, Bl
     return refuse_code(line, word,
                        group == side ? Code::compensation_side_twice : Code::nc_group_twice);
   // The one that its line says more of: the speed limit of G50, the axes of G50.1.
+  if (group == unfollowed_end || group == frame)
+    block.ends.push_back(static_cast<std::int16_t>(function->tenths()));
   if (!both_end || seen.is(15) || seen.is(69)) seen = {.function = function, .begin = word.begin};
   block.changes_length |=
       function->tenth == 0 &&
@@ -379,8 +385,8 @@ bool Interpreter::read_code_machine_function(const CodeWord& word, ProgramLine& 
   if (is_subprogram_call(m))
     return refuse_code(line, word, Code::nc_unsupported, "a subprogram call");
   const bool linuxcnc = dialect_.name == DialectName::linuxcnc;
-  if (linuxcnc && m == 72)
-    return refuse_code(line, word, Code::nc_unsupported, "modes as they were at M70");
+  if (linuxcnc && (m == 70 || m == 71 || m == 72))
+    block.kept_modes = {.value = m, .begin = word.begin};
   if (linuxcnc && m == 73)
     return refuse_code(line, word, Code::nc_unsupported,
                        "modes as they were in front of a subprogram");

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/base/source.h"
 #include "core/geometry/segment.h"
@@ -37,13 +39,40 @@ struct SoftApproach {
   }
 };
 
+// What M70 of LinuxCNC keeps for M72.
+struct KeptModes {
+  bool inch = false;
+  bool incremental = false;
+  bool absolute_center = false;
+  std::int16_t feed_mode = 94;
+  double feed = 0;  // mm/min
+  Plane plane = Plane::xy;
+  std::int64_t work_offset = 0;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(inch, incremental, absolute_center, feed_mode, feed, plane, work_offset);
+  }
+};
+
+// A function under which coordinates mean something else. Several may be in force, each up to an
+// end of its own.
+struct UnfollowedMode {
+  std::int32_t function = 0;  // in tenths
+  std::uint32_t line = 0;
+  std::string meaning{};
+  std::string frame{};  // of Sinumerik: the one that scales, $P_UIFR[1]
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(function, line, meaning, frame);
+  }
+};
+
 // What a program of a dialect of plain letters and numbers has in force besides.
 struct CodeModes {
-  bool cycle = false;            // each position is one of a drilling cycle
-  std::int32_t unfollowed = -1;  // the function, in tenths, under which coordinates mean
-                                 // something else; -1: none
-  std::uint32_t unfollowed_line = 0;
-  std::string unfollowed_meaning{};
+  bool cycle = false;  // each position is one of a drilling cycle
+  std::vector<UnfollowedMode> unfollowed{};
   bool points_seen = false;          // a coordinate had a decimal point
   bool turning = false;              // a word that only lathes have has been seen
   bool y_seen = false;               // a Y word has
@@ -53,8 +82,13 @@ struct CodeModes {
   std::uint32_t skipped_tool = 0;
   std::uint32_t skipped_tool_data = 0;
   std::uint32_t skipped_approach = 0;
-  AxisBits offset_axes = 0;     // of the plane, by G43.1 of LinuxCNC
-  bool turned = false;          // coordinates are rotated or mirrored
+  AxisBits offset_axes = 0;  // of the plane, by G43.1 of LinuxCNC
+  std::optional<KeptModes> kept{};
+  std::uint32_t feed_mode_line = 0;  // of the last G93 … G95
+  bool program_named = false;        // by an O word
+  std::uint8_t turned = 0;           // bits of unfollowed.cpp: coordinates are rotated or mirrored
+  // The work offset that the program has selected, as take_work_offset() counts them; 0: not known.
+  std::int64_t work_offset = 0;
   bool dynamic_offset = false;  // G254: the zero point goes with the turning axes
   std::int64_t next_tool = 0;   // T
   std::int64_t spindle_tool = 0;
@@ -105,18 +139,28 @@ struct CodeModes {
   bool soft_in_space = true;                    // G340
   std::optional<SoftApproach> soft_approach{};  // its contour begins with the next motion
 
+  [[nodiscard]] bool is_unfollowed(std::int32_t function) const {
+    return std::ranges::find(unfollowed, function, &UnfollowedMode::function) != unfollowed.end();
+  }
+  // Whether it was in force.
+  bool end_unfollowed(std::int32_t function) {
+    return std::erase_if(unfollowed, [function](const UnfollowedMode& mode) {
+             return mode.function == function;
+           }) > 0;
+  }
+
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(cycle, unfollowed, unfollowed_line, unfollowed_meaning, points_seen, turning, y_seen,
-            dimension_uncertain, skipped_tool, skipped_tool_data, skipped_approach, turned,
-            dynamic_offset, next_tool, spindle_tool, tool_name, edge, changes_by_m6, only_register,
-            only_spindle_tool, tooth_feed, pole, polar_angle, polar_radius, polar_rewritten,
-            missing_tool, only_tool_name, tangent_arcs, tool_named, spindle_empty, modal_rounding,
-            soft_direction, soft_in_space, soft_approach, next_tool_place, spindle_tool_place,
-            edge_place, edge_of_next_tool, offset_axes, call, call_place, contour_seen, tool_said,
-            call_behind_contour, leaves_contour, open_corner, only_radius_said, radius_doubtful,
-            tool_awaits_call, unknown_call, modal_cycle, last_register, register_comes_out,
-            enters_parameters, register_place, tangents_written, corner_feed);
+    archive(cycle, unfollowed, points_seen, turning, y_seen, dimension_uncertain, skipped_tool,
+            skipped_tool_data, skipped_approach, turned, dynamic_offset, next_tool, spindle_tool,
+            tool_name, edge, changes_by_m6, only_register, only_spindle_tool, tooth_feed, pole,
+            polar_angle, polar_radius, polar_rewritten, missing_tool, only_tool_name, tangent_arcs,
+            tool_named, spindle_empty, modal_rounding, soft_direction, soft_in_space, soft_approach,
+            next_tool_place, spindle_tool_place, edge_place, edge_of_next_tool, offset_axes, call,
+            call_place, contour_seen, tool_said, call_behind_contour, leaves_contour, open_corner,
+            only_radius_said, radius_doubtful, tool_awaits_call, unknown_call, modal_cycle,
+            last_register, register_comes_out, enters_parameters, register_place, tangents_written,
+            corner_feed, work_offset, program_named, feed_mode_line, kept);
   }
 };
 

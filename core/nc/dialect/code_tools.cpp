@@ -80,10 +80,10 @@ bool Interpreter::check_what_may_be_skipped(const ProgramLine& line, const Block
 bool Interpreter::check_code_selection(ProgramLine& line, BlockWords& block) {
   const bool selects = block.has(side) && !block.of(side).is(40);
   if (!check_what_may_be_skipped(line, block)) return false;
-  if (selects && code_.unfollowed >= 0)
+  if (selects && !code_.unfollowed.empty())
     return refuse_selection(line, block, Code::nc_unsupported,
-                            "TRC under " + code_.unfollowed_meaning + ", in line " +
-                                std::to_string(code_.unfollowed_line));
+                            "TRC under " + code_.unfollowed.back().meaning + ", in line " +
+                                std::to_string(code_.unfollowed.back().line));
   if (dialect_.name == DialectName::sinumerik && !choose_tool_of_edge(line, block)) return false;
   if (!check_turning(line, block) || !check_words_beside_contour(line, block)) return false;
   if (block.constant_speed) block.tool.reset();
@@ -196,7 +196,8 @@ bool Interpreter::check_tool_of_table(const ProgramLine& line, BlockWords& block
                                   .begin = block.tool->begin,
                                   .detail = linuxcnc ? "D of G41, G42 is the number of a tool: "
                                                        "G41.1, G42.1 take a diameter"
-                                                     : "D"});
+                                                     : "D of G41, G42 is the number of a register, "
+                                                       "not a radius"});
   }
   if (state_.tool().has_tool(number)) return true;
   if (matters && take_only_register(line, block, number)) return true;

@@ -107,7 +107,8 @@ void Interpreter::copy_under_modes(BlockWords& block, AxisBits named, NotWhileAc
                 found);
   if (machine_follows_)
     copy_motion("a motion under G66 of a macro that only the machine has", all_axes, block, found);
-  if (code_.unfollowed >= 0) copy_motion("a position that is not followed", all_axes, block, found);
+  if (!code_.unfollowed.empty())
+    copy_motion("a position that is not followed", all_axes, block, found);
   found.hangs_on_what_was_told = told && block.copied;
 }
 

@@ -82,7 +82,7 @@ std::optional<KlartextWord> with_value(const KlartextWord& word, std::string_vie
   if (parameter == std::string::npos || words.front() == 'F') return {};
   const auto found = known.find(std::string_view(words).substr(parameter));
   if (found == known.end()) return {};
-  std::string_view name = std::string_view(words).substr(0, parameter);
+  std::string_view name = without_blanks_behind(std::string_view(words).substr(0, parameter));
   if (name.ends_with('+') || name.ends_with('-')) name.remove_suffix(1);
   name = without_blanks_behind(name);
   if (name.empty() || !std::ranges::all_of(name, is_letter)) return {};

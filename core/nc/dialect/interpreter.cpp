@@ -51,6 +51,15 @@ std::size_t place_of_side(std::string_view text) {
   return std::string_view::npos;
 }
 
+// 1-based, of the first I, J, K or R of a plain motion; 0: none.
+std::uint32_t column_of_center(const ProgramLine& line) {
+  for (const WordRange& word : line.words)
+    if (word.role == WordRole::coordinate &&
+        center_letters.find(upper(line.text[word.begin])) != std::string_view::npos)
+      return word.begin + 1;
+  return 0;
+}
+
 }  // namespace
 
 Interpreter::Interpreter(const ReaderLimits& limits, ProgramState& state, Diagnostics& diagnostics)
@@ -308,7 +317,7 @@ bool Interpreter::apply(ProgramLine& line, const PlainMotion& plain) {
   if (plain.has_function()) motion_ = plain.motion();
   motion_given_ = true;
   if (plain.has_feed()) feed_ = plain.feed() * feed_unit(inch_);
-  state_.place(plain.first_coordinate() + 1);
+  state_.place(plain.first_coordinate() + 1, column_of_center(line));
   return move(line, request);
 }
 

@@ -192,6 +192,9 @@ class Interpreter {
   static void take_words_that_are_no_motion(ProgramLine& line, BlockWords& block);
   bool check_skipped_modes(const ProgramLine& line, const BlockWords& block);
   void take_what_is_unfollowed(const ProgramLine& line, BlockWords& block);
+  void take_work_offset(BlockWords& block);
+  bool check_kept_modes(ProgramLine& line, const BlockWords& block);
+  bool apply_kept_modes(const ProgramLine& line, const BlockWords& block);
   [[nodiscard]] bool may_read_plain_lines() const;
   void take_unit_of_old(ProgramLine& line, BlockWords& block) const;
   void forget_what_ends_nothing(BlockWords& block);
@@ -212,7 +215,9 @@ class Interpreter {
   void follow_tool_offset(BlockWords& block, AxisBits named, NotWhileActive& found);
   void copy_under_modes(BlockWords& block, AxisBits named, NotWhileActive& found);
   void copy_for_words_of_line(BlockWords& block, AxisBits named, NotWhileActive& found);
+  [[nodiscard]] bool ends_what_is_unfollowed(const BlockWords& block) const;
   void end_what_was_unfollowed(BlockWords& block);
+  void end_scaling_frames(const std::string& frame);
   void take_tool_words(const ProgramLine& line, BlockWords& block);
   static void take_words_of_few_controls(BlockWords& block);
   bool take_cycle_with_register(ProgramLine& line, BlockWords& block);
@@ -479,6 +484,7 @@ class Interpreter {
   bool sets_variables_ = false;     // the line that is read
   bool calls_the_machine_ = false;  // that line
   bool machine_follows_ = false;    // that line
+  bool reads_flat_ = false;         // lines that a program which computes has become
   // A subprogram has been called, and the program has not said anew which motion holds and how
   // dimensions count.
   bool called_motion_ = false;

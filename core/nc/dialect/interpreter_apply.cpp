@@ -44,6 +44,10 @@ bool Interpreter::apply(ProgramLine& line, BlockWords& block) {
                        leave_contour_by_copy(line, block) && pass(WordRole::technology) &&
                        apply_motion(line, block) && pass(WordRole::stop);
   if (!goes_on) return false;
+  if (block.sets_position) {
+    line.third_set = block.move.end[axes_of(state_.mode().plane).third];
+    if (line.third_set) *line.third_set *= length_unit();
+  }
   if (feed_mode_ == 94 && may_move_at_the_feed(block)) line.feed_it_takes = feed_;
   if (block.of(GGroup::zero_shift).is(53)) forget_position(line, block);
   if (!line.ends_program) return true;
@@ -85,7 +89,10 @@ bool Interpreter::apply_modes(const ProgramLine& line, const BlockWords& block) 
     if (incremental && !incremental_) state_.count_increments_since(line.source);
     incremental_ = incremental;
   }
-  if (block.has(feed_mode)) feed_mode_ = block.of(feed_mode).function->number;
+  if (block.has(feed_mode)) {
+    feed_mode_ = block.of(feed_mode).function->number;
+    code_.feed_mode_line = line.source.line;
+  }
   if (block.feed) feed_ = block.feed->value * feed_unit(inch_);
   // A feed per tooth, which blocks have no number for.
   if (block.tooth_feed) feed_ = 0;
@@ -108,6 +115,7 @@ bool Interpreter::apply_modes(const ProgramLine& line, const BlockWords& block) 
       if (coordinate) *coordinate *= length_unit();
     state_.set_position(place, line.source);
   }
+  if (block.kept_modes) return apply_kept_modes(line, block);
   if (!block.has(plane)) return true;
   place(line, block.of(plane).begin);
   const int number = block.of(plane).function->number;
@@ -219,7 +227,8 @@ bool Interpreter::apply_motion(ProgramLine& line, BlockWords& block) {
   const bool axis_is_position = !block.has(GGroup::dwell) && !block.of(GGroup::zero_shift).is(92);
   if ((!block.axis || !axis_is_position) && !block.center) return true;
   const std::uint32_t begin = std::min(block.axis.value_or(~0U), block.center.value_or(~0U));
-  place(line, begin);
+  state_.place(place_of_word(line, begin).column,
+               block.center ? place_of_word(line, *block.center).column : 0);
   if (!motion_given_ && state_.contour_open())
     return refuse(line, TextFault{.code = Code::motion_unknown, .begin = begin});
   if (state_.contour_open() && !check_feed_of_contour(line, block, begin)) return false;
@@ -240,8 +249,9 @@ bool Interpreter::check_feed_of_contour(const ProgramLine& line, const BlockWord
   return refuse(line,
                 TextFault{.code = Code::nc_unsupported,
                           .begin = begin,
-                          .detail = feed + (adapted ? " with the feed at the contour (G11, CFC)"
-                                                    : " while TRC is active")});
+                          .detail = adapted ? feed + " with the feed at the contour (G11, CFC)"
+                                            : feed + ", the time of a block, in force since line " +
+                                                  std::to_string(code_.feed_mode_line)});
 }
 
 // The words of `request` are those of the line; the rest is in force.

@@ -85,6 +85,7 @@ bool Interpreter::read(const FlatLine& line, std::vector<LinePointer>& lines) {
                                     : line.line_end == "\r\n" ? "\r\n"
                                     : line.line_end == "\r"   ? "\r"
                                                               : "";
+  reads_flat_ = true;
   sets_variables_ = line.sets_variables;
   calls_the_machine_ = line.calls_the_machine;
   machine_follows_ = line.machine_follows;
@@ -167,6 +168,7 @@ ProgramLine& Interpreter::append_line(std::string_view text, std::string_view li
   line.source = {.index = blocks_read_, .line = static_cast<std::uint32_t>(lines_read_ + 1)};
   line.has_words = line.is_motion = line.has_trc_words = false;
   line.klartext.reset();
+  line.third_set.reset();
   forget_words(line);
   return line;
 }

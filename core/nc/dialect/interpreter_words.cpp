@@ -150,7 +150,8 @@ bool Interpreter::read_g_function(const Word& word, ProgramLine& line, BlockWord
   const auto named = [&](std::string_view why) {
     return std::string("G").append(std::to_string(function->number)).append(why);
   };
-  if (group == GGroup::refused || group == GGroup::spatial_circle) {
+  // G80 … G89 alone: passing_calls.cpp.
+  if (group == GGroup::refused || group == GGroup::spatial_circle || group == GGroup::single_move) {
     Code code = Code::nc_unsupported;
     if (group == GGroup::spatial_circle && state_.mode().active())
       code = Code::spatial_circle_while_active;
@@ -161,7 +162,7 @@ bool Interpreter::read_g_function(const Word& word, ProgramLine& line, BlockWord
     if (function->number == 21) fault.slip = {.kind = SlipKind::unit_of_another, .instead = "G71"};
     return refuse(line, fault);
   }
-  if (group == GGroup::zero_shift && contour_open())
+  if (group == GGroup::zero_shift && contour_open() && code_.work_offset != function->tenths())
     return refuse(line, word, Code::nc_unsupported, named(" while TRC is active"));
   constexpr int homing = 74;
   block.homes |= function->number == homing;
@@ -321,6 +322,7 @@ bool Interpreter::check_block(ProgramLine& line, BlockWords& block) {
     block.copied = true;
     take_for_technology(line, WordRole::coordinate);
   }
+  take_work_offset(block);
   const bool preset = block.of(zero_shift).is(92);
   if (preset && (block.has(motion) || block.center || block.move.radius))
     return wrong(Code::nc_unsupported, block.of(zero_shift), " with a motion");

@@ -296,7 +296,10 @@ bool Interpreter::read_klartext_statement(ProgramLine& line, std::size_t begin) 
   }
   if (begins_with_word(statement, "LBL") || begins_with_word(statement, "CALL LBL"))
     return read_label(line, begin, statement);
-  if (jumps(statement)) return refuse_klartext(line, begin, first + ", a jump");
+  if (jumps(statement))
+    return refuse_klartext(line, begin,
+                           statement.substr(0, statement.find_first_of(": ", first.size() + 1)) +
+                               ", a jump to a label");
   if (writes_radius(statement)) {
     if (trc_active())
       return refuse_klartext(line, begin, "FN 17, which writes the radius of a tool");

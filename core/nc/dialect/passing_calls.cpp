@@ -39,6 +39,21 @@ bool calls_subprogram(std::string_view text) {
          (behind.empty() || std::string_view("[(;").find(behind.front()) != std::string_view::npos);
 }
 
+// G80 … G89, G800 … G819: the subprograms that the control has been given for them, with the words
+// of the line (D-113). With those of a drilling cycle they are ISG's only where another word says
+// so.
+bool calls_by_function(std::string_view text, bool isg_word_seen) {
+  if (text.empty() || upper(text.front()) != 'G') return false;
+  text = text.substr(0, text.find_first_of("(;"));
+  const std::size_t end = std::min(text.find_first_not_of(digits, 1), text.size());
+  const std::string_view number = text.substr(1, end - 1);
+  const bool is_call = (number.size() == 2 && number[0] == '8') ||
+                       (number.size() == 3 && number[0] == '8' && number[1] <= '1');
+  const std::string_view behind = without_blanks_behind(text.substr(end));
+  if (!is_call || behind.starts_with('.') || behind.starts_with('=')) return false;
+  return behind.empty() || isg_word_seen;
+}
+
 // L CYCLE [NAME=DRILL.cyc MODAL_MOVE …]: the control executes it behind each motion.
 bool begins_modal_cycle(std::string_view call) {
   const std::string words = in_upper_case(call);
@@ -151,7 +166,9 @@ bool Interpreter::read_passing_line(ProgramLine& line, BlockWords& block) {
     skip_blanks();
   }
   const std::string_view words = text.substr(begin);
-  const bool calls = calls_subprogram(words);
+  const bool calls_alone = calls_subprogram(words);
+  // What such a subprogram asks for of a program that computes is not written in front of it.
+  const bool calls = calls_alone || (!reads_flat_ && calls_by_function(words, isg_word_seen_));
   const auto tool = tool_data_of(words);
   if (tool)
     block.edge_radii.push_back({.row = tool->first,
@@ -163,7 +180,7 @@ bool Interpreter::read_passing_line(ProgramLine& line, BlockWords& block) {
     line.source.number = Source::no_number;
     return false;
   }
-  isg_word_seen_ = true;
+  isg_word_seen_ |= !calls || calls_alone;
   line.words.push_back({.begin = static_cast<std::uint32_t>(begin),
                         .end = static_cast<std::uint32_t>(text.size()),
                         .role = WordRole::technology});
@@ -243,6 +260,7 @@ void Interpreter::forget_what_a_call_may_change(ProgramLine& line, BlockWords& b
   if (isg && !code_.unknown_call && !std::exchange(code_.tool_awaits_call, false))
     code_.unknown_call = code_.call;
   block.forget = all_axes;
+  code_.work_offset = 0;
   called_motion_ = called_dimension_ = true;
   reads_plain_lines_ = false;
 }

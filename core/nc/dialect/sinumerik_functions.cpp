@@ -22,6 +22,7 @@ constexpr GFunction spline_name{
 constexpr GFunction spatial_name{
     .number = compensation_in_space, .group = unfollowed, .meaning = "TRC in space (CUT3D…)"};
 constexpr GFunction unfollowed_end_name{.number = 1002, .group = unfollowed_end};
+constexpr GFunction spatial_end_name{.number = 1014, .group = unfollowed_end};
 constexpr GFunction single_name{
     .number = 1003, .group = single_move, .meaning = "a cycle or motion of its own"};
 constexpr GFunction cycle_name{.number = 1004, .group = cycle, .meaning = "a modal cycle"};
@@ -115,13 +116,14 @@ bool Interpreter::read_known_name(SinumerikMeaning meaning, const NamedWord& wor
       return stands_for(absolute ? absolute_frame_name : frame_name);
     }
     case SinumerikMeaning::unfollowed:
+      block.adds_to_frame = word.name == "ASCALE";
       return stands_for(word.name.ends_with("SCALE") ? scale_name : unfollowed_name);
     case SinumerikMeaning::spline:
       return stands_for(spline_name);
     case SinumerikMeaning::spatial:
       return stands_for(spatial_name);
     case SinumerikMeaning::spatial_end:
-      if (code_.unfollowed == compensation_in_space * 10) return stands_for(unfollowed_end_name);
+      if (code_.is_unfollowed(compensation_in_space * 10)) return stands_for(spatial_end_name);
       break;
     case SinumerikMeaning::unfollowed_end:
       return stands_for(unfollowed_end_name);

@@ -43,6 +43,11 @@ bool Interpreter::read_assignment(const NamedWord& word, ProgramLine& line, Bloc
     const std::string value = in_upper_case(line.word({.begin = word.begin, .end = word.end}));
     const bool scales =
         value.find("CSCALE") != std::string::npos || value.find(",SC]") != std::string::npos;
+    // Of one that is built on others, or of a part of it, nobody knows what it held.
+    const std::size_t sign = std::min(value.find('='), value.size());
+    const bool is_whole = value.find(',') > sign && value.find('$', sign) == std::string::npos;
+    block.frame = without_blanks_behind(std::string_view(value).substr(0, sign));
+    if (!is_whole && !scales) block.frame.clear();
     return read_as(scales ? frame_scale : frame_name, word, line, block);
   }
   if (is("$TC_DP6") || is("$TC_DP15")) return read_edge_data(word, line, block);

@@ -111,6 +111,8 @@ class FanucFlow : public CodeFlow {
                                std::size_t begin);
   // Whether they outlast the power of the machine.
   [[nodiscard]] static bool is_kept(std::int64_t number) { return number >= 500 && number < 1000; }
+  // "#10100", with what two controls have there.
+  [[nodiscard]] static std::string told_variable(std::int64_t number);
   [[nodiscard]] std::optional<double> modal_value(std::int64_t number) const;
   Value lost(ExpressionReader& expression, std::int64_t number, std::size_t begin);
   [[nodiscard]] Value content_or_vacant(const std::optional<double>& content) const;

@@ -120,7 +120,7 @@ bool FanucFlow::set(std::int64_t number, const Value& value, std::size_t begin) 
                   std::string(without_blanks_behind(line_.substr(begin))));
   } else {
     return refuse(number >= 1000 ? Code::machine_state : Code::value_invalid, begin,
-                  std::string("#").append(std::to_string(number)));
+                  told_variable(number));
   }
   return true;
 }
@@ -235,7 +235,13 @@ Value FanucFlow::value_of(ExpressionReader& expression, std::int64_t number, std
   const Code code = number >= 1000    ? Code::machine_state
                     : is_kept(number) ? Code::variable_unset
                                       : Code::value_invalid;
-  return without_value(expression, code, begin, name);
+  return without_value(expression, code, begin, told_variable(number));
+}
+
+std::string FanucFlow::told_variable(std::int64_t number) {
+  const bool is_of_both = number >= 10'000 && number < 11'000;
+  return "#" + std::to_string(number) +
+         (is_of_both ? ", a variable of Haas or a tool offset of Fanuc" : "");
 }
 
 bool FanucFlow::exists(ExpressionReader& /*expression*/) { return false; }

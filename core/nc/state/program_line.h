@@ -95,6 +95,8 @@ struct ProgramLine {
   bool ends_program = false;  // M02, M30
   // Of a line that is copied and may move at the feed in force, that feed, mm/min; 0: none.
   double feed_it_takes = 0;
+  // G92: where the third axis stands behind it, mm, though nothing has moved.
+  std::optional<double> third_set{};
   // What it calls only the machine has: that may count on the words that TRC resolves.
   bool calls_the_machine = false;
 

@@ -52,7 +52,11 @@ bool ProgramState::report(const Source& source, Code code, std::string detail,
 bool ProgramState::refuse(const Source& source, Refusal refusal) {
   Diagnostic refused = diagnostic(refusal.code, refusal.place ? refusal.place->source : source,
                                   std::move(refusal.detail));
-  refused.column = refusal.place ? refusal.place->column : column_;
+  constexpr std::array of_center{Code::center_and_radius_together, Code::circle_radius_zero,
+                                 Code::center_out_of_range};
+  const bool is_of_center =
+      center_column_ > 0 && std::ranges::find(of_center, refusal.code) != of_center.end();
+  refused.column = refusal.place ? refusal.place->column : is_of_center ? center_column_ : column_;
   refused.values = std::move(refusal.values);
   refused.point = refusal.point;
   return diagnostics_.report(std::move(refused));
@@ -175,11 +179,14 @@ std::optional<Refusal> ProgramState::circle(const MoveRequest& request, const Po
   };
   CircleResult result;
   Point center = Point::Zero();
+  const auto center_counted = [&](bool absolute) {
+    const Point base = absolute ? Point::Zero() : ends.start;
+    const Point missing = absolute ? ends.start : Point::Zero();
+    return Point(base + Point(request.center[axes.first].value_or(missing.x()),
+                              request.center[axes.second].value_or(missing.y())));
+  };
   if (has_center) {
-    const Point base = absolute_center_ ? Point::Zero() : ends.start;
-    const Point missing = absolute_center_ ? ends.start : Point::Zero();
-    center = base + Point(request.center[axes.first].value_or(missing.x()),
-                          request.center[axes.second].value_or(missing.y()));
+    center = center_counted(absolute_center_);
     if (too_large(center))
       return Refusal{.code = center.allFinite() ? Code::center_out_of_range : Code::field_invalid,
                      .detail = "I, J, K"};
@@ -197,6 +204,14 @@ std::optional<Refusal> ProgramState::circle(const MoveRequest& request, const Po
                                     .absolute_center = absolute_center_,
                                     .klartext = setup_.dialect == DialectName::heidenhain,
                                     .inch = circle_.last_digit == last_digit(true)});
+    const bool is_of_words = has_center && setup_.dialect != DialectName::heidenhain;
+    if (refusal.code == Code::circle_center_misfit && is_of_words) {
+      const CircleResult other =
+          arc_about(center_counted(!absolute_center_), ends, circle_, mode_.active(), tolerances_);
+      if (std::holds_alternative<Arc>(other))
+        refusal.detail += absolute_center_ ? ", which fits where they count from the start"
+                                           : ", which fits where they are absolute";
+    }
     return refusal;
   }
   programmed.arc = std::get<Arc>(result);

@@ -92,8 +92,11 @@ class ProgramState {
   ProgramState& operator=(const ProgramState&) = delete;
 
   // The 1-based byte of the line that the next calls come from, for diagnostics;
-  // 0: unknown.
-  void place(std::uint32_t column) { column_ = column; }
+  // 0: unknown. `of_center` is where its first I, J, K or R stands.
+  void place(std::uint32_t column, std::uint32_t of_center = 0) {
+    column_ = column;
+    center_column_ = of_center;
+  }
 
   // G41, G42, as programmed: a negative radius swaps the side (rule 1.5). A new
   // number of selection begins unless the side only changes. 900103.
@@ -337,6 +340,7 @@ class ProgramState {
   ToolInForce tool_;
   RadiusTerms terms_in_mode_{};  // those that mode_ has its radius from
   std::uint32_t column_ = 0;
+  std::uint32_t center_column_ = 0;  // of the line that is read
   TrcMode mode_;
   std::shared_ptr<const TrcMode> shared_mode_{};  // a copy of mode_; empty: out of date
   Side programmed_side_ = Side::off;              // G41, G42 before a negative radius swaps

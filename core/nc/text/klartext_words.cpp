@@ -27,6 +27,14 @@ bool takes_a_coordinate(std::string_view name) {
   return name.size() == 1 && std::string_view("ABCUVWXYZ").find(name[0]) != std::string_view::npos;
 }
 
+// Q13, QL1
+bool begins_parameter(std::string_view text) {
+  if (text.size() < 2 || upper(text[0]) != 'Q') return false;
+  const char kind = upper(text[1]);
+  const bool has_kind = (kind == 'L' || kind == 'R') && text.size() > 2;
+  return is_digit(text[has_kind ? 2 : 1]);
+}
+
 }  // namespace
 
 bool is_continued_klartext(std::string_view line) {
@@ -101,6 +109,14 @@ KlartextWord KlartextReader::named() {
   for (const char letter : block_.substr(begin, end - begin)) found.name += upper(letter);
   skip_blanks();
   const char sign = peek();
+  // F Q3, X Q1 of post-processors.
+  if (at_ > end && begins_parameter(block_.substr(at_)) &&
+      (takes_a_coordinate(found.name) || found.name == "F")) {
+    at_ = std::min(block_.find_first_of(" \t;\r\n~", at_), block_.size());
+    found.kind = Kind::variable;
+    found.end = static_cast<std::uint32_t>(at_);
+    return found;
+  }
   const bool number = is_digit(sign) || is_sign(sign) || (sign == '.' && is_digit(peek(1)));
   if (!number) {
     at_ = end;
@@ -117,21 +133,23 @@ KlartextWord KlartextReader::named() {
 // The number behind the name; `at_` stands on it.
 KlartextWord KlartextReader::numbered(KlartextWord found) {
   if (is_sign(peek())) {
-    const char behind = upper(peek(1));
     found.negative = peek() == '-';
+    // X + Q13 and X + 40 of hand-written programs.
+    const std::size_t apart = std::min(block_.find_first_not_of(" \t", at_ + 1), block_.size());
+    const bool may_be_apart = found.kind == Kind::value && takes_a_coordinate(found.name);
+    if (may_be_apart && begins_parameter(block_.substr(apart))) at_ = apart - 1;
+    const char behind = upper(peek(1));
     if (behind == 'Q' || behind == '(') {
+      ++at_;
       while (at_ < block_.size() && peek() != ' ' && peek() != ';' && !is_line_end(peek())) ++at_;
       found.kind = Kind::variable;
       found.end = static_cast<std::uint32_t>(at_);
       return found;
     }
-    // X + 40 of hand-written programs.
-    const std::size_t digits = std::min(block_.find_first_not_of(" \t", at_ + 1), block_.size());
-    const bool is_apart = digits > at_ + 1 && digits < block_.size() &&
-                          (is_digit(block_[digits]) || block_[digits] == '.') &&
-                          found.kind == Kind::value && takes_a_coordinate(found.name);
+    const bool is_apart = may_be_apart && apart > at_ + 1 && apart < block_.size() &&
+                          (is_digit(block_[apart]) || block_[apart] == '.');
     if (is_apart) {
-      at_ = digits;
+      at_ = apart;
     } else if (!is_digit(behind) && behind != '.') {
       if (found.kind == Kind::number)
         return fail(Code::nc_syntax, found.begin, std::string(1, peek()));

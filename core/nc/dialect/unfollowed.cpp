@@ -1,0 +1,145 @@
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+
+#include "core/nc/dialect/block_words.h"
+
+// Functions under which coordinates mean something else, each up to the end that is its own: a
+// second one does not end the first, nor does the end of one end the others (D-112).
+
+namespace trc {
+namespace {
+
+using enum GGroup;
+
+// SCALE of Sinumerik, which ends where it stands alone.
+constexpr int scale_tenths = 10060;
+constexpr int scaling_frame_tenths = scaling_frame * 10;
+// What TRANS, ROT, MIRROR and SCALE set anew as a whole.
+constexpr const char* programmable_frame = "$P_PFRAME";
+
+// What each end ends, in tenths: G13.1, G15, G50, G72 S1 of Fagor; TRAFOOF, CUT2D.
+constexpr auto ends_of_modes = std::to_array<std::pair<int, int>>(
+    {{131, 121}, {131, 1120}, {150, 160}, {500, 510}, {720, 720}, {10020, 10010}, {10140, 10120}});
+
+// Which kind of turn a function begins or ends: rotation, mirroring, mirroring by G101.
+std::uint8_t turn_of(int tenths) {
+  switch (tenths) {
+    case 531:
+    case 680:
+    case 682:
+    case 690:
+      return 1;
+    case 501:
+    case 511:
+      return 2;
+    case 1000:
+    case 1010:
+      return 4;
+    default:
+      return 0;
+  }
+}
+bool ends_turn(int tenths) { return tenths == 501 || tenths == 690 || tenths == 1000; }
+
+}  // namespace
+
+bool Interpreter::ends_what_is_unfollowed(const BlockWords& block) const {
+  return std::ranges::any_of(ends_of_modes, [&](const std::pair<int, int>& each) {
+    return std::ranges::find(block.ends, each.first) != block.ends.end() &&
+           code_.is_unfollowed(each.second);
+  });
+}
+
+void Interpreter::end_scaling_frames(const std::string& frame) {
+  std::erase_if(code_.unfollowed, [&](const UnfollowedMode& mode) {
+    return mode.function == scaling_frame_tenths && mode.frame == frame;
+  });
+}
+
+// Under which function coordinates mean something else from here on.
+void Interpreter::take_what_is_unfollowed(const ProgramLine& line, BlockWords& block) {
+  const bool scales =
+      block.has(unfollowed) && block.of(unfollowed).function->tenths() == scale_tenths;
+  if (block.of(frame).is(absolute_frame) || (scales && !block.adds_to_frame)) {
+    code_.end_unfollowed(scale_tenths);
+    end_scaling_frames(programmable_frame);
+  }
+  if (!block.frame.empty()) end_scaling_frames(block.frame);
+  if (block.frame == programmable_frame) code_.end_unfollowed(scale_tenths);
+  if (scales && !block.axis && !block.adds_to_frame) {
+    block.forget |= all_axes;
+    block.clear(unfollowed);
+  }
+  if (block.has(motion)) code_.end_unfollowed(spline_interpolation * 10);
+  if (block.has(unfollowed)) {
+    const GFunction& function = *block.of(unfollowed).function;
+    if (function.tenths() != scaling_frame_tenths) code_.end_unfollowed(function.tenths());
+    code_.unfollowed.push_back({.function = function.tenths(),
+                                .line = line.source.line,
+                                .meaning = std::string(function.meaning),
+                                .frame = block.frame});
+  }
+  if (!block.has(unfollowed_end)) return;
+  for (const auto& [end, mode] : ends_of_modes)
+    if (std::ranges::find(block.ends, end) != block.ends.end()) code_.end_unfollowed(mode);
+}
+
+// G69, G50 and the like stand in the first line of many programs, where there is nothing to end.
+void Interpreter::forget_what_ends_nothing(BlockWords& block) {
+  const auto is_any = [&](std::initializer_list<int> tenths) {
+    return block.has(frame) &&
+           std::ranges::find(tenths, block.of(frame).function->tenths()) != tenths.end();
+  };
+  if (block.has(unfollowed_end) && !ends_what_is_unfollowed(block)) block.clear(unfollowed_end);
+  std::uint8_t ended = 0;
+  for (const int each : block.ends)
+    if (ends_turn(each)) ended |= turn_of(each);
+  if (block.has(frame) && ends_turn(block.of(frame).function->tenths())) {
+    if ((code_.turned & ended) == 0) {
+      // The axes of G50.1 and G100 are those that are mirrored no longer; with T beside it G100 is
+      // a tool change that goes there.
+      block.copied |= block.axis && !block.tool_number && !block.of(frame).is(69);
+      block.clear(frame);
+    }
+  } else if (block.has(frame)) {
+    code_.turned |= turn_of(block.of(frame).function->tenths());
+  }
+  code_.turned &= static_cast<std::uint8_t>(~ended);
+  if (is_any({2550}) && !code_.dynamic_offset) block.clear(frame);
+  if (is_any({2540, 2550})) code_.dynamic_offset = block.of(frame).is(254);
+}
+
+// What is ended by words that have another task besides: G49 and G43 end the control of the tool
+// tip, G07.1 with 0 its cylinder (D-51), G113 is G13.1 too, G107 alone and G54.4 P0 end what they
+// begin with words.
+void Interpreter::end_what_was_unfollowed(BlockWords& block) {
+  constexpr int cylinder = 71;
+  constexpr int polar = 1120;
+  constexpr int mapping = 1070;
+  constexpr int setup_error = 544;
+  if (block.of(zero_shift).is(113)) code_.end_unfollowed(polar);
+  bool ends = false;
+  if (block.changes_length)
+    for (const int led : {431, 434, 435, 1430, 2340}) ends |= code_.end_unfollowed(led);
+  if (block.has(unfollowed)) {
+    const int begun = block.of(unfollowed).function->tenths();
+    const bool by_zero = begun == cylinder && !block.move.tracking.empty() &&
+                         std::ranges::all_of(block.move.tracking, [](const auto& radius) {
+                           return radius.value_or(0) == 0;
+                         });
+    const bool alone = begun == mapping && !block.axis && !block.quantity && !block.center;
+    const bool by_number =
+        begun == setup_error && block.tool_data_number && block.tool_data_number->value == 0;
+    if (by_zero || alone || by_number) {
+      ends |= code_.end_unfollowed(begun);
+      if (ends || !by_zero) block.clear(unfollowed);
+    }
+  }
+  if (!ends) return;
+  block.copied = true;
+  block.forget |= all_axes;
+}
+
+}  // namespace trc

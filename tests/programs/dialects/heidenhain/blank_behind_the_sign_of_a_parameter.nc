@@ -1,0 +1,15 @@
+; radius 5
+; path -5 -10 L; -5 40 L; 0 45 A; 40 45 L; 60 60 L
+0 BEGIN PGM BLANKS MM
+1 Q1 = + 40
+2 Q2 = + 5
+3 TOOL CALL 1 Z S2000
+4 L Z + Q1 FMAX
+5 L X - 30 Y - 30 R0 FMAX
+6 L Z - Q2 F Q1
+7 L X + 0 Y - 10 RL F300
+8 L Y + Q1
+9 L X Q1
+10 L X + 60 Y + 60 R0 F Q1
+11 L Z + Q1 R0 FMAX
+12 END PGM BLANKS MM

@@ -1,0 +1,91 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "tests/programs/computing.h"
+
+// What is refused says why in words of its own, at the word that is meant, with a remedy that
+// helps.
+
+namespace trc::support {
+namespace {
+
+using enum DialectName;
+
+struct Told {
+  DialectName dialect = isg;
+  std::string text{};
+  std::string place{};  // line:column code
+  std::string detail{};
+  std::string help{};  // part of it
+};
+
+std::ostream& operator<<(std::ostream& out, const Told& told) { return out << told.detail; }
+
+class Remedy : public ::testing::TestWithParam<Told> {};
+
+TEST_P(Remedy, FitsWhatIsRefused) {
+  const Told& wanted = GetParam();
+  const Ran ran = run_computing(wanted.text, computing_setup(wanted.dialect, 2), Output::nc_text);
+  const auto found = std::ranges::find(ran.diagnostics, Severity::error, &Diagnostic::severity);
+  ASSERT_NE(found, ran.diagnostics.end());
+  EXPECT_EQ(std::to_string(found->source.line) + ":" + std::to_string(found->column) + " " +
+                std::to_string(static_cast<int>(found->code)),
+            wanted.place);
+  EXPECT_NE(found->detail.find(wanted.detail), std::string::npos) << found->detail;
+  EXPECT_NE(help_of(*found).find(wanted.help), std::string::npos) << help_of(*found);
+  EXPECT_NE(help_of(*found, Language::german), help_of(*found));
+}
+
+const std::string at_start = "G21 G90 G17\nG0 X-10. Y-10.\n";
+
+INSTANTIATE_TEST_SUITE_P(
+    Programs, Remedy,
+    ::testing::Values(
+        Told{heidenhain,
+             "0 BEGIN PGM A MM\n1 LBL 1\n2 L Z+10 FMAX\n3 FN 11: IF +Q1 GT +0 GOTO LBL 1\n"
+             "4 END PGM A MM\n",
+             "4:3 900003", "FN 11, a jump to a label", "CALL LBL 1 REP 3"},
+        Told{fanuc, at_start + "G1 G41 D.25 X0. Y0. F200\nX10.\nG40 X20.\nM30\n", "3:8 900008",
+             "is the number of a register", "Write the number of the register"},
+        Told{fanuc, "%\nZ4.\nO7\nG21 G90 G0 X0\nM30\n%\n", "3:1 900003",
+             "O, behind blocks without a number", "Take the blocks in front of it out"},
+        Told{fanuc, "%\nO6\nZ4.\nO7\nG21 G90 G0 X0\nM30\n%\n", "4:1 900003",
+             "O, a second program in one text", "as a text of its own"},
+        Told{fanuc, at_start + "G93\nG1 G41 X0. Y0. F10.\nX10. F20.\nG40 X20.\nM30\n", "4:8 900003",
+             "G93, the time of a block, in force since line 3", "Write G94"},
+        Told{fanuc, "G20 G90\n#10100 = 0.0\nG0 X[1+#10100]\nM30\n", "2:1 900307",
+             "a variable of Haas or a tool offset of Fanuc", "#100 for #10100"},
+        Told{fanuc, "G21 G90\n#1=2\nWHILE [#1 GT 0] DO1 #1=#1-1\nG0 X#1\nEND1\nM30\n",
+             "3:21 900308", "#, words behind a statement", "into a line of its own"},
+        Told{fanuc, at_start + "G1 X30. Y10. F9\nG3 X40. Y20. I30. J20.\nM30\n", "4:4 20035",
+             "which fits where they are absolute", "circle_center_mode.reference ABSOLUTE"},
+        Told{linuxcnc, "G21 G90 G17 G90.1\nG0 X30 Y10\nG1 F9 X30\nG3 X40 Y20 I0 J10\nM30\n",
+             "4:4 20035", "which fits where they count from the start",
+             "circle_center_mode.reference START"},
+        Told{linuxcnc, "G21 G90\nM72\nM2\n", "2:1 900003", "M72, modes as they were at M70",
+             "Program the functions that held before once more"},
+        Told{linuxcnc, "G21 G90\nM70 G91\nM2\n", "2:1 900003", "M70 beside other words",
+             "Write it into a line of its own"},
+        Told{isg, "G90 G162\nG01 X10 Y0 F100\nG02 X20 Y0 I5 J0 R5\nM30\n", "3:12 21024", "",
+             "Keep either"},
+        Told{isg, "G90 G162\nG01 X10 Y0 F100\nG02 X20 Y0 I5 J99999999\nM30\n", "3:12 90133", "",
+             "wrong unit"},
+        Told{fanuc, at_start + "G1 X10. F100.\nG2 X20. Y0 R0\nM30\n", "4:12 20036", "",
+             "a radius other than 0"}));
+
+// Blocks of Klartext have numbers without N.
+TEST(BlocksOfKlartext, HaveNumbersWithoutN) {
+  const Ran ran = run_computing(
+      "0 BEGIN PGM A MM\n1 L X-20 Y+0 R0 FMAX\n2 CYCL DEF 7.0 NULLPUNKT\n3 CYCL DEF 7.1 X+5\n"
+      "4 CC X+0 Y+0\n5 C X+20 Y+0 DR+\n6 END PGM A MM\n",
+      computing_setup(heidenhain, 2), Output::nc_text);
+  ASSERT_FALSE(ran.diagnostics.empty());
+  EXPECT_NE(message_of(ran.diagnostics.front()).find("line 4 (block 3)"), std::string::npos)
+      << message_of(ran.diagnostics.front());
+}
+
+}  // namespace
+}  // namespace trc::support

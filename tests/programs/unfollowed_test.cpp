@@ -1,0 +1,88 @@
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/programs/computing.h"
+
+// Under scaling, polar coordinates, transformations and the like no contour is compensated. Each
+// lasts up to an end of its own: the end of another one leaves it in force.
+
+namespace trc::support {
+namespace {
+
+using enum DialectName;
+
+std::pair<int, unsigned> of_contour(DialectName dialect, const std::string& text) {
+  ProgramSessionSetup setup = computing_setup(dialect, 2);
+  setup.session.program.tools = {{1, ToolRow(2)}};
+  const bool fanuc_words = dialect == fanuc;
+  const std::string head = fanuc_words ? "G21 G17 G90 G40 G54\nT1 M6\nG0 X0. Y0.\n"
+                                       : "G71 G17 G90 G40 G54\nT1 D1\nG0 X0 Y0\n";
+  const std::string contour = fanuc_words
+                                  ? "G0 X-20. Y0. Z5.\nG1 Z-2. F300.\nG41 D1 X0. F500.\nY40.\nG40 "
+                                    "X-20.\nM30\n"
+                                  : "G0 X-20 Y0 Z5\nG1 Z-2 F300\nG41 X0 F500\nY40\nG40 X-20\nM30\n";
+  return refusal_of(head + text + "\n" + contour, setup);
+}
+
+TEST(Unfollowed, LastsUpToItsOwnEndInFanuc) {
+  using Ends = std::vector<std::string>;
+  const std::vector<std::pair<std::string, Ends>> modes{
+      {"G51 X0 Y0 P2.", {"G50"}},    {"G16", {"G15"}},
+      {"G12.1", {"G13.1"}},          {"G43.4 H1", {"G49", "G43 H1 Z50."}},
+      {"G07.1 C25.", {"G07.1 C0."}}, {"G72 S0.5", {"G72 S1"}},
+      {"G107 A0 Y0 R20.", {"G107"}}, {"G54.4 P1", {"G54.4 P0"}},
+      {"G143 H1", {"G49"}},
+  };
+  for (const auto& [mode, own_ends] : modes)
+    for (const auto& [other, ends] : modes)
+      for (const std::string& end : ends) {
+        const bool is_its_end = mode == other || (mode == "G143 H1" && other == "G43.4 H1") ||
+                                (mode == "G43.4 H1" && other == "G143 H1");
+        EXPECT_EQ(of_contour(fanuc, mode + "\n" + end).first, is_its_end ? 0 : 900003)
+            << mode << ' ' << end;
+      }
+  // Both in one line, in either order, and one within the other.
+  EXPECT_EQ(of_contour(fanuc, "G51 X0 Y0 P2.\nG16\nG15 G50").first, 0);
+  EXPECT_EQ(of_contour(fanuc, "G51 X0 Y0 P2.\nG16\nG50 G15").first, 0);
+  EXPECT_EQ(of_contour(fanuc, "G51 X0 Y0 P2.\nG16\nG15").first, 900003);
+  EXPECT_EQ(of_contour(fanuc, "G51 X0 Y0 P2.\nG16\nG50").first, 900003);
+}
+
+TEST(Unfollowed, LastsUpToItsOwnEndInSinumerik) {
+  const std::string scaled_offset = "$P_UIFR[1]=CTRANS(X,5):CSCALE(X,2,Y,2)\nG54";
+  const std::string scaled_frame = "$P_PFRAME=CSCALE(X,2,Y,2)";
+  for (const std::string& mode :
+       {std::string("SCALE X2 Y2"), std::string("ASCALE X2 Y2"), scaled_frame}) {
+    for (const std::string end : {"TRANS", "ROT", "MIRROR", "SCALE", "TRANS X10 Y5",
+                                  "$P_PFRAME=CTRANS(X,10)", "$P_PFRAME=CTRANS()"})
+      EXPECT_EQ(of_contour(sinumerik, mode + "\n" + end).first, 0) << mode << ' ' << end;
+    for (const std::string other :
+         {"TRAFOOF", "ATRANS X5", "TRAORI\nTRAFOOF", "CUT2D", "$P_PFRAME=$P_PFRAME:CTRANS(X,1)",
+          "$P_PFRAME[X,TR]=5", "$P_UIFR[1]=CTRANS(X,5)", "ASCALE X3", "G500"})
+      EXPECT_EQ(of_contour(sinumerik, mode + "\n" + other).first, 900003) << mode << ' ' << other;
+  }
+  for (const std::string other : {"TRANS", "SCALE", "SCALE X1\nSCALE", "SCALE X2\nTRANS", "TRAFOOF",
+                                  "$P_PFRAME=CTRANS()", "$P_UIFR[2]=CTRANS(X,5)"})
+    EXPECT_EQ(of_contour(sinumerik, scaled_offset + "\n" + other).first, 900003) << other;
+  EXPECT_EQ(of_contour(sinumerik, scaled_offset + "\n$P_UIFR[1]=CTRANS(X,5)\nG54").first, 0);
+  EXPECT_EQ(of_contour(sinumerik, "TRAORI\nSCALE X2\nSCALE").first, 900003);
+  EXPECT_EQ(of_contour(sinumerik, "TRAORI\nTRANS").first, 900003);
+  EXPECT_EQ(of_contour(sinumerik, "TRAORI\nTRAFOOF").first, 0);
+}
+
+// Behind the end of a rotation a mirrored axis stands where the mirror is: its own end moves it.
+TEST(Unfollowed, RotationAndMirrorEndEachForItself) {
+  const auto ends_open = [](const std::string& text) {
+    return of_contour(fanuc, text + "\nG91\nG0 X5.\nG90").first;
+  };
+  EXPECT_EQ(ends_open("G51.1 X0\nG69\nG0 X10. Y10."), 0);
+  EXPECT_EQ(ends_open("G51.1 X0\nG69\nG0 X10. Y10.\nG50.1 X0"), 900106);
+  EXPECT_EQ(ends_open("G68 X0 Y0 R30.\nG50.1 X0\nG0 X10. Y10.\nG69"), 900106);
+  EXPECT_EQ(ends_open("G68 X0 Y0 R30.\nG0 X10. Y10.\nG69 G50.1 X0"), 900106);
+}
+
+}  // namespace
+}  // namespace trc::support
