@@ -1,5 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -88,6 +92,41 @@ TEST(EntryTurns, MayTouchAsCirclesAreRounded) {
                       "G3 X-23.404 Y4.609 I2.152 J-2.09\nG1 X-11.209 Y-7.236\n"
                       "G3 X-6.967 Y-7.174 I2.09 J2.152\nG1 X0 Y0\n"
                       "G3 X-0.083 Y5.656 I-2.869 J2.787\nG40 G1 X-3.587 Y3.484\n");
+}
+
+// So are turns made of chords: beside the wall, and where the lead touches it.
+TEST(EntryTurns, MayBeMadeOfChords) {
+  const auto chords = [](const Point& center, double radius, int chords_of_turn) {
+    std::string lines;
+    for (int chord = 1; chord <= 3 * chords_of_turn; ++chord) {
+      const double angle = std::numbers::pi * (1 + 2.0 * chord / chords_of_turn);
+      std::array<char, 80> line{};
+      std::snprintf(line.data(), line.size(), "G1 X%.3f Y%.3f Z%.4f\n",
+                    center.x() + radius * std::cos(angle), center.y() + radius * std::sin(angle),
+                    -0.02 * chord);
+      lines += line.data();
+    }
+    return lines;
+  };
+  for (const int of_turn : {12, 36, 120}) {
+    expect_machined(2, "G0 X0 Y5 Z0 F800\nG41 G1 X-4 Y4\n" + chords(Point(0, 4), 4, of_turn) +
+                           "G3 X0 Y0 I4 J0\n" + pocket + "G3 X4 Y4 J4\nG40 G1 X0 Y5\n");
+    expect_machined(2, "G0 X0 Y12 Z0 F800\nG41 G1 X-3 Y12\n" + chords(Point(0, 12), 3, of_turn) +
+                           "G1 X-3 Y3\nG3 X0 Y0 I3 J0\n" + pocket + "G3 X4 Y4 J4\nG40 G1 X0 Y5\n");
+  }
+}
+
+// A second lap, whose lead goes round the circle of the turns too.
+TEST(EntryTurns, LeadToSeveralLaps) {
+  const std::string in = "G3 X-4.715 Y3.126 I-3.92 J-0.795\nG3 X0 Y0 I3.92 J0.795\n";
+  const std::string out = "G3 X3.126 Y4.715 I-0.795 J3.92\n";
+  const std::string lap =
+      "G1 X9.801 Y1.987\nG3 X12.145 Y5.523 I-0.596 J2.94\nG1 X8.767 Y22.184\n"
+      "G3 X5.231 Y24.528 I-2.94 J-0.596\nG1 X-14.37 Y20.555\nG3 X-16.714 Y17.019 I0.596 J-2.94\n"
+      "G1 X-13.337 Y0.357\nG3 X-9.801 Y-1.987 I2.94 J0.596\nG1 X0 Y0\n";
+  expect_machined(2, "G0 X-0.993 Y4.9 Z0 F800\nG41 G1 X-4.715 Y3.126\n" +
+                         turns(3, "G3 X-4.715 Y3.126 I3.92 J0.795") + "G3 X0 Y0 I3.92 J0.795\n" +
+                         lap + out + "G1 Z-4\n" + in + lap + out + "G40 G1 X-0.993 Y4.9\n");
 }
 
 // Up out of it, the same way.

@@ -13,8 +13,9 @@ struct BetweenTurns {
   std::size_t end = 0;
 };
 
-// The first and the last blocks that go round one circle, with the tool inside of it, for a whole
-// turn or more: what is left without the whole turns. Nothing: there are none.
+// The first and the last blocks that go round one circle, as arcs or as chords, with the tool
+// inside of it, for a whole turn or more: what is left without the whole turns. Nothing: there are
+// none.
 [[nodiscard]] std::optional<BetweenTurns> between_turns(const ContourView& contour,
                                                         double tolerance);
 

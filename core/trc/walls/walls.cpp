@@ -39,7 +39,8 @@ double Walls::touch_between(std::size_t number, std::size_t path) const {
     return (begin.holds(number) && end.holds(path)) || (end.holds(number) && begin.holds(path));
   };
   double most = meet(head, tail) ? touch : 0;
-  if ((turns_in.holds(path) || turns_out.holds(path)) && (head.holds(number) || tail.holds(number)))
+  const bool is_of_turns = turns_in.holds(path) || turns_out.holds(path);
+  if (is_of_turns && (head.holds(number) || tail.holds(number)))
     most = std::max(most, touch_of_turns);
   if (rings.empty()) return most;
   // Of several laps the end lies on the begin of the last one, which may be within the tail.
@@ -51,11 +52,16 @@ double Walls::touch_between(std::size_t number, std::size_t path) const {
   if (meet(begin_of(rings.size()), tail) || meet(tail, tail)) most = std::max(most, touch);
   const std::size_t ring = ring_of(path);
   const std::size_t of_wall = ring_of(number);
+  // Each lap before ends on its begin too, by an overrun of its own.
+  const auto end_of = [&](std::size_t lap) {
+    return Range{rings[lap] - std::min(rings[lap], 3 + blocks_of_overrun), rings[lap]};
+  };
+  if (is_of_turns && (begin_of(of_wall).holds(number) ||
+                      (of_wall < rings.size() && end_of(of_wall).holds(number))))
+    most = std::max(most, touch_of_turns);
   if (of_wall > ring) return std::max(most, touch_of_rings);
   if (of_wall < ring || ring == rings.size()) return most;
-  // Each lap before ends on its begin too, by an overrun of its own.
-  const Range end{rings[ring] - std::min(rings[ring], 3 + blocks_of_overrun), rings[ring]};
-  return meet(begin_of(ring), end) ? std::max(most, touch_of_rings) : most;
+  return meet(begin_of(ring), end_of(ring)) ? std::max(most, touch_of_rings) : most;
 }
 
 }  // namespace trc
