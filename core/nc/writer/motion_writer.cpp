@@ -223,17 +223,6 @@ bool MotionWriter::moves(const Position& end, const TrackingTravel& tracking,
   return false;
 }
 
-bool MotionWriter::is_rounding_step(const Position& end, const TrackingTravel& tracking,
-                                    const WrittenState& state) const {
-  constexpr double longest = 5e-4;  // mm
-  const double step = std::min(1.5 * unit(state.inch), longest);
-  for (std::size_t axis = 0; axis < end.size(); ++axis)
-    if (std::abs(end[axis] - state.position[axis]) > step) return false;
-  for (std::size_t axis = 0; axis < tracking.size(); ++axis)
-    if (!reaches_tracking(axis, tracking[axis].to, state.tracking[axis], state.inch)) return false;
-  return true;
-}
-
 char* MotionWriter::write_axes(char* at, const Axes& axes, const KnownNumbers& known,
                                WrittenState& state) const {
   const auto write_axis = [&](char letter, AxisSet bit, double target, bool inch,

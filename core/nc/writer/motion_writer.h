@@ -106,10 +106,6 @@ class MotionWriter {
   [[nodiscard]] bool reaches(double target, double position, bool inch) const {
     return std::abs(target - position) <= unit(inch) / 2;
   }
-  // Whether a step to `end` is shorter than what the last decimal says: on a path of that fineness
-  // nothing hangs on it.
-  [[nodiscard]] bool is_rounding_step(const Position& end, const TrackingTravel& tracking,
-                                      const WrittenState& state) const;
   [[nodiscard]] bool reaches_tracking(std::size_t axis, double target, double position,
                                       bool inch) const;
 

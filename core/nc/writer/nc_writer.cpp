@@ -215,9 +215,6 @@ void NcWriter::write_piece(const CompensatedBlock& block, const Segment& piece,
   const Arc* arc = std::get_if<Arc>(&piece);
   const bool must_be_written = (always & (in_plane ? ~plane_axes(block.plane) : ~AxisSet{0})) != 0;
   if (arc == nullptr && !must_be_written && !motions_.moves(end, tracking, state_)) return;
-  // Between arcs that touch but for the decimals of their words (D-114).
-  const bool is_inserted = own_ == nullptr && arc == nullptr && !is_arc(block.path);
-  if (is_inserted && motions_.is_rounding_step(end, tracking, state_)) return;
 
   if (klartext_ && arc != nullptr &&
       !(state_.has_pole && motions_.reaches(arc->center.x(), state_.pole.x(), state_.inch) &&
