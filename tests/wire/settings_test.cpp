@@ -148,7 +148,8 @@ TEST(Settings, SayWhatAFieldTakes) {
   EXPECT_NE(fault_of("start_position=1,2,3,4"), "");
   for (const char* tools : {"1", ":5", "\"\":5", "\"A:5", "1\"A\"2:5", "1/:5", "1/x:5", "/2:5",
                             "1\"A\"/2/3:5", "-1:5", "1.5:5"})
-    EXPECT_NE(fault_of(std::string("tools=") + tools).find("as in 1:5"), std::string::npos)
+    EXPECT_NE(fault_of((std::string("tools=") + tools).c_str()).find("as in 1:5"),
+              std::string::npos)
         << tools;
   EXPECT_NE(fault_of("tool_radius").find("key=value"), std::string::npos);
 }
