@@ -281,8 +281,8 @@ constexpr auto rows = std::to_array<CodeRow>({
     {Code::given_value_kept, warning, "GIVEN_VALUE_KEPT",
      "a variable that the control keeps is set to a number that was computed from values given "
      "for the machine",
-     "The result holds for these values only. Compute it in one assignment from the variables "
-     "that the control keeps, which then stays as it is, or compensate anew for each value."},
+     "The result holds for these values only. Raise a counter in one assignment from itself, which "
+     "then stays as it is, or compensate anew for each value."},
     {Code::too_many_lines_executed, error, "TOO_MANY_LINES_EXECUTED",
      "more lines are executed than allowed",
      "Look for a loop that never ends. A program that is meant to be so long needs a larger "

@@ -993,10 +993,10 @@ constexpr auto rows = std::to_array<Explanation>({
                 "M30\n",
      .options = "--dialect fanuc --radius 5"},
     {.code = Code::given_value_kept,
-     .meaning = "Counters and sizes in #500, R1 and the like outlive the program, and the control "
-                "computes their assignments anew in each run. What is computed by way of a "
-                "variable that is not in the result stands there as a number: the same in each "
-                "run.",
+     .meaning =
+         "A counter in #500, R1 and the like outlives the program, and the control raises it "
+         "anew in each run where one assignment sets it from itself. What is set by way of "
+         "another variable, or from a given value, does not change from run to run.",
      .causes = {"A counter is raised by way of a local variable.",
                 "A value that the machine has measured, and that is given, is stored."},
      .example = "G21 G90 G17\n"

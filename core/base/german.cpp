@@ -392,9 +392,8 @@ constexpr auto rows = std::to_array<GermanRow>({
     {.code = Code::given_value_kept,
      .title = "eine Variable, die die Steuerung behält, bekommt eine Zahl, die aus Werten der "
               "Maschine berechnet ist, wie sie angegeben sind",
-     .help = "Das Ergebnis gilt nur für diese Werte. Sie in einer einzigen Zuweisung aus den "
-             "Variablen berechnen, die die Steuerung behält: diese bleibt stehen. Oder für jeden "
-             "Wert neu korrigieren."},
+     .help = "Das Ergebnis gilt nur für diese Werte. Einen Zähler in einer einzigen Zuweisung aus "
+             "ihm selbst erhöhen: diese bleibt stehen. Oder für jeden Wert neu korrigieren."},
     {.code = Code::too_many_lines_executed,
      .title = "es werden mehr Zeilen ausgeführt als erlaubt",
      .help = "Nach einer Schleife suchen, die nie endet. Ein Programm, das so lang sein soll, "

@@ -436,10 +436,10 @@ constexpr auto rows = std::to_array<GermanExplanation>({
                 "schon korrigiert, ihre D-Wörter sind fort.",
      .causes = {"Das Programm fräst Kreistaschen oder Taschen mit Zyklen der Maschine."}},
     {.code = Code::given_value_kept,
-     .meaning = "Zähler und Maße in #500, R1 und dergleichen überleben das Programm, und ihre "
-                "Zuweisungen rechnet die Steuerung bei jedem Lauf neu. Was über eine Variable "
-                "berechnet ist, die im Ergebnis nicht vorkommt, steht dort als Zahl: bei jedem "
-                "Lauf dieselbe.",
+     .meaning = "Ein Zähler in #500, R1 und dergleichen überlebt das Programm, und die Steuerung "
+                "erhöht ihn bei jedem Lauf neu, wenn eine Zuweisung ihn aus ihm selbst setzt. Was "
+                "über eine andere Variable oder aus einem angegebenen Wert gesetzt ist, ändert "
+                "sich von Lauf zu Lauf nicht.",
      .causes = {"Ein Zähler wird über eine lokale Variable erhöht.",
                 "Ein Messwert der Maschine, dessen Wert angegeben ist, wird gespeichert."}},
     {.code = Code::too_many_lines_executed,

@@ -56,7 +56,7 @@ struct Words {
   std::string comment{};  // its text
 };
 
-// #500=#500+1, R1=6 and V.S.PARTS = 2, which the control keeps for programs of its own (D-88,
+// #500=#500+1, R1=R1+1 and V.S.PARTS = 2, which the control keeps for programs of its own (D-88,
 // D-89). Where what sets them begins; npos: the line is another one.
 std::size_t begin_of_setting(std::string_view line, DialectName dialect) {
   constexpr std::string_view digits = "0123456789";

@@ -15,6 +15,9 @@
 
 namespace trc::program {
 
+// V.S. and V.E., which other programs and the control read.
+[[nodiscard]] bool isg_outlives_program(std::string_view name);
+
 // The language of ISG.
 //
 //   - P parameters, V.P. and V.CYC. variables belong to the whole run, V.L. to the main program and
@@ -24,12 +27,8 @@ namespace trc::program {
 //   - Subprograms stand in front of the program, behind %L NAME, or are texts of the setup, which
 //     may have their own; they share all modes with their caller.
 //   - A call of what is not there passes (D-47, D-67). It may ask for what the program has set:
-//   that comes
-//     out in front of it, at the latest. Behind it the values are not known.
+//     that comes out in front of it, at the latest. Behind it the values are not known.
 //   - Where two operators stand side by side whose order nobody says, brackets are asked for.
-// V.S. and V.E., which other programs and the control read.
-[[nodiscard]] bool isg_outlives_program(std::string_view name);
-
 class IsgFlow : public Flow, private Variables {
  public:
   // `has_begun`: blocks of the program stand in front of the text.
