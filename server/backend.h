@@ -8,7 +8,7 @@
 #include "server/resources/memory_budget.h"
 #include "server/resources/memory_watch.h"
 #include "server/resources/peers.h"
-#include "server/rpc/contour_taps.h"
+#include "server/rpc/run_taps.h"
 #include "server/rpc/resume_tokens.h"
 #include "server/telemetry/telemetry.h"
 #include "server/worker_pool.h"
@@ -28,7 +28,7 @@ struct Backend {
   MemoryBudget memory;
   Peers peers;
   const ResumeTokens resume_tokens;
-  ContourTaps contour_taps;
+  RunTaps run_taps;
   OpenStreams streams;
   // Behind what their threads work with: they end first.
   MemoryWatch memory_watch;

@@ -59,7 +59,8 @@ std::optional<std::string> page_of(std::string text, const v1::ProgramSetup& set
     wire::to_proto(*paths.summary, summary);
     builder.set_summary(summary);
   }
-  if (!builder.add(paths.compensated)) return std::nullopt;
+  builder.take_contour(paths.programmed);
+  builder.take_path(paths.compensated);
   const auto view = builder.finish("inside");
   if (view == nullptr) return std::nullopt;
   if (paths.exit == Exit::done) view->make_output([] {});

@@ -28,7 +28,7 @@ class RpcCall final : public grpc::ClientBidiReactor<grpc::ByteBuffer, grpc::Byt
     std::string method{};       // "/trc.v1.TrcService/GetServerInfo"
     std::string traceparent{};  // of the caller; may be empty
     std::optional<std::chrono::milliseconds> timeout{};
-    std::string contour_tap{};  // as of ContourTaps; empty: none
+    std::string run_tap{};  // as of RunTaps; empty: none
   };
 
   // `done` comes last, after reading has ended.

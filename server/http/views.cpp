@@ -5,7 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include "proto/wire/compensated_block.h"
 #include "proto/wire/json.h"
 #include "server/http/api.h"
 #include "server/http/handlers.h"
@@ -36,10 +35,8 @@ v1::Problem no_view() {
 // is looked at all the more.
 class ViewFormat final : public Format, public std::enable_shared_from_this<ViewFormat> {
  public:
-  ViewFormat(Api& api, std::unique_ptr<ViewBuilder> builder)
-      : api_(api),
-        builder_(std::move(builder)),
-        reader_(builder_->settings().path.session.program.start) {}
+  ViewFormat(Api& api, std::shared_ptr<ViewBuilder> builder)
+      : api_(api), builder_(std::move(builder)) {}
 
   [[nodiscard]] Head head() const override {
     return {.status = said_.empty() ? 503U : 201U,
@@ -51,10 +48,7 @@ class ViewFormat final : public Format, public std::enable_shared_from_this<View
     if (!RpcCall::read_message(answer, answer_)) return false;
     for (const v1::Diagnostic& diagnostic : answer_.diagnostics()) builder_->add(diagnostic);
     if (answer_.response_case() == Answer::kSummary) builder_->set_summary(answer_.summary());
-    if (answer_.response_case() != Answer::kColumns) return true;
-    blocks_.clear();
-    wire::FieldFaults faults;
-    return reader_.read(answer_.columns(), blocks_, faults) && builder_->add(blocks_);
+    return builder_->has_memory();
   }
 
   void close(std::string& out) override {
@@ -89,10 +83,8 @@ class ViewFormat final : public Format, public std::enable_shared_from_this<View
   }
 
   Api& api_;
-  std::unique_ptr<ViewBuilder> builder_;
-  wire::CompensatedReader reader_;
+  std::shared_ptr<ViewBuilder> builder_;
   v1::CompensateProgramResponse answer_;
-  std::vector<CompensatedBlock> blocks_;
   std::string said_;
 };
 
@@ -172,12 +164,12 @@ void start_view(Api& api, const ExchangePointer& exchange, AskedView& asked) {
   if (api.stopping()) return exchange->break_off();
   const auto text = asked.program.text;
   // Older views give way to a new one.
-  auto builder = std::make_unique<ViewBuilder>(std::move(asked.program), api.memory(),
+  auto builder = std::make_shared<ViewBuilder>(std::move(asked.program), api.memory(),
                                                [&api] { return api.views().give_up_one(); });
   if (asked.measured_later) builder->measure_later();
   const std::string tap = ViewStore::new_id();
-  api.backend().contour_taps.add(tap, builder->contour());
-  Run::start(api, exchange, {.method = compensate_program_rpc, .contour_tap = tap},
+  api.backend().run_taps.add(tap, builder);
+  Run::start(api, exchange, {.method = compensate_program_rpc, .run_tap = tap},
              std::make_unique<ProgramQuestions>(asked.setup, text, api.most_message_bytes()),
              std::make_shared<ViewFormat>(api, std::move(builder)));
 }
@@ -215,7 +207,6 @@ void make_view(Api& api, const ExchangePointer& exchange) {
       std::none_of(query.begin(), query.end(), [](const auto& p) { return p.first == "verify"; });
   if (measured_later) setup.mutable_path()->set_verify(v1::VERIFICATION_OFF);
   setup.set_output(v1::PROGRAM_OUTPUT_BLOCKS);
-  setup.mutable_path()->set_response_layout(v1::RESPONSE_LAYOUT_COLUMNS);
   wire::ProgramSettings settings;
   if (const auto refused = read_setup(setup, api.backend().config, settings))
     return answer_problem(*exchange, problem_of(refused->status));

@@ -39,6 +39,17 @@ class Outbox {
   // Valid until the content changes or the next one is taken.
   [[nodiscard]] Slice take(wire::Layout layout, std::size_t most_bytes);
 
+  // Takes all blocks at once, which leave by another way than the slices.
+  template <class Give>
+  void take_blocks(Give give) {
+    for (Answer& part : answers_.parts()) {
+      give(std::span<const CompensatedBlock>(part.blocks));
+      blocks_taken_ += part.blocks.size();
+      part.blocks.clear();
+    }
+    forget_taken_parts();
+  }
+
   // Whether it holds so much, about. Takes no longer where it holds far more.
   [[nodiscard]] bool holds(std::size_t bytes) const;
   // Whether a part was ended since it was asked last: a selection that goes on for long comes out.

@@ -13,8 +13,8 @@ constexpr std::size_t few_bytes = 16U << 10U;
 constexpr std::size_t much_output_bytes = 512U << 10U;
 
 std::function<void(std::span<const Block>)> tapped_by(const StreamContext& stream) {
-  if (stream.contour_tap == nullptr) return {};
-  return [tap = stream.contour_tap](std::span<const Block> blocks) { tap->take(blocks); };
+  if (stream.run_tap == nullptr) return {};
+  return [tap = stream.run_tap](std::span<const Block> blocks) { tap->take_contour(blocks); };
 }
 
 }  // namespace
@@ -59,19 +59,21 @@ void ProgramRun::go_on() {
     const std::string_view piece = input.substr(input_taken_, bytes_per_piece);
     stream_.pass();
     open = goes_on(session_.feed(piece, answers()));
+    give_to_tap();
     input_taken_ += piece.size();
   }
   const bool is_left = open && input_taken_ < input.size();
   if (!is_left) input_ = std::string();
   is_executing_ = open && !is_left && input_is_final_ && execute();
   if (open && !is_left && input_is_final_ && !is_executing_) finish_session();
+  give_to_tap();
   responses_.input_is_left(is_left || is_executing_);
 
   const Summary so_far = session_.summary();
   stream_.record.taken(so_far.blocks_in - blocks_seen_);
   blocks_seen_ = so_far.blocks_in;
   // Those that leave as blocks are counted with their answers.
-  if (gives_text_) stream_.record.given(so_far.blocks_out - blocks_written_);
+  if (gives_text_ || stream_.run_tap) stream_.record.given(so_far.blocks_out - blocks_written_);
   blocks_written_ = so_far.blocks_out;
   note_progress();
 }
@@ -81,8 +83,15 @@ bool ProgramRun::execute() {
   while (!responses_.outbox().holds(much_output_bytes)) {
     stream_.pass();
     if (!session_.resolve(answers())) return false;
+    give_to_tap();
   }
   return true;
+}
+
+void ProgramRun::give_to_tap() {
+  if (!stream_.run_tap) return;
+  responses_.outbox().take_blocks(
+      [&](std::span<const CompensatedBlock> blocks) { stream_.run_tap->take_path(blocks); });
 }
 
 void ProgramRun::summarize(v1::ProgramSummary& message) const {

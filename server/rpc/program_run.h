@@ -72,6 +72,8 @@ class ProgramRun : public StreamRun<ProgramSession> {
   // Takes input until much has come out, or all of it.
   void go_on();
   bool execute();
+  // Where there is one, the blocks go there, and no message holds them.
+  void give_to_tap();
   void summarize(v1::ProgramSummary& message) const;
   void add_to_record(const Outbox::Slice& slice, const Response& response);
   void close_record(Response& response, const v1::ProgramSummary* summary);

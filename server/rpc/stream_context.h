@@ -20,7 +20,7 @@ struct StreamContext {
   // Set when nobody waits for the result any more; work looks at it every few blocks.
   const std::atomic<bool>& cancelled;
   StreamAccount& account;
-  std::shared_ptr<ContourTap> contour_tap{};  // may be null
+  std::shared_ptr<RunTap> run_tap{};  // may be null
 
   // Where long work passes by: it ends when it is abandoned or passes a limit, and gives way to
   // other streams.

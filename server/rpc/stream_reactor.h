@@ -85,7 +85,7 @@ class StreamReactor
 
   // Valid as long as the reactor.
   [[nodiscard]] StreamContext stream_context() {
-    return {backend_, record_, cancelled_, account_, backend_.contour_taps.take(context_)};
+    return {backend_, record_, cancelled_, account_, backend_.run_taps.take(context_)};
   }
 
   void end_if_idle(Clock::time_point since) final { give_up(since, Refusal::stream_idle); }

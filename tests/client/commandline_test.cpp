@@ -1276,6 +1276,9 @@ TEST(Plot, WritesAPageThatLoadsNothing) {
       std::string::npos);
   EXPECT_NE(page.find("a\\u003cb.nc"), std::string::npos);
   EXPECT_EQ(page.find("src="), std::string::npos);
+  // The contour beside the path, and the tool that makes one of the other.
+  EXPECT_NE(page.find("\"contourBlocks\":\"5\""), std::string::npos);
+  EXPECT_NE(page.find("\"toolRadii\":[10]"), std::string::npos);
   EXPECT_EQ(trc({"plot", "-", "--format", "html", "-o", "-"}, demo).out.rfind("<!DOCTYPE", 0), 0u);
 }
 

@@ -635,6 +635,7 @@ const tests = {
       assert.equal(await page.title(), name);
       assert.ok(Number(await page.evaluate(() => document.body.dataset.segments)) > 10);
       assert.ok(Number(await page.evaluate(() => document.body.dataset.arrows)) > 2, 'its arrows too');
+      assert.match(readFileSync(written, 'utf8'), /"contourBlocks":"\d+"/, 'and its contour');
       assert.ok(!await page.locator('#form').isVisible(), 'nothing can be computed here');
       if (name === 'notch.nc') {
         const [, line, code] = /notch\.nc:(\d+):.* error (\d+)/.exec(said);

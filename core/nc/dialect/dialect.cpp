@@ -5,6 +5,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <string>
+#include <vector>
 
 #include "core/nc/text/characters.h"
 
@@ -62,18 +63,30 @@ std::string words_of(std::string_view line) {
   return words;
 }
 
-// Whether one of the words of a line is this letter with this number.
-bool has_word(std::string_view words, char letter, std::string_view number) {
-  for (std::size_t at = 0; at < words.size(); ++at) {
-    if (words[at] != letter || (at > 0 && is_letter(words[at - 1]))) continue;
-    std::size_t begin = at + 1;
-    while (begin + 1 < words.size() && words[begin] == '0' && is_digit(words[begin + 1])) ++begin;
-    if (!words.substr(begin).starts_with(number)) continue;
-    const std::size_t behind = begin + number.size();
-    if (behind >= words.size() || (!is_digit(words[behind]) && words[behind] != '.')) return true;
+// The words of a line that begin with one letter, as G or M functions do.
+class Functions {
+ public:
+  Functions(std::string_view words, char letter) {
+    for (std::size_t at = 0; at < words.size(); ++at) {
+      if (words[at] != letter || (at > 0 && is_letter(words[at - 1]))) continue;
+      std::size_t begin = at + 1;
+      while (begin + 1 < words.size() && words[begin] == '0' && is_digit(words[begin + 1])) ++begin;
+      numbers_.push_back(words.substr(begin));
+    }
   }
-  return false;
-}
+
+  // Whether one of them has this number.
+  [[nodiscard]] bool have(std::string_view number) const {
+    return std::ranges::any_of(numbers_, [&](std::string_view found) {
+      if (!found.starts_with(number)) return false;
+      found.remove_prefix(number.size());
+      return found.empty() || (!is_digit(found[0]) && found[0] != '.');
+    });
+  }
+
+ private:
+  std::vector<std::string_view> numbers_;  // and what stands behind them
+};
 
 bool starts_with_any(std::string_view words, std::initializer_list<std::string_view> beginnings) {
   return std::ranges::any_of(
@@ -131,6 +144,7 @@ bool is_of_okuma(std::string_view line) {
 std::optional<DialectName> looks_like(std::string_view line) {
   if (is_heidenhain_iso(line) || is_of_okuma(line)) return {};
   const std::string words = words_of(line);
+  const Functions preparatory(words, 'G');
   if (starts_with_any(words, {"BEGIN PGM", "TOOL CALL", "TOOL DEF", "CYCL DEF", "L X+", "L X-",
                               "CC X", "BLK FORM"}) ||
       contains_any(words,
@@ -141,7 +155,7 @@ std::optional<DialectName> looks_like(std::string_view line) {
                               "STOPRE", "FFWON", "SOFT ", "BRISK"}) ||
       contains_any(words, {"CR=", "AC(", "IC(", " CYCLE", " TRANS ", "T=\"", " MCALL",
                            "DISCL=", "DISR=", "RND=", "CHF=", "CHR=", " SUPA", " EXTCALL"}) ||
-      has_word(words, 'G', "700") || has_word(words, 'G', "710") || has_word(words, 'G', "642"))
+      preparatory.have("700") || preparatory.have("710") || preparatory.have("642"))
     return DialectName::sinumerik;
   // O100 SUB, O100 CALL
   const std::size_t keyword =
@@ -150,24 +164,25 @@ std::optional<DialectName> looks_like(std::string_view line) {
       starts_with_any(std::string_view(words).substr(keyword),
                       {"SUB", "ENDSUB", "CALL", "IF", "ELSE", "WHILE", "DO", "REPEAT", "RETURN"}))
     return DialectName::linuxcnc;
-  if (has_word(words, 'G', "41.1") || has_word(words, 'G', "42.1") ||
-      has_word(words, 'G', "90.1") || has_word(words, 'G', "91.1") ||
+  if (preparatory.have("41.1") || preparatory.have("42.1") ||
+      preparatory.have("90.1") || preparatory.have("91.1") ||
       starts_with_any(words, {"O<", "#<"}))
     return DialectName::linuxcnc;
   // Smoothing by a tolerance.
-  if (has_word(words, 'G', "64") && contains_any(words, {" P"})) return DialectName::linuxcnc;
+  if (preparatory.have("64") && contains_any(words, {" P"})) return DialectName::linuxcnc;
   const bool numbered = words.size() > 1 && is_digit(words[1]);
   if (numbered && (words[0] == 'O' || words[0] == '#')) return DialectName::fanuc;
   for (const std::string_view function :
        {"20", "21", "28", "30", "43", "49", "54.1", "65", "73",  "80",  "81",  "82", "83",
         "84", "85", "86", "87", "88", "89", "98",   "99", "110", "154", "187", "53"})
-    if (has_word(words, 'G', function)) return DialectName::fanuc;
+    if (preparatory.have(function)) return DialectName::fanuc;
+  const Functions auxiliary(words, 'M');
   for (const std::string_view function : {"97", "98", "99"})
-    if (has_word(words, 'M', function)) return DialectName::fanuc;
+    if (auxiliary.have(function)) return DialectName::fanuc;
   const bool axes = contains_any(words, {"X", "Y", "Z"});
   const bool data = contains_any(words, {"L", "P"});
-  if (has_word(words, 'G', "10") && data) return DialectName::fanuc;
-  if (has_word(words, 'G', "52") && axes) return DialectName::fanuc;
+  if (preparatory.have("10") && data) return DialectName::fanuc;
+  if (preparatory.have("52") && axes) return DialectName::fanuc;
   return {};
 }
 

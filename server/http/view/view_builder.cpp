@@ -40,7 +40,7 @@ ViewBuilder::ViewBuilder(ViewedProgram program, Memory& memory, std::function<bo
       first_on_path_(settings_.path.session.program.start),
       look_(program.look),
       plane_(program.plane.value_or(program.look.plane)),
-      contour_(std::make_shared<ViewContour>(settings_.path.session, plane_)) {
+      contour_(std::make_unique<ViewContour>(settings_.path.session, plane_)) {
   said_.set_name(std::move(program.name));
 }
 
@@ -49,9 +49,9 @@ bool ViewBuilder::account() {
   constexpr std::size_t output_bytes = 64;
   const std::size_t bytes = contour_->bytes() + path_.bytes() + output_bytes * path_.size() +
                             replaced_.capacity() * sizeof(std::uint32_t);
-  while (has_memory_ && bytes > share_.bytes())
+  while (has_memory() && bytes > share_.bytes())
     if (!share_.take(bytes - share_.bytes())) has_memory_ = make_room_();
-  return has_memory_;
+  return has_memory();
 }
 
 void ViewBuilder::find_lines(std::uint64_t count) {
@@ -63,7 +63,7 @@ void ViewBuilder::find_lines(std::uint64_t count) {
 
 // What comes behind the block that has stopped the compensation is programmed all the same.
 void ViewBuilder::read_contour() {
-  contour_ = std::make_shared<ViewContour>(settings_.path.session, plane_);
+  contour_ = std::make_unique<ViewContour>(settings_.path.session, plane_);
   ContourReader reader(settings_.path.session);
   const std::string_view text = program_.text();
   for (std::size_t at = 0; at < text.size() && account(); at += text_piece) {
@@ -73,8 +73,12 @@ void ViewBuilder::read_contour() {
   contour_->take(reader.finish());
 }
 
-bool ViewBuilder::add(const std::vector<CompensatedBlock>& blocks) {
-  if (blocks.empty()) return account();
+void ViewBuilder::take_contour(std::span<const Block> blocks) {
+  if (account()) contour_->take(blocks);
+}
+
+void ViewBuilder::take_path(std::span<const CompensatedBlock> blocks) {
+  if (blocks.empty() || !account()) return;
   const auto [first, last] = std::ranges::minmax_element(
       blocks, {}, [](const CompensatedBlock& block) { return block.source.index; });
   first_radius_ = first->source.index;
@@ -95,7 +99,6 @@ bool ViewBuilder::add(const std::vector<CompensatedBlock>& blocks) {
     add_seen(path_, element, {.plane = block.plane, .shape = block.path, .normal = block.normal},
              plane_);
   }
-  return account();
 }
 
 // The line of a retract is programmed without compensation: it has the tool of the block before.

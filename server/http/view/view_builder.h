@@ -1,9 +1,11 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,7 @@
 #include "server/http/view/lines.h"
 #include "server/http/view/view.h"
 #include "server/http/view/view_contour.h"
+#include "server/rpc/run_taps.h"
 #include "trc/v1/http.pb.h"
 
 namespace trc::server::http {
@@ -29,26 +32,25 @@ struct ViewedProgram {
   FirstLook look{};
 };
 
-// Puts a view together while the answers come in. The contour grows beside the path, from what the
-// same session reads.
-class ViewBuilder {
+// Puts a view together while a stream compensates its program: contour and path come from there,
+// what is said about them with the answers, in another thread.
+class ViewBuilder final : public RunTap {
  public:
   // `make_room` frees memory that matters less; false: there is none.
   ViewBuilder(ViewedProgram program, Memory& memory, std::function<bool()> make_room);
 
-  // False when there is no memory.
-  [[nodiscard]] bool add(const std::vector<CompensatedBlock>& blocks);
+  void take_contour(std::span<const Block> blocks) override;
+  void take_path(std::span<const CompensatedBlock> blocks) override;
+  // Without it nothing more is taken.
+  [[nodiscard]] bool has_memory() const { return has_memory_.load(std::memory_order_relaxed); }
+
   void add(const v1::Diagnostic& diagnostic);
   void set_summary(const v1::ProgramSummary& summary) { *said_.mutable_summary() = summary; }
   void set_refused() { said_.set_refused(true); }
   // The path is measured behind the first picture.
   void measure_later() { said_.set_measuring(true); }
-  // Null when there is no memory. Nothing may be added any more.
+  // Null when there is no memory. Once the stream has ended.
   [[nodiscard]] std::shared_ptr<View> finish(std::string id);
-
-  [[nodiscard]] const wire::ProgramSettings& settings() const { return settings_; }
-  // Must be given all blocks that are read.
-  [[nodiscard]] std::shared_ptr<ContourTap> contour() const { return contour_; }
 
  private:
   // So many lines, as far as there are.
@@ -64,7 +66,7 @@ class ViewBuilder {
   wire::ProgramSettings settings_;
   Share share_;
   std::function<bool()> make_room_;
-  bool has_memory_ = true;
+  std::atomic<bool> has_memory_ = true;
   v1::View said_;
   std::vector<Diagnostic> masked_;  // as far as the picture needs them
   // Source::index of contour blocks that have another one in their place, as the sides of a notch
@@ -75,7 +77,7 @@ class ViewBuilder {
   std::size_t found_bytes_ = 0;  // of the text: its lines are found
   const FirstLook look_;
   const Plane plane_;  // that is shown
-  std::shared_ptr<ViewContour> contour_;
+  std::unique_ptr<ViewContour> contour_;
   // As programmed in the blocks (Source::index) from the first one on that is being added.
   std::vector<float> radii_;
   std::uint64_t first_radius_ = 0;

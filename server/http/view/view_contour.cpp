@@ -72,14 +72,12 @@ ViewContour::ViewContour(const SessionSetup& session, Plane shown)
     : leads_(session.compensator.leads), shown_(shown), first_(session.program.start) {}
 
 void ViewContour::take(std::span<const Block> blocks) {
-  const std::lock_guard lock(mutex_);
   for (const Block& block : blocks) add(block);
 }
 
 void ViewContour::read_radii(std::uint64_t first, std::uint64_t last,
                              std::vector<float>& radii) const {
   radii.assign(last - first + 1, 0);
-  const std::lock_guard lock(mutex_);
   const std::uint64_t end = std::min<std::uint64_t>(last + 1, radius_of_block_.size());
   if (first < end)
     std::copy(radius_of_block_.begin() + static_cast<std::ptrdiff_t>(first),
@@ -87,13 +85,11 @@ void ViewContour::read_radii(std::uint64_t first, std::uint64_t last,
 }
 
 std::size_t ViewContour::bytes() const {
-  const std::lock_guard lock(mutex_);
   return whole_.elements.bytes() + whole_.blocks.capacity() * sizeof(std::uint32_t) +
          radius_of_block_.capacity() * sizeof(float) + selection_.capacity() * sizeof(Block);
 }
 
 ViewContour::Whole ViewContour::finish() {
-  const std::lock_guard lock(mutex_);
   mark_leads();
   radius_of_block_ = {};
   return std::exchange(whole_, {});

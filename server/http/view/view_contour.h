@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <mutex>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -12,7 +11,6 @@
 #include "core/session/session.h"
 #include "core/trc/result/first_motions.h"
 #include "server/http/view/elements.h"
-#include "server/rpc/contour_taps.h"
 
 namespace trc::server::http {
 
@@ -27,14 +25,13 @@ struct FirstLook {
 [[nodiscard]] FirstLook first_look(std::string_view text, const SessionSetup& session,
                                    const std::function<void()>& pass);
 
-// The programmed contour as a view has it. Grows in the thread that compensates the program, while
-// another one puts the path together.
-class ViewContour final : public ContourTap {
+// The programmed contour as a view has it.
+class ViewContour {
  public:
   // `shown`: the plane.
   ViewContour(const SessionSetup& session, Plane shown);
 
-  void take(std::span<const Block> blocks) override;
+  void take(std::span<const Block> blocks);
 
   // The radius of the tool, as programmed, in blocks (Source::index): from the first to the last of
   // these; 0: not compensated.
@@ -58,7 +55,6 @@ class ViewContour final : public ContourTap {
 
   const LeadSettings leads_;
   const Plane shown_;
-  mutable std::mutex mutex_;
   FirstMotions first_;
   Side side_ = Side::off;  // of the motion before
   Whole whole_;

@@ -1,4 +1,4 @@
-#include "server/rpc/contour_taps.h"
+#include "server/rpc/run_taps.h"
 
 #include <grpcpp/grpcpp.h>
 
@@ -6,20 +6,20 @@
 
 namespace trc::server {
 
-void ContourTaps::add(std::string name, std::weak_ptr<ContourTap> tap) {
+void RunTaps::add(std::string name, std::weak_ptr<RunTap> tap) {
   const std::lock_guard lock(mutex_);
   // Of calls that have never come.
   std::erase_if(waiting_, [](const auto& entry) { return entry.second.expired(); });
   waiting_.insert_or_assign(std::move(name), std::move(tap));
 }
 
-std::shared_ptr<ContourTap> ContourTaps::take(const grpc::CallbackServerContext& context) {
+std::shared_ptr<RunTap> RunTaps::take(const grpc::CallbackServerContext& context) {
   const auto named = context.client_metadata().find(metadata);
   if (named == context.client_metadata().end()) return nullptr;
   const std::lock_guard lock(mutex_);
   const auto found = waiting_.find(std::string(named->second.data(), named->second.size()));
   if (found == waiting_.end()) return nullptr;
-  const std::shared_ptr<ContourTap> tap = found->second.lock();
+  const std::shared_ptr<RunTap> tap = found->second.lock();
   waiting_.erase(found);
   return tap;
 }
