@@ -8,8 +8,8 @@
 #include "server/resources/memory_budget.h"
 #include "server/resources/memory_watch.h"
 #include "server/resources/peers.h"
-#include "server/rpc/run_taps.h"
 #include "server/rpc/resume_tokens.h"
+#include "server/rpc/run_taps.h"
 #include "server/telemetry/telemetry.h"
 #include "server/worker_pool.h"
 

@@ -13,8 +13,7 @@ std::shared_ptr<RpcCall> RpcCall::start(const std::shared_ptr<grpc::Channel>& ch
   call->self_ = call;
   call->done_ = std::move(done);
   if (!options.traceparent.empty()) call->context_.AddMetadata("traceparent", options.traceparent);
-  if (!options.run_tap.empty())
-    call->context_.AddMetadata(RunTaps::metadata, options.run_tap);
+  if (!options.run_tap.empty()) call->context_.AddMetadata(RunTaps::metadata, options.run_tap);
   if (options.timeout)
     call->context_.set_deadline(std::chrono::system_clock::now() + *options.timeout);
   call->stub_ = std::make_unique<grpc::GenericStub>(channel);

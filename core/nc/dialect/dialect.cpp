@@ -164,9 +164,8 @@ std::optional<DialectName> looks_like(std::string_view line) {
       starts_with_any(std::string_view(words).substr(keyword),
                       {"SUB", "ENDSUB", "CALL", "IF", "ELSE", "WHILE", "DO", "REPEAT", "RETURN"}))
     return DialectName::linuxcnc;
-  if (preparatory.have("41.1") || preparatory.have("42.1") ||
-      preparatory.have("90.1") || preparatory.have("91.1") ||
-      starts_with_any(words, {"O<", "#<"}))
+  if (preparatory.have("41.1") || preparatory.have("42.1") || preparatory.have("90.1") ||
+      preparatory.have("91.1") || starts_with_any(words, {"O<", "#<"}))
     return DialectName::linuxcnc;
   // Smoothing by a tolerance.
   if (preparatory.have("64") && contains_any(words, {" P"})) return DialectName::linuxcnc;
