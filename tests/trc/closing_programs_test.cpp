@@ -118,6 +118,20 @@ TEST(ClosingPrograms, DepthsMayHaveLeadsNearlyAsLongAsALap) {  // D-57
       10, 1e-9);
 }
 
+// A post of 10 mm, which is shorter round than what leads from one depth to the next.
+TEST(ClosingPrograms, DepthsMayHaveLeadsLongerThanALap) {  // D-57
+  const std::vector<std::string> lap{"G1 X12 Y-17", "G3 X0 Y-5 I-12 J0",   "G2 Y5 J5",
+                                     "G2 Y-5 J-5",  "G3 X-12 Y-17 I0 J-12", "G1 Y-32"};
+  for (const char* modes : {removing, "G141 G26", "G140 G26"}) {
+    const Result outcome = run(
+        modes, 6,
+        "G0 X14 Y-36 F800\nG41 G1 X12 Y-32\n" + in_three_depths(lap, "X12 Y-32") + "G40 G1 Y-40\n",
+        Verify::enforce);
+    expect_all_depths(outcome, 6);
+    EXPECT_TRUE(outcome.diagnostics.empty()) << modes;
+  }
+}
+
 // A bar of 3 mm, whose laps have few blocks, as the leads between them.
 TEST(ClosingPrograms, NoLapOfASlenderBossIsALead) {  // D-57
   const std::vector<std::string> lap{
