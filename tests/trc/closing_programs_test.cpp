@@ -119,8 +119,8 @@ TEST(ClosingPrograms, DepthsMayHaveLeadsNearlyAsLongAsALap) {  // D-57
 }
 
 // A post of 10 mm, which is shorter round than what leads from one depth to the next.
-TEST(ClosingPrograms, DepthsMayHaveLeadsLongerThanALap) {  // D-57
-  const std::vector<std::string> lap{"G1 X12 Y-17", "G3 X0 Y-5 I-12 J0",   "G2 Y5 J5",
+TEST(ClosingPrograms, DepthsMayHaveLeadsLongerThanALap) {  // D-107
+  const std::vector<std::string> lap{"G1 X12 Y-17", "G3 X0 Y-5 I-12 J0",    "G2 Y5 J5",
                                      "G2 Y-5 J-5",  "G3 X-12 Y-17 I0 J-12", "G1 Y-32"};
   for (const char* modes : {removing, "G141 G26", "G140 G26"}) {
     const Result outcome = run(
@@ -130,6 +130,20 @@ TEST(ClosingPrograms, DepthsMayHaveLeadsLongerThanALap) {  // D-57
     expect_all_depths(outcome, 6);
     EXPECT_TRUE(outcome.diagnostics.empty()) << modes;
   }
+}
+
+// A post of 40 mm and a tool of 36, whose leads cross on their way to the second depth.
+TEST(ClosingPrograms, DepthsMayHaveLongLeadsThatCross) {  // D-107
+  const std::string lap =
+      "G1 X-49.167 Y-6.836\nG2 X8.636 Y-56.743 I3.948 J-53.855\n"
+      "G3 X48.529 Y-53.819 I19.946 J1.462\nG3 X8.636 Y-56.743 I-19.946 J-1.462\n"
+      "G2 X-41.271 Y-114.547 I-53.855 J-3.948\n";
+  const Result outcome = run(removing, 18,
+                             "G0 X-96.058 Y-31.931 F800\nG42 G1 X-81.481 Y-9.204\n" + lap +
+                                 "G1 Z-2\nX-81.481 Y-9.204\n" + lap + "G40 G1 X-68.199 Y-116.521\n",
+                             Verify::enforce);
+  EXPECT_TRUE(outcome.whole);
+  EXPECT_TRUE(outcome.diagnostics.empty());
 }
 
 // A bar of 3 mm, whose laps have few blocks, as the leads between them.

@@ -489,7 +489,9 @@ std::optional<Closing> closing_of_all(const ContourView& contour, double closing
     closing->is_alone = visits_of(contour, *closing, closing_tolerance, memory).size() == 2;
     if (!closing->is_alone) closing = search(Overruns::along_the_last_lap);
   }
-  if (!closing || !closing->is_alone)
+  // Leads of few blocks may cross in one point, which then hides the laps.
+  constexpr std::size_t few = 1000;
+  if (!closing || !closing->is_alone || contour.count <= few)
     if (auto repeated = closing_of_repeated(contour, closing_tolerance, tool_radius))
       return repeated;
   const auto long_leads = between_long_leads(contour, candidates, closing_tolerance, tool_radius);
