@@ -167,6 +167,24 @@ TEST(ClosingPrograms, NoLapIsLeftOutForAnotherOne) {  // D-39
   EXPECT_TRUE(outcome.tells(Code::most_left_out));
 }
 
+// A bore with a slot that is too narrow for the tool, in three depths: of each lap the slot is left
+// out, which are fewer blocks than lead to the next depth.
+TEST(ClosingPrograms, OfEachDepthANotchMayBeLeftOut) {  // D-39
+  const std::vector<std::string> lap{
+      "G3 X0 Y-5 I2 J0", "G3 X0.9 Y4.918 J5",      "G1 Y14",         "G1 X-0.9",
+      "G1 Y4.918",       "G3 X0 Y-5 I0.9 J-4.918", "G3 X2 Y-3 I0 J2"};
+  const Result outcome =
+      run(removing, 1,
+          "G0 X-1 Y-2 F800\nG41 G1 X-2 Y-3\n" + in_three_depths(lap, "X-2 Y-3") + "G40 G1 X0 Y-2\n",
+          Verify::enforce);
+  ASSERT_TRUE(outcome.whole);
+  EXPECT_TRUE(outcome.tells(Code::blocks_masked));
+  const std::set<std::int64_t> travelled = outcome.travelled();
+  for (int depth = 0; depth < 3; ++depth)
+    for (const int block : {10, 20, 60, 70})
+      EXPECT_TRUE(travelled.contains(100 * depth + block)) << depth << ' ' << block;
+}
+
 // Three quarters of the first lap and one of the second are masked under G141 alone, and the plunge
 // between them would come in the midst of the wall.
 TEST(ClosingPrograms, NoPlungeIsMovedByMasking) {  // D-39
