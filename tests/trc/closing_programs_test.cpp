@@ -199,6 +199,21 @@ TEST(ClosingPrograms, NoPlungeIsMovedByMasking) {  // D-39
   EXPECT_TRUE(outcome.tells(Code::most_left_out));
 }
 
+// About a small post masking alone goes from one depth to the next, as what leads there is too
+// tight for the tool: the way round the post is short, but it is the part.
+TEST(ClosingPrograms, NoLapOfASmallPostIsLeftOutWithANote) {  // D-39
+  const std::string lap =
+      "G3 X129.206 Y-92.601 I0.081 J-2.999\nG2 X128.226 Y-93.202 I-0.98 J0.499\n"
+      "G2 X127.126 Y-92.102 J1.1\nG2 X128.226 Y-91.002 I1.1\nG2 X129.326 Y-92.102 J-1.1\n"
+      "G2 X129.206 Y-92.601 I-1.1\nG3 X128.93 Y-94.516 I2.673 J-1.362\n";
+  const Result outcome = run("G141 G25", 1,
+                             "G0 X133.669 Y-91.918 Z0 F800\nG41 G1 X131.798 Y-90.964\n" + lap +
+                                 "G1 X131.798 Y-90.964 Z-4\n" + lap + "G1 X131.798 Y-90.964 Z-6\n" +
+                                 lap + "G40 G1 X130.801 Y-95.469\n");
+  EXPECT_FALSE(outcome.whole);
+  EXPECT_TRUE(outcome.tells(Code::most_left_out));
+}
+
 // Two squares outside, one after the other from the corner in which they touch: the second would be
 // cut through the first.
 TEST(ClosingPrograms, PartsThatTouchAreNotTakenForLaps) {  // D-57
