@@ -118,6 +118,34 @@ TEST(ClosingPrograms, DepthsMayHaveLeadsNearlyAsLongAsALap) {  // D-57
       10, 1e-9);
 }
 
+// A post of 10 mm, which is shorter round than what leads from one depth to the next.
+TEST(ClosingPrograms, DepthsMayHaveLeadsLongerThanALap) {  // D-107
+  const std::vector<std::string> lap{"G1 X12 Y-17", "G3 X0 Y-5 I-12 J0",    "G2 Y5 J5",
+                                     "G2 Y-5 J-5",  "G3 X-12 Y-17 I0 J-12", "G1 Y-32"};
+  for (const char* modes : {removing, "G141 G26", "G140 G26"}) {
+    const Result outcome = run(
+        modes, 6,
+        "G0 X14 Y-36 F800\nG41 G1 X12 Y-32\n" + in_three_depths(lap, "X12 Y-32") + "G40 G1 Y-40\n",
+        Verify::enforce);
+    expect_all_depths(outcome, 6);
+    EXPECT_TRUE(outcome.diagnostics.empty()) << modes;
+  }
+}
+
+// A post of 40 mm and a tool of 36, whose leads cross on their way to the second depth.
+TEST(ClosingPrograms, DepthsMayHaveLongLeadsThatCross) {  // D-107
+  const std::string lap =
+      "G1 X-49.167 Y-6.836\nG2 X8.636 Y-56.743 I3.948 J-53.855\n"
+      "G3 X48.529 Y-53.819 I19.946 J1.462\nG3 X8.636 Y-56.743 I-19.946 J-1.462\n"
+      "G2 X-41.271 Y-114.547 I-53.855 J-3.948\n";
+  const Result outcome = run(removing, 18,
+                             "G0 X-96.058 Y-31.931 F800\nG42 G1 X-81.481 Y-9.204\n" + lap +
+                                 "G1 Z-2\nX-81.481 Y-9.204\n" + lap + "G40 G1 X-68.199 Y-116.521\n",
+                             Verify::enforce);
+  EXPECT_TRUE(outcome.whole);
+  EXPECT_TRUE(outcome.diagnostics.empty());
+}
+
 // A bar of 3 mm, whose laps have few blocks, as the leads between them.
 TEST(ClosingPrograms, NoLapOfASlenderBossIsALead) {  // D-57
   const std::vector<std::string> lap{
@@ -139,6 +167,24 @@ TEST(ClosingPrograms, NoLapIsLeftOutForAnotherOne) {  // D-39
   EXPECT_TRUE(outcome.tells(Code::most_left_out));
 }
 
+// A bore with a slot that is too narrow for the tool, in three depths: of each lap the slot is left
+// out, which are fewer blocks than lead to the next depth.
+TEST(ClosingPrograms, OfEachDepthANotchMayBeLeftOut) {  // D-39
+  const std::vector<std::string> lap{
+      "G3 X0 Y-5 I2 J0", "G3 X0.9 Y4.918 J5",      "G1 Y14",         "G1 X-0.9",
+      "G1 Y4.918",       "G3 X0 Y-5 I0.9 J-4.918", "G3 X2 Y-3 I0 J2"};
+  const Result outcome =
+      run(removing, 1,
+          "G0 X-1 Y-2 F800\nG41 G1 X-2 Y-3\n" + in_three_depths(lap, "X-2 Y-3") + "G40 G1 X0 Y-2\n",
+          Verify::enforce);
+  ASSERT_TRUE(outcome.whole);
+  EXPECT_TRUE(outcome.tells(Code::blocks_masked));
+  const std::set<std::int64_t> travelled = outcome.travelled();
+  for (int depth = 0; depth < 3; ++depth)
+    for (const int block : {10, 20, 60, 70})
+      EXPECT_TRUE(travelled.contains(100 * depth + block)) << depth << ' ' << block;
+}
+
 // Three quarters of the first lap and one of the second are masked under G141 alone, and the plunge
 // between them would come in the midst of the wall.
 TEST(ClosingPrograms, NoPlungeIsMovedByMasking) {  // D-39
@@ -149,6 +195,21 @@ TEST(ClosingPrograms, NoPlungeIsMovedByMasking) {  // D-39
       "N120 G3 X-0.003 Y29.997 I-30\nN130 X-30.003 Y-0.003 J-30\nN140 X-0.003 Y-30.003 I30\n"
       "N150 X29.997 Y-0.003 J30\nN160 G2 X31.397 Y1.753 I1.8\nN170 G40 G1 X33 Y1\n";
   const Result outcome = run("G141 G25", 1.5, contour);
+  EXPECT_FALSE(outcome.whole);
+  EXPECT_TRUE(outcome.tells(Code::most_left_out));
+}
+
+// About a small post masking alone goes from one depth to the next, as what leads there is too
+// tight for the tool: the way round the post is short, but it is the part.
+TEST(ClosingPrograms, NoLapOfASmallPostIsLeftOutWithANote) {  // D-39
+  const std::string lap =
+      "G3 X129.206 Y-92.601 I0.081 J-2.999\nG2 X128.226 Y-93.202 I-0.98 J0.499\n"
+      "G2 X127.126 Y-92.102 J1.1\nG2 X128.226 Y-91.002 I1.1\nG2 X129.326 Y-92.102 J-1.1\n"
+      "G2 X129.206 Y-92.601 I-1.1\nG3 X128.93 Y-94.516 I2.673 J-1.362\n";
+  const Result outcome = run("G141 G25", 1,
+                             "G0 X133.669 Y-91.918 Z0 F800\nG41 G1 X131.798 Y-90.964\n" + lap +
+                                 "G1 X131.798 Y-90.964 Z-4\n" + lap + "G1 X131.798 Y-90.964 Z-6\n" +
+                                 lap + "G40 G1 X130.801 Y-95.469\n");
   EXPECT_FALSE(outcome.whole);
   EXPECT_TRUE(outcome.tells(Code::most_left_out));
 }

@@ -323,11 +323,13 @@ void ContourMasking::report_masked(std::size_t first, std::size_t end) {
 
 bool ContourMasking::holds_a_whole(std::size_t first, std::size_t end,
                                    const LeftOut& stretch) const {
+  // The lap of a small post is shorter than what is long.
+  if (holds_a_lap(walls_, number_of(first), number_of(end - 1), stretch)) return true;
   if (!stretch.is_long()) return false;
   const auto moves = [](const PassiveBlock& block) { return block.normal.moves(); };
   for (std::size_t index = first; index < end; ++index)
     if (std::any_of(held(index).passive.begin(), held(index).passive.end(), moves)) return true;
-  return holds_a_lap(walls_, number_of(first), number_of(end - 1), stretch);
+  return false;
 }
 
 bool ContourMasking::check_left_out() {
@@ -348,7 +350,7 @@ bool ContourMasking::check_left_out() {
   if (longest.length == 0) return true;
   longest.of_walls = of_walls;
   const std::size_t end = base_ + held_.size();
-  for (std::size_t index = base_; longest.is_long() && index < end; ++index) {
+  for (std::size_t index = base_; index < end; ++index) {
     if (!held(index).masked) continue;
     std::size_t behind = end;
     LeftOut stretch = left_out(index, behind);

@@ -16,6 +16,7 @@
 #include "core/trc/walls/entry_turns.h"
 #include "core/trc/walls/long_leads.h"
 #include "core/trc/walls/outline.h"
+#include "core/trc/walls/repeated_laps.h"
 #include "core/trc/walls/rings.h"
 #include "core/trc/walls/scratch.h"
 
@@ -440,6 +441,36 @@ std::optional<Closing> between_long_leads(const ContourView& contour, const Cand
                        });
 }
 
+std::optional<Closing> closing_of_some(const ContourView& contour, std::size_t first,
+                                       std::size_t end, double closing_tolerance,
+                                       double tool_radius);
+
+// Of the same lap at several depths, where what leads from one to the next is longer than a lap:
+// which of the two is the lap, the last one tells, which has nothing behind it.
+std::optional<Closing> closing_of_repeated(const ContourView& contour, double closing_tolerance,
+                                           double tool_radius) {
+  const auto repeated = repeated_laps(contour);
+  if (!repeated) return std::nullopt;
+  auto closing =
+      closing_of_some(contour, repeated->last, contour.count, closing_tolerance, tool_radius);
+  if (!closing || closing->overrun) return std::nullopt;
+  const auto length_between = [&](ContourPlace from, const ContourPlace& to) {
+    double length = to.along - from.along;
+    for (; from.number < to.number; ++from.number) {
+      contour.pass();
+      length += length_of(contour.segment(from.number));
+    }
+    return length;
+  };
+  const ContourPlace before{closing->first.number - repeated->blocks, closing->first.along};
+  const double lap = length_between(closing->first, closing->second);
+  if (2 * lap > length_between(before, closing->first)) return std::nullopt;
+  closing->first.number -= repeated->last;
+  closing->is_alone = false;
+  closing->repeated_laps = repeated->last / repeated->blocks + 1;
+  return closing;
+}
+
 std::optional<Closing> closing_of_all(const ContourView& contour, double closing_tolerance,
                                       double tool_radius) {
   Scratch scratch;
@@ -458,6 +489,11 @@ std::optional<Closing> closing_of_all(const ContourView& contour, double closing
     closing->is_alone = visits_of(contour, *closing, closing_tolerance, memory).size() == 2;
     if (!closing->is_alone) closing = search(Overruns::along_the_last_lap);
   }
+  // Leads of few blocks may cross in one point, which then hides the laps.
+  constexpr std::size_t few = 1000;
+  if (!closing || !closing->is_alone || contour.count <= few)
+    if (auto repeated = closing_of_repeated(contour, closing_tolerance, tool_radius))
+      return repeated;
   const auto long_leads = between_long_leads(contour, candidates, closing_tolerance, tool_radius);
   if (!closing || (long_leads && lies_within(*long_leads, *closing) &&
                    visits_of(contour, *closing, closing_tolerance, memory).size() == 2))

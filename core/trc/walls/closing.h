@@ -70,6 +70,9 @@ struct Closing {
   double gap = 0;
   std::size_t joins = 0;  // the first block at the end that lies on the begin
   bool is_alone = false;  // between the two the contour does not come by there
+  // The same lap with the same leads so many times: behind each lap what leads to the next one
+  // (D-107).
+  std::size_t repeated_laps = 0;
   // Whole turns lead in, or out (D-106).
   bool has_turns_in = false;
   bool has_turns_out = false;

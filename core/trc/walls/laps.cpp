@@ -23,6 +23,10 @@ Laps::Laps(const ContourView& contour, const Closing& closing, double tolerance,
       visits_(visits_of(contour, closing, tolerance, memory)),
       longest_(longest_ring(visits_)),
       are_leads_(visits_.size(), false, memory) {
+  if (closing.repeated_laps > 0 && visits_.size() == 2 * closing.repeated_laps) {
+    for (std::size_t ring = 2; ring < visits_.size(); ring += 2) are_leads_[ring] = true;
+    return;
+  }
   std::size_t lap = 0;
   Neighbours about{};
   for (std::size_t ring = 1; ring < visits_.size() && visits_.size() > 2; ++ring) {

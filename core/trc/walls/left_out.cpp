@@ -1,5 +1,7 @@
 #include "core/trc/walls/left_out.h"
 
+#include <cstddef>
+
 namespace trc {
 namespace {
 
@@ -16,6 +18,15 @@ void give_values(const LeftOut& stretch, Diagnostic& found) {
   if (stretch.of_walls > 0) found.values.push_back({"wall_length", stretch.of_walls});
 }
 
+// The rings but for those that lead from one of them to the next; the last one may begin with a
+// lead of its own.
+std::size_t laps_of(const Walls& walls) {
+  std::size_t laps = walls.rings.size() + 1;
+  for (std::size_t ring = 0; ring + 1 < walls.rings.size(); ++ring)
+    if (walls.is_lead(walls.rings[ring])) --laps;
+  return laps;
+}
+
 }  // namespace
 
 bool LeftOut::is_long() const {
@@ -30,7 +41,7 @@ void LeftOut::add(const LeftOut& other) {
 }
 
 bool holds_a_lap(const Walls& walls, std::size_t first, std::size_t last, const LeftOut& stretch) {
-  const double lap = stretch.of_walls / static_cast<double>(walls.rings.size() + 1);
+  const double lap = stretch.of_walls / static_cast<double>(laps_of(walls));
   if (!walls.rings.empty() && stretch.length > 0.9 * lap) return true;
   // Of few blocks nearly all may lie in one notch; laps that are not told are one long contour.
   return walls.goes_round(first, last) && stretch.length > 0.1 * lap;

@@ -29,8 +29,9 @@ bool Walls::goes_round(std::size_t from, std::size_t to) const {
     const std::size_t lap = blocks_of_round > 0 ? blocks_of_round : tail.first + 1 - begin;
     return from < head.end && to >= tail.first && to - from + 1 >= lap;
   }
-  // The last lap counts as the one before it.
-  const std::size_t ring = std::min(ring_of(from), rings.size() - 1);
+  // The last lap counts as the one before it, which what leads from one to the next is not.
+  std::size_t ring = std::min(ring_of(from), rings.size() - 1);
+  while (ring > 0 && is_lead(rings[ring - 1])) --ring;
   return to - from + 1 >= rings[ring] - (ring > 0 ? rings[ring - 1] : begin);
 }
 
