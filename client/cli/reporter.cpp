@@ -89,14 +89,30 @@ std::string without_names_of_fields(std::string help) {
   return help;
 }
 
-// The number of the tool that is not there, in what would give it: "D7" or "7".
-std::string with_number_of_tool(std::string help, std::string_view detail) {
-  if (!detail.empty() && is_letter(detail.front())) detail.remove_prefix(1);
+bool is_number(std::string_view text) {
+  return !text.empty() && std::ranges::all_of(text, is_digit);
+}
+
+// The tool that is not there, in what would give it: D7, 7, the name "MILL", D2 of one of those.
+std::string with_missing_tool(std::string help, std::string_view detail) {
+  constexpr std::string_view of = " of ";
   const std::size_t at = help.find("tools=NUM");
-  const bool is_number = !detail.empty() && std::ranges::all_of(detail, is_digit);
-  if (!is_number || at == std::string::npos) return help;
+  if (at == std::string::npos) return help;
+  std::string edge;
+  if (const std::size_t end = detail.find(of); end != std::string_view::npos && end > 1) {
+    edge.append("/").append(detail.substr(1, end - 1));
+    if (!is_number(detail.substr(1, end - 1))) return help;
+    detail.remove_prefix(end + of.size());
+  }
+  const bool is_name = detail.size() > 2 && detail.starts_with('"');
+  if (is_name) detail = detail.substr(0, detail.find('"', 1) + 1);
+  if (!is_name && !detail.empty() && is_letter(detail.front())) detail.remove_prefix(1);
+  if (!is_name && !is_number(detail)) return help;
   const std::size_t begin = help.find('=', at) + 1;
-  return help.replace(begin, help.find(':', begin) - begin, detail);
+  help.replace(begin, help.find(':', begin) - begin, std::string(detail) + edge);
+  if (!is_name) return help;
+  help.insert(at, "'");
+  return help.insert(help.find_last_not_of('.') + 1, "'");
 }
 
 // The wear that is too large, in what would allow it.
@@ -131,7 +147,7 @@ Diagnostic for_command_line(Diagnostic found, DialectName dialect) {
   texts.help = has_own && is_of_row ? in_words_of(words, std::string(own))
                                     : without_names_of_fields(std::move(texts.help));
   if (found.code == Code::tool_unknown)
-    texts.help = with_number_of_tool(std::move(texts.help), found.detail);
+    texts.help = with_missing_tool(std::move(texts.help), found.detail);
   if (found.code == Code::wear_too_large)
     texts.help = with_wear(std::move(texts.help), found.values);
   if (found.code == Code::nc_unknown_function)

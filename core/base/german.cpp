@@ -201,8 +201,8 @@ constexpr auto rows = std::to_array<GermanRow>({
      .help = "Das Werkzeug in die Tabelle des Setups aufnehmen: Nummer, Name und Schneide, wo das "
              "Programm sie nennt, und seinen Radius.",
      .on_command_line = "Die Tabelle mit dem Werkzeug angeben: --tools tools.csv, mit "
-                        "number,name,edge,radius, soweit das Programm sie nennt; für eine Nummer "
-                        "allein genügt --set tools=NUMMER:RADIUS."},
+                        "number,name,edge,radius, soweit das Programm sie nennt; oder dieses "
+                        "Werkzeug allein: --set tools=NUMMER:RADIUS."},
     {.code = Code::program_empty,
      .title = "das Programm hat keinen Satz",
      .help = "Prüfen, ob es die gemeinte Datei ist und ob sie vollständig ist."},

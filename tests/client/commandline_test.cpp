@@ -1203,7 +1203,7 @@ TEST(Compensate, TellsOfProgramsInEitherEncoding) {
       trc({"compensate", folder.path("part.mpf"), "--dialect", "sinumerik", "--set", "tools=2:5"});
   EXPECT_EQ(refused.code, 1);
   EXPECT_NE(refused.err.find("part.mpf:1:1: error 900013: "), std::string::npos) << refused.err;
-  EXPECT_NE(refused.err.find("no such tool: fräser"), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("no such tool: \"fräser\""), std::string::npos) << refused.err;
 }
 
 TEST(Compensate, ShowsTheLineOfASubprogramInItsFile) {

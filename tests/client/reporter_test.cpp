@@ -70,7 +70,13 @@ TEST(Reporter, NamesTheToolThatIsMissing) {
   };
   EXPECT_NE(help_for("D7").find("--set tools=7:RADIUS"), std::string::npos) << help_for("D7");
   EXPECT_NE(help_for("12").find("--set tools=12:RADIUS"), std::string::npos);
-  EXPECT_NE(help_for("D9 of T1").find("--set tools=NUMBER:RADIUS"), std::string::npos);
+  EXPECT_NE(help_for("D9 of T1").find("--set tools=1/9:RADIUS"), std::string::npos);
+  EXPECT_NE(help_for("\"MILL\"").find("--set 'tools=\"MILL\":RADIUS'."), std::string::npos)
+      << help_for("\"MILL\"");
+  EXPECT_NE(help_for("D2 of \"MILL\"").find("--set 'tools=\"MILL\"/2:RADIUS'"), std::string::npos);
+  EXPECT_NE(help_for("\"MIL\", the table has \"MILL\"").find("'tools=\"MIL\":"), std::string::npos);
+  EXPECT_NE(help_for("D9").find("--set tools=9:RADIUS"), std::string::npos);
+  EXPECT_NE(help_for("5.2").find("--set tools=NUMBER:RADIUS"), std::string::npos);
 }
 
 // A table gives no radius to a program that names no tool.

@@ -420,7 +420,7 @@ TEST(ToolsWithoutARadius, AreToldAtTheWordThatCallsThem) {
   expect(told("G21\nM6 T5\nT1\n" + contour, linuxcnc), 2, 4, "T5");
   expect(told("G71\nT5 D1\nM6\nT1\n" + contour, sinumerik), 2, 1, "T5");
   expect(told("G71\nT1 D2\nM6\n" + contour, sinumerik), 2, 4, "D2 of T1");
-  expect(told("G71\nM6 T=\"ABC\"\n" + contour, sinumerik), 2, 4, "ABC");
+  expect(told("G71\nM6 T=\"ABC\"\n" + contour, sinumerik), 2, 4, "\"ABC\"");
   expect(told("G71\nT5 M6\n" + contour, isg), 2, 1, "T5");
   expect(told("BEGIN PGM A MM\n1 TOOL CALL 5 Z\nL X-9 Y-9 R0 FMAX\nL X+0 Y+0 RL F100\nL Y+20\n"
               "L X+20 R0\nEND PGM A MM\n",

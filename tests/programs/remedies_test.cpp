@@ -45,9 +45,9 @@ INSTANTIATE_TEST_SUITE_P(
     Programs, Remedy,
     ::testing::Values(
         Told{heidenhain,
-             "0 BEGIN PGM A MM\n1 LBL 1\n2 L Z+10 FMAX\n3 FN 11: IF +Q1 GT +0 GOTO LBL 1\n"
-             "4 END PGM A MM\n",
-             "4:3 900003", "FN 11, a jump to a label", "CALL LBL 1 REP 3"},
+             "0 BEGIN PGM A MM\n1 LBL 1\n2 L X-9 Y+0 FMAX\n3 L X+0 Y+0 RL F100\n4 L Y+9\n"
+             "5 L X-9 R0\n6 FN 11: IF +Q1 GT +0 GOTO LBL 1\n7 END PGM A MM\n",
+             "7:3 900003", "FN 11, a jump to a label", "CALL LBL 1 REP 3"},
         Told{fanuc, at_start + "G1 G41 D.25 X0. Y0. F200\nX10.\nG40 X20.\nM30\n", "3:8 900008",
              "is the number of a register", "Write the number of the register"},
         Told{fanuc, "%\nZ4.\nO7\nG21 G90 G0 X0\nM30\n%\n", "3:1 900003",

@@ -318,5 +318,26 @@ TEST(ToolsOfPrograms, AreChangedByLabelsOfKlartext) {
   EXPECT_EQ(told("CALL LBL 8\nTOOL CALL 1 Z\n" + wall + behind, setup), "");
 }
 
+TEST(ToolsOfPrograms, NamesOfDigitsAreNumbers) {
+  for (const DialectName dialect : {sinumerik, heidenhain}) {
+    const bool klartext = dialect == heidenhain;
+    const std::string wall = contour_of(dialect, klartext ? "RL" : "G41");
+    const auto call = [&](const std::string& tool) {
+      return (klartext ? "TOOL CALL " + tool + " Z\n" : "T=" + tool + " D1\n") + wall;
+    };
+    ProgramSessionSetup setup = setup_of(dialect);
+    setup.session.program.mode.tool_radius = 0;
+    setup.session.program.tools[row_of_edge(5, 1)] = 3;
+    EXPECT_EQ(distance(call("\"5\""), setup), 3);
+    EXPECT_NE(told(call("\"6\""), setup).find("900013"), std::string::npos);
+    EXPECT_NE(told(call("\"MILL\""), setup).find("\"MILL\""), std::string::npos);
+    EXPECT_EQ(distance(call("\"05\""), setup), -1);
+    // The table may have it as a name of another tool.
+    setup.session.program.tool_names["5"] = 7;
+    setup.session.program.tools[row_of_edge(7, 1)] = 4;
+    EXPECT_EQ(distance(call("\"5\""), setup), 4);
+  }
+}
+
 }  // namespace
 }  // namespace trc::support::tools_of_programs

@@ -84,5 +84,22 @@ TEST(Unfollowed, RotationAndMirrorEndEachForItself) {
   EXPECT_EQ(ends_open("G68 X0 Y0 R30.\nG0 X10. Y10.\nG69 G50.1 X0"), 900106);
 }
 
+// The axes of G50.1 and of a pole are no way to the contour, and a call of the machine has words of
+// its own: G41 would come out beside them, and the control compensate once more.
+TEST(Unfollowed, SelectionBesideWhatIsNoMotion) {
+  const auto code_of = [](DialectName dialect, const std::string& selection) {
+    const std::string end = "\nG1 Y40.\nG40 X-20. Y-20.\nM30\n";
+    const std::string begin = "G90 G17\nG0 X-20. Y-20. Z5.\nG1 Z-2. F300.\n";
+    return refusal_of(begin + selection + end, computing_setup(dialect, 5)).first;
+  };
+  for (const std::string beside : {"G50.1", "G100", "G65 P9100", "G66 P9100"}) {
+    EXPECT_EQ(code_of(fanuc, "G41 D1 G1 X0. Y-10. " + beside), 900003) << beside;
+    EXPECT_EQ(code_of(fanuc, beside + " G42 D1 X0. Y-10."), 900003) << beside;
+  }
+  EXPECT_EQ(code_of(fanuc, "G41 D1 G1 X0. Y-10. G50.2"), 0);
+  for (const std::string pole : {"G110", "G111", "G112"})
+    EXPECT_EQ(code_of(sinumerik, "G41 G1 X0 Y-10 " + pole), 900003) << pole;
+}
+
 }  // namespace
 }  // namespace trc::support

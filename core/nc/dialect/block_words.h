@@ -22,6 +22,12 @@ namespace trc {
   return is_whole(value) && value < first_named_tool;
 }
 
+// Where G41 or G42 stands in a line that is not read, outside of comments; npos: nowhere.
+[[nodiscard]] std::size_t place_of_side(std::string_view text);
+
+// "5" of T="5", where no tool of the table has that name: the tool of that number. 0: it is none.
+[[nodiscard]] std::int64_t number_of_tool_named(std::string_view name, const ToolInForce& tools);
+
 // CFIN of Sinumerik, among the numbers of the feed adaptation.
 inline constexpr int feed_at_inside = 1008;
 

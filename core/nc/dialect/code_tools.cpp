@@ -21,6 +21,8 @@ using enum GGroup;
 // Of Sinumerik: a tool that has no number, in place of one; beyond what T may say.
 constexpr std::int64_t unnamed_tool = first_named_tool - 1;
 
+std::string quoted(const std::string& name) { return '"' + name + '"'; }
+
 bool has_length_offset(const ProgramLine& line) {
   return std::ranges::any_of(line.words, [&](const WordRange& range) {
     const std::string_view word = line.word(range);
@@ -46,6 +48,15 @@ std::optional<std::int64_t> row_of_index(std::string_view name) {
 }
 
 }  // namespace
+
+// D-116
+std::int64_t number_of_tool_named(std::string_view name, const ToolInForce& tools) {
+  constexpr std::size_t most_digits = 9;
+  const bool is_number = !name.empty() && name.size() <= most_digits && name.front() != '0' &&
+                         std::ranges::all_of(name, is_digit);
+  if (!is_number || tools.tool_named(name) != no_tool_number) return 0;
+  return std::stoll(std::string(name));
+}
 
 bool Interpreter::check_what_may_be_skipped(const ProgramLine& line, const BlockWords& block) {
   const std::uint32_t skipped = block.to_skip ? line.source.line : 0;
@@ -252,7 +263,7 @@ bool Interpreter::take_only_spindle_tool() {
 bool Interpreter::refuse_second_edge(std::int64_t row) {
   const WordPlace& tool = code_.changes_by_m6 ? code_.spindle_tool_place : code_.next_tool_place;
   const std::int64_t number = tool_of_row(row);
-  const std::string called = !code_.tool_name.empty() ? code_.tool_name
+  const std::string called = !code_.tool_name.empty() ? quoted(code_.tool_name)
                              : number == unnamed_tool ? ""
                                                       : "T" + std::to_string(number);
   const bool another_tool = number != tool_of_row(*code_.only_register);
@@ -294,7 +305,7 @@ bool Interpreter::choose_tool_of_edge(ProgramLine& line, BlockWords& block) {
   if (table && number == no_tool_number) return unknown(name_not_in_table(code_.tool_name));
   const bool is_plain = edge == 1 && code_.tool_name.empty();
   const std::string called =
-      code_.tool_name.empty() ? "T" + std::to_string(number) : code_.tool_name;
+      code_.tool_name.empty() ? "T" + std::to_string(number) : quoted(code_.tool_name);
   if (table && !is_plain && !state_.tool().has_tool(row))
     return refuse_at(edge == 1 ? tool : code_.edge_place, Code::tool_unknown,
                      "D" + std::to_string(edge) + " of " + called);
@@ -307,7 +318,7 @@ bool Interpreter::choose_tool_of_edge(ProgramLine& line, BlockWords& block) {
   if (number == no_tool_number) {
     // The radius of the setup stands for the one tool that the program selects with.
     if (code_.only_tool_name.empty()) code_.only_tool_name = code_.tool_name;
-    if (code_.only_tool_name != code_.tool_name) return unknown(code_.tool_name);
+    if (code_.only_tool_name != code_.tool_name) return unknown(quoted(code_.tool_name));
   }
   const bool numbered = number > 0;
   if (numbered || has_one_radius())
@@ -321,7 +332,7 @@ std::string Interpreter::name_not_in_table(const std::string& name) const {
   std::vector<std::string> names;
   for (const auto& [known, tool] : state_.setup().tool_names) names.push_back(known);
   const auto meant = likely_meant(in_upper_case(name), names);
-  return meant ? name + ", the table has " + *meant : name;
+  return quoted(name) + (meant ? ", the table has " + quoted(*meant) : "");
 }
 
 // $TC_DP6[1,1]=5: the radius of edge 1 of tool 1; $TC_DP15 is its wear (D-75).

@@ -253,6 +253,11 @@ bool Interpreter::copy_code_block(ProgramLine& line, BlockWords& block) {
                                   .detail = found.code == Code::nc_unsupported
                                                 ? found.meaning.append(" while TRC is active")
                                                 : found.meaning});
+  // G41 would come out, and the control compensate once more.
+  if (block.copied && selects_here)
+    return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                  .begin = block.of(side).begin,
+                                  .detail = "TRC beside axis words that are no positions"});
   if (!block.copied) return true;
   const PlaneAxes axes = axes_of(state_.mode().plane);
   const bool says_place = block.has(axis_technology) || block.has(frame) || block.has(dwell) ||

@@ -73,6 +73,24 @@ std::optional<std::size_t> begin_of_statement(ProgramLine& line, bool& to_skip) 
   return {};
 }
 
+// Z+50 R0 FMAX M3 of older programs: a line along one axis, without L (D-115).
+bool moves_along_one_axis(std::string_view statement) {
+  std::size_t axes = 0;
+  for (std::size_t begin = 0; begin < statement.size();) {
+    const std::size_t end = std::min(statement.find(' ', begin), statement.size());
+    std::string_view word = statement.substr(begin, end - begin);
+    begin = end + 1;
+    if (word == "R+" || word == "R-" || word == "RL" || word == "RR") return false;
+    if (word.starts_with('I')) word.remove_prefix(1);
+    constexpr std::string_view names = "XYZABCUVW";
+    const bool is_axis = word.size() > 1 && names.find(word.front()) != std::string_view::npos &&
+                         std::string_view("+-0123456789.Q").find(word[1]) != std::string_view::npos;
+    if (axes == 0 && !is_axis) return false;
+    axes += is_axis ? 1 : 0;
+  }
+  return axes == 1;
+}
+
 // X+Q1 and XQ1 as a word with the number that the program has given the parameter (D-85). A feed
 // is passed on as it stands.
 std::optional<KlartextWord> with_value(const KlartextWord& word, std::string_view text,
@@ -158,9 +176,13 @@ bool Interpreter::read_klartext(ProgramLine& line) {
                          (is_digit(statement[1]) || statement[1] == ' ');
   if (begins_with_word(statement, "TOOL CALL"))
     code_.skipped_tool = block.to_skip ? line.source.line : 0;
-  if ((motion == motions.end() || axis_alone) && !functions)
+  const bool along_one_axis =
+      !contour_open() && (motion == motions.end() || axis_alone) && moves_along_one_axis(statement);
+  if ((motion == motions.end() || axis_alone) && !functions && !along_one_axis)
     return read_klartext_statement(line, at);
-  if (!functions) {
+  if (along_one_axis) {
+    block.statement = KlartextStatement::straight;
+  } else if (!functions) {
     block.statement = motion->statement;
     block.name = motion->name;
   }

@@ -34,7 +34,17 @@ void sum_up_words(ProgramLine& line) {
   }
 }
 
-// Where G41 or G42 stands in a line that is not read, outside of comments; npos: nowhere.
+// 1-based, of the first I, J, K or R of a plain motion; 0: none.
+std::uint32_t column_of_center(const ProgramLine& line) {
+  for (const WordRange& word : line.words)
+    if (word.role == WordRole::coordinate &&
+        center_letters.find(upper(line.text[word.begin])) != std::string_view::npos)
+      return word.begin + 1;
+  return 0;
+}
+
+}  // namespace
+
 std::size_t place_of_side(std::string_view text) {
   std::size_t depth = 0;
   for (std::size_t at = 0; at < text.size(); ++at) {
@@ -50,17 +60,6 @@ std::size_t place_of_side(std::string_view text) {
   }
   return std::string_view::npos;
 }
-
-// 1-based, of the first I, J, K or R of a plain motion; 0: none.
-std::uint32_t column_of_center(const ProgramLine& line) {
-  for (const WordRange& word : line.words)
-    if (word.role == WordRole::coordinate &&
-        center_letters.find(upper(line.text[word.begin])) != std::string_view::npos)
-      return word.begin + 1;
-  return 0;
-}
-
-}  // namespace
 
 Interpreter::Interpreter(const ReaderLimits& limits, ProgramState& state, Diagnostics& diagnostics)
     : limits_(limits),

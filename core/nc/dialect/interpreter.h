@@ -271,6 +271,7 @@ class Interpreter {
   bool enter_label_behind_end(const ProgramLine& line);
   bool read_label(ProgramLine& line, std::size_t begin, std::string_view statement);
   bool take_tool_of_label(const ProgramLine& line, std::size_t begin);
+  bool copy_jump(ProgramLine& line, std::size_t begin, std::string_view statement);
   bool call_label(ProgramLine& line, std::size_t begin, std::string_view statement);
   void enter_section(const std::string& label);
   bool take_labels_of_cycle(const ProgramLine& line, std::size_t begin, std::string_view statement);

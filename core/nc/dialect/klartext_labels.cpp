@@ -83,6 +83,23 @@ bool Interpreter::read_label(ProgramLine& line, std::size_t begin, std::string_v
   if (klartext_.called_section != 0 && trc_active())
     return refuse_klartext(line, begin, "LBL, which is called, while TRC is active");
   if (label != "0") hand_on_klartext_pole(line);
+  if (klartext_.jump != 0) forget_klartext_position(line);
+  return copy_klartext(line, begin, WordRole::technology);
+}
+
+// FN 9 … FN 12, IF: the program goes on elsewhere, so that neither what stands in front of the jump
+// nor what stands behind it may be a contour (D-114).
+bool Interpreter::copy_jump(ProgramLine& line, std::size_t begin, std::string_view statement) {
+  if (klartext_.contours > 0) {
+    const std::size_t behind_name = statement.find_first_of(": ", statement.find(' ') + 1);
+    return refuse_klartext(line, begin,
+                           std::string(statement.substr(0, behind_name)) + ", a jump to a label");
+  }
+  if (klartext_.jump == 0) klartext_.jump = line.source.line;
+  klartext_.parameters.clear();
+  klartext_.pole.reset();
+  klartext_.polar_radius.reset();
+  forget_klartext_position(line);
   return copy_klartext(line, begin, WordRole::technology);
 }
 

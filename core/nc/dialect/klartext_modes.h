@@ -58,6 +58,7 @@ struct KlartextModes {
   std::map<std::string, std::uint32_t> calls_behind_tool{};
   std::map<std::string, std::uint32_t> calls_of_contours{};
   std::uint32_t tool_of_label = 0;  // the line of a call that has changed the tool
+  std::uint32_t jump = 0;           // the line of the first jump to a label
   // Labels whose contours cycle 14 or CONTOUR DEF names, with the line that does, and that line
   // while one of them is read.
   std::map<std::string, std::uint32_t> labels_of_cycles{};
@@ -69,7 +70,7 @@ struct KlartextModes {
     archive(pole, polar_radius, tangent, rapid, called_feed, feed_per_turn, modal_cycle, unfollowed,
             tool, radius_delta, open_delta, parameters, tool_name, tool_place, only_tool_name,
             contours, labels, calls, called_section, open_labels, calls_behind_tool,
-            calls_of_contours, tool_of_label, labels_of_cycles, cycle_section, pole_across,
+            calls_of_contours, tool_of_label, jump, labels_of_cycles, cycle_section, pole_across,
             open_corner);
   }
 };

@@ -19,7 +19,6 @@ using Kind = KlartextWord::Kind;
 // Statements that neither move an axis nor change what coordinates mean.
 constexpr auto passing = std::to_array<std::string_view>({"BLK",
                                                           "STOP",
-                                                          "TCH",
                                                           "OPEN",
                                                           "SEL",
                                                           "POLARKIN",
@@ -41,25 +40,26 @@ constexpr auto passing = std::to_array<std::string_view>({"BLK",
 
 // Statements behind which the axes stand where only the control knows.
 constexpr auto moving = std::to_array<std::string_view>(
-    {"CYCL CALL", "CALL", "PGM", "PLANE", "TRANS",   "FUNCTION", "LN",       "FL",
-     "FLT",       "FC",   "FCT", "FPOL",  "FSELECT", "SPL",      "SPC",      "PATTERN",
-     "CONTOUR",   "X",    "Y",   "Z",     "A",       "B",        "C",        "U",
-     "V",         "W",    "IX",  "IY",    "IZ",      "G",        "TCHPROBE", "PRESET"});
+    {"CYCL CALL", "CALL", "PGM",  "PLANE",    "TRANS",  "FUNCTION", "LN",      "FL",      "FLT",
+     "FC",        "FCT",  "FPOL", "FSELECT",  "SPL",    "SPC",      "PATTERN", "CONTOUR", "X",
+     "Y",         "Z",    "A",    "B",        "C",      "U",        "V",       "W",       "IX",
+     "IY",        "IZ",   "G",    "TCHPROBE", "PRESET", "TCH"});
 
 // Blocks of contours that are not followed: lines in space, free contours, splines.
 constexpr auto contour_blocks =
     std::to_array<std::string_view>({"LN", "FL", "FLT", "FC", "FCT", "FPOL", "SPL", "SPC"});
 
-// Cycles that change what coordinates mean as soon as they are defined.
-constexpr auto frame_cycles = std::to_array<std::string_view>(
-    {"7", "8", "10", "11", "12", "19", "26", "247", "7.", "8.", "10.", "11.", "12.", "19.", "26."});
+// Cycles that change what coordinates mean, or move, as soon as they are defined: patterns run the
+// cycle that is defined last (D-115).
+constexpr auto cycles_at_once = std::to_array<std::string_view>(
+    {"7", "8", "10", "11", "12", "19", "26", "220", "221", "224", "239", "247"});
 
-bool defines_frame(std::string_view statement) {
+bool acts_at_once(std::string_view statement) {
   constexpr std::string_view head = "CYCL DEF ";
   if (!statement.starts_with(head)) return false;
   std::string_view number = statement.substr(head.size());
   number = number.substr(0, std::min(number.find_first_not_of("0123456789"), number.size()));
-  return std::ranges::find(frame_cycles, number) != frame_cycles.end();
+  return std::ranges::find(cycles_at_once, number) != cycles_at_once.end();
 }
 
 bool is_any(std::string_view statement, std::span<const std::string_view> words) {
@@ -296,10 +296,7 @@ bool Interpreter::read_klartext_statement(ProgramLine& line, std::size_t begin) 
   }
   if (begins_with_word(statement, "LBL") || begins_with_word(statement, "CALL LBL"))
     return read_label(line, begin, statement);
-  if (jumps(statement))
-    return refuse_klartext(line, begin,
-                           statement.substr(0, statement.find_first_of(": ", first.size() + 1)) +
-                               ", a jump to a label");
+  if (jumps(statement)) return copy_jump(line, begin, statement);
   if (writes_radius(statement)) {
     if (trc_active())
       return refuse_klartext(line, begin, "FN 17, which writes the radius of a tool");
@@ -314,7 +311,7 @@ bool Interpreter::read_klartext_statement(ProgramLine& line, std::size_t begin) 
   take_klartext_scaling(statement);
   if (!take_labels_of_cycle(line, begin, statement)) return false;
   if (!check_other_compensations(line, begin, statement)) return false;
-  if (defines_frame(statement) || (is_any(statement, moving) && !is_any(statement, passing)))
+  if (acts_at_once(statement) || (is_any(statement, moving) && !is_any(statement, passing)))
     return copy_motion_of_machine(line, begin, statement);
   if (is_any(statement, passing) || state_.setup().copies_unknown_words ||
       passes_word(state_.setup(), line.text, begin))

@@ -143,6 +143,10 @@ bool Interpreter::read_tool_call(ProgramLine& line, std::size_t begin, std::stri
   if (call.named) {
     modes.calls_behind_tool.clear();
     modes.tool_of_label = 0;
+    if (const std::int64_t number = number_of_tool_named(call.name, state_.tool()); number > 0) {
+      call.number = number;
+      call.name.clear();
+    }
     modes.tool_name = call.name;
     modes.tool_place = place_of_word(line, static_cast<std::uint32_t>(begin));
     modes.tool = call.name.empty() ? call.number : state_.tool().tool_named(call.name);
@@ -296,6 +300,10 @@ bool Interpreter::select_in_klartext(const ProgramLine& line, Side side, std::si
     return refuse_klartext(line, begin,
                            "RL, RR with the tool of the section that line " +
                                std::to_string(klartext_.tool_of_label) + " calls");
+  if (klartext_.jump != 0)
+    return refuse_klartext(
+        line, begin,
+        "RL, RR behind line " + std::to_string(klartext_.jump) + ", a jump to a label");
   klartext_.calls_of_contours.merge(klartext_.calls_behind_tool);
   if (!trc_active()) {
     ++klartext_.contours;

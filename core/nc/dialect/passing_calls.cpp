@@ -238,6 +238,10 @@ bool Interpreter::read_call_of_machine(ProgramLine& line, BlockWords& block) {
                                   .detail = std::string(call) +
                                             ", a call of what only the machine has while TRC is "
                                             "active"});
+  if (const std::size_t place = place_of_side(text); place != std::string_view::npos)
+    return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                  .begin = static_cast<std::uint32_t>(place),
+                                  .detail = "TRC in a line that calls what only the machine has"});
   line.words.push_back({.begin = static_cast<std::uint32_t>(begin),
                         .end = static_cast<std::uint32_t>(begin + call.size()),
                         .role = WordRole::technology});

@@ -114,9 +114,15 @@ bool Interpreter::read_named_address(const NamedWord& word, ProgramLine& line, B
 bool Interpreter::read_tool_name(const NamedWord& word, ProgramLine& line, BlockWords& block) {
   if (word.letter != 'T') return refuse_code(line, as_code(word), Code::nc_syntax, "a text");
   if (block.tool_number) return refuse_code(line, as_code(word), Code::nc_word_twice);
-  code_.tool_name = word.name;
-  block.tool_number = {.value = -1, .begin = word.begin};
-  block.named_tool = state_.tool().tool_named(word.name);
+  const std::int64_t number = number_of_tool_named(word.name, state_.tool());
+  if (number > 0) {
+    code_.tool_name.clear();
+    block.tool_number = {.value = static_cast<double>(number), .begin = word.begin};
+  } else {
+    code_.tool_name = word.name;
+    block.tool_number = {.value = -1, .begin = word.begin};
+    block.named_tool = state_.tool().tool_named(word.name);
+  }
   add(line, word, WordRole::technology);
   return true;
 }

@@ -1,0 +1,71 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/programs/computing.h"
+
+// Klartext outside of contours: jumps, lines along one axis, cycles that move as soon as they are
+// defined.
+
+namespace trc::support {
+namespace {
+
+int code_of(const std::string& text) {
+  return refusal_of("BEGIN PGM A MM\nTOOL CALL 5 Z S5000\n" + text + "END PGM A MM\n",
+                    computing_setup(DialectName::heidenhain, 5))
+      .first;
+}
+
+std::string text_of(const std::string& text) {
+  return run_computing(text, computing_setup(DialectName::heidenhain, 5), Output::nc_text).text;
+}
+
+const std::string contour = "L X+0 Y-10 RL F200\nL Y+40\nL X-20 R0\n";
+const std::string loop =
+    "FN 0: Q1 = +0\nLBL 1\nL X+Q1 Y+0 R0 FMAX M3\nFN 1: Q1 = +Q1 + +10\n"
+    "FN 12: IF +Q1 LT +50 GOTO LBL 1\nL Z+50 R0 FMAX\nM30\n";
+
+TEST(KlartextOff, JumpsComeOutAsTheyStand) {
+  const std::string program = "BEGIN PGM A MM\n" + loop + "END PGM A MM\n";
+  EXPECT_EQ(text_of(program), program);
+}
+
+// A contour in front of a jump may run again, and one behind it begin where nobody knows (D-114).
+TEST(KlartextOff, NoContourStandsBesideAJump) {
+  const std::string start = "L X-20 Y-20 R0 FMAX\n";
+  EXPECT_EQ(code_of(start + contour), 0);
+  EXPECT_EQ(code_of(start + contour + loop), 900003);
+  EXPECT_EQ(code_of("FN 9: IF +Q1 EQU +0 GOTO LBL 1\nLBL 1\n" + start + contour), 900003);
+  EXPECT_EQ(code_of("FN 9: IF +Q1 EQU +0 GOTO LBL 1\nL X+0 Y+0\nCC X+5 Y+0\nLBL 1\nC X+10 Y+0 "
+                    "DR+\n"),
+            900106);
+}
+
+TEST(KlartextOff, LinesAlongOneAxis) {
+  EXPECT_EQ(code_of("X-20 R0 FMAX\nY-20 R0 FMAX M3\nZ-5 R0 F100\n" + contour), 0);
+  EXPECT_EQ(code_of("L X-20 Y-20 R0 FMAX\nZ-5\nIX+1\nC+90 R0 FMAX\n" + contour), 0);
+  EXPECT_EQ(code_of("L X-20 Y-20 R0 FMAX\nX+5 R+\n" + contour), 900003);
+  EXPECT_EQ(code_of("L X-20 Y-20 R0 FMAX\nX+5 M91\n" + contour), 900106);
+  EXPECT_EQ(code_of("L X-20 Y-20 R0 FMAX\n/ X+5\n" + contour), 900106);
+  EXPECT_EQ(code_of("L X-20 Y-20 R0 FMAX\nX+Q9\n" + contour), 900106);
+  EXPECT_EQ(code_of("L X-20 Y-20 R0 FMAX\nL X+0 Y-10 RL F200\nZ-5\nL Y+40\nL X-20 R0\n"), 900003);
+}
+
+TEST(KlartextOff, CyclesThatMoveAtOnce) {
+  for (const std::string moving :
+       {"TCH PROBE 0.0 REF. PLANE Q5 X-\nTCH PROBE 0.1 X+5 Y+0 Z-5\n",
+        "TCH PROBE 413 DATUM OUTSIDE CIRCLE ~\n  Q321=+50 ;CENTRE ~\n  Q322=+50 ;CENTRE\n",
+        "CYCL DEF 220 POLAR PATTERN Q216=+50 Q217=+50\n", "CYCL DEF 221 CARTESIAN PATTERN Q225=5\n",
+        "CYCL DEF 224 DATAMATRIX CODE PATTERN Q458=0\n"}) {
+    EXPECT_EQ(code_of("L X-20 Y-20 R0 FMAX\n" + moving + contour), 900106) << moving;
+    EXPECT_EQ(code_of("L X-20 Y-20 R0 FMAX\n" + moving + "L X-20 Y-20 R0 FMAX\n" + contour), 0)
+        << moving;
+    EXPECT_EQ(code_of("L X-20 Y-20 R0 FMAX\nL X+0 Y-10 RL F200\n" + moving + "L Y+40\nL X-20 R0\n"),
+              900003)
+        << moving;
+  }
+  EXPECT_EQ(code_of("L X-20 Y-20 R0 FMAX\nCYCL DEF 200 DRILLING Q200=2\n" + contour), 0);
+}
+
+}  // namespace
+}  // namespace trc::support
