@@ -101,5 +101,23 @@ TEST(Unfollowed, SelectionBesideWhatIsNoMotion) {
     EXPECT_EQ(code_of(sinumerik, "G41 G1 X0 Y-10 " + pole), 900003) << pole;
 }
 
+// PathPilot heads its programs with G50; Mach goes to the reference point with G28.1, where grbl
+// stores one: behind both the axes that are named stand where only the control knows.
+TEST(Unfollowed, WordsOfControlsOfTheSameFamilyComeOutAsTheyStand) {
+  const auto text_of = [](DialectName dialect, const std::string& text) {
+    return run_computing(text, computing_setup(dialect, 5), Output::nc_text).text;
+  };
+  const std::string head = "G17 G90 G40 G49 G50 G80\nG0 X1 Y2\nM2\n";
+  EXPECT_EQ(text_of(linuxcnc, head), head);
+  const std::string contour = "G41 D1 G1 X0. Y0. F500.\nY40.\nG40 X-20. Y-20.\nM30\n";
+  for (const std::string reference : {"G28.1 X0. Y0.", "G30.1 X0. Y0."}) {
+    const std::string text = "G90 G17\nG0 X-20. Y-20.\n" + reference + "\n";
+    EXPECT_EQ(text_of(fanuc, text + "M30\n"), text + "M30\n");
+    EXPECT_NE(refusal_of(text + contour, computing_setup(fanuc, 5)).first, 0) << reference;
+    EXPECT_EQ(refusal_of(text + "G0 X-20. Y-20.\n" + contour, computing_setup(fanuc, 5)).first, 0)
+        << reference;
+  }
+}
+
 }  // namespace
 }  // namespace trc::support

@@ -48,6 +48,7 @@ constexpr auto functions = std::to_array<GFunction>({
     {43, axis_technology, "tool offset given by axis words", false, 1},
     {43, axis_technology, "further tool offset", false, 2},
     {49, technology, "no tool length offset", true},
+    {50, technology, "no scaling", true},
     {52, frame, "local coordinate system"},
     {53, single_move, "motion in machine coordinates"},
     {54, zero_shift, "work coordinate system", true},
