@@ -431,7 +431,8 @@ class Peers(unittest.TestCase):
                 # One more of the same address is closed, and the log says why.
                 with server.connect() as connection:
                     self.assertEqual(connection.recv(1), b"")
-                self.assertRegex(server.said(), '"connection_closed".*"http_connections_of_peer"')
+                closed = '"connection_closed".*"http_connections_of_peer"'
+                self.assertRegex(server.said_soon(closed), closed)
                 self.assertEqual(status_of(self.from_another(server, self.INFO)), 200)
             finally:
                 for connection, _ in held:

@@ -108,9 +108,14 @@ class Programs(unittest.TestCase):
         blocks = int(json.loads(lines.splitlines()[-1])["summary"]["blocksOut"])
         self.assertGreater(blocks, 5)
         self.server.ask("POST", "/v1/programs:compensate?tool_radius=5", SQUARE, TEXT)
-        time.sleep(0.5)  # until the log is written
-        calls = [json.loads(line) for line in self.server.said().splitlines()]
-        counted = [call["blocks_out"] for call in calls if call.get("method") == "CompensateProgram"]
+        counted = []
+        for _ in range(400):  # lines are written behind the answers
+            calls = [json.loads(line) for line in self.server.said().splitlines()]
+            counted = [call["blocks_out"] for call in calls
+                       if call.get("method") == "CompensateProgram"]
+            if counted[-2:] == [blocks, blocks]:
+                break
+            time.sleep(0.05)
         self.assertEqual(counted[-2:], [blocks, blocks])
 
     def test_curl_gets_the_text_of_the_command_line(self):

@@ -99,8 +99,18 @@ class Server:
         self.log.close()
 
     def said(self):
-        self.log.seek(0)
-        return self.log.read().decode()
+        """The lines it has logged so far, read without a move of where it writes."""
+        descriptor = self.log.fileno()
+        logged = os.pread(descriptor, os.fstat(descriptor).st_size, 0).decode()
+        return logged[:logged.rfind("\n") + 1]
+
+    def said_soon(self, pattern):
+        """The log, once it has that line: lines are written behind the answers."""
+        for _ in range(400):
+            if re.search(pattern, self.said()):
+                break
+            time.sleep(0.05)
+        return self.said()
 
     def resident_mib(self):
         with open(f"/proc/{self.process.pid}/status", encoding="ascii") as status:
