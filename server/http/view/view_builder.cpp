@@ -49,9 +49,14 @@ bool ViewBuilder::account() {
   constexpr std::size_t output_bytes = 64;
   const std::size_t bytes = contour_->bytes() + path_.bytes() + output_bytes * path_.size() +
                             replaced_.capacity() * sizeof(std::uint32_t);
-  while (has_memory() && bytes > share_.bytes())
+  while (has_memory_ && bytes > share_.bytes())
     if (!share_.take(bytes - share_.bytes())) has_memory_ = make_room_();
-  return has_memory();
+  return has_memory_;
+}
+
+bool ViewBuilder::has_memory() const {
+  const std::lock_guard lock(mutex_);
+  return has_memory_;
 }
 
 void ViewBuilder::find_lines(std::uint64_t count) {
@@ -74,10 +79,12 @@ void ViewBuilder::read_contour() {
 }
 
 void ViewBuilder::take_contour(std::span<const Block> blocks) {
+  const std::lock_guard lock(mutex_);
   if (account()) contour_->take(blocks);
 }
 
 void ViewBuilder::take_path(std::span<const CompensatedBlock> blocks) {
+  const std::lock_guard lock(mutex_);
   if (blocks.empty() || !account()) return;
   const auto [first, last] = std::ranges::minmax_element(
       blocks, {}, [](const CompensatedBlock& block) { return block.source.index; });
@@ -123,6 +130,7 @@ void ViewBuilder::add(const v1::Diagnostic& diagnostic) {
 }
 
 std::shared_ptr<View> ViewBuilder::finish(std::string id) {
+  const std::lock_guard lock(mutex_);
   if (said_.refused()) read_contour();
   find_lines(std::numeric_limits<std::uint64_t>::max());
   if (!account()) return nullptr;

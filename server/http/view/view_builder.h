@@ -1,9 +1,9 @@
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
@@ -42,7 +42,7 @@ class ViewBuilder final : public RunTap {
   void take_contour(std::span<const Block> blocks) override;
   void take_path(std::span<const CompensatedBlock> blocks) override;
   // Without it nothing more is taken.
-  [[nodiscard]] bool has_memory() const { return has_memory_.load(std::memory_order_relaxed); }
+  [[nodiscard]] bool has_memory() const;
 
   void add(const v1::Diagnostic& diagnostic);
   void set_summary(const v1::ProgramSummary& summary) { *said_.mutable_summary() = summary; }
@@ -53,6 +53,9 @@ class ViewBuilder final : public RunTap {
   [[nodiscard]] std::shared_ptr<View> finish(std::string id);
 
  private:
+  // The stream's thread puts contour and path in, another one takes the view out.
+  mutable std::mutex mutex_;
+
   // So many lines, as far as there are.
   void find_lines(std::uint64_t count);
   void read_contour();
@@ -66,7 +69,7 @@ class ViewBuilder final : public RunTap {
   wire::ProgramSettings settings_;
   Share share_;
   std::function<bool()> make_room_;
-  std::atomic<bool> has_memory_ = true;
+  bool has_memory_ = true;
   v1::View said_;
   std::vector<Diagnostic> masked_;  // as far as the picture needs them
   // Source::index of contour blocks that have another one in their place, as the sides of a notch
