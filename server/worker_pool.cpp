@@ -1,5 +1,7 @@
 #include "server/worker_pool.h"
 
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <chrono>
 #include <ctime>
@@ -32,8 +34,9 @@ constexpr std::chrono::milliseconds share_of_time{5};
 
 }  // namespace
 
-WorkerPool::WorkerPool(unsigned places)
-    : places_(places > 0 ? places : std::max(1U, std::thread::hardware_concurrency())) {
+WorkerPool::WorkerPool(unsigned places, Priority priority)
+    : places_(places > 0 ? places : std::max(1U, std::thread::hardware_concurrency())),
+      priority_(priority) {
   // No thread is lost for want of a place to note it down.
   threads_.reserve(2 * places_ + TurnQueue::most_standing);
   try {
@@ -125,6 +128,10 @@ std::uint64_t WorkerPool::threads_missed() const {
 }
 
 void WorkerPool::run() {
+  // Of this thread alone, on Linux. Where it is refused work takes what it would have taken.
+  constexpr int low_priority = 10;
+  if (priority_ == Priority::low && getpriority(PRIO_PROCESS, 0) < low_priority)
+    (void)setpriority(PRIO_PROCESS, 0, low_priority);
   std::unique_lock lock(mutex_);
   while (true) {
     ++idle_;

@@ -26,9 +26,13 @@ class WorkerPool {
   using Group = TurnQueue::Group;
   using Job = TurnQueue::Job;
 
+  enum class Priority {
+    usual,
+    low,  // leaves the cores to others: a tenth of one is left where somebody wants them all
+  };
   // How many turns go on at once: 0 stands for one per core. Throws std::system_error when the
   // threads cannot be made.
-  explicit WorkerPool(unsigned places);
+  explicit WorkerPool(unsigned places, Priority priority = Priority::usual);
   // Gives the waiting jobs their turn, then joins the threads.
   ~WorkerPool();
   WorkerPool(const WorkerPool&) = delete;
@@ -42,7 +46,8 @@ class WorkerPool {
   // To be called again and again in a turn that may take long. Once it has computed for
   // some milliseconds and others wait, the turn goes to the back of the queue: it stands still, and
   // another thread takes its place; when none can be made for it, another turn that stands still
-  // goes on, or this one. Does nothing in a thread that is not of the pool.
+  // goes on, or this one. Does nothing in a thread that is of no pool; not to be called in one of
+  // another pool.
   void give_way();
 
   [[nodiscard]] std::size_t queue_depth() const;
@@ -65,6 +70,7 @@ class WorkerPool {
   Group others_;
   TurnQueue queue_;
   const std::size_t places_;
+  const Priority priority_;
   std::size_t taken_ = 0;  // places
   std::size_t idle_ = 0;   // threads
   std::uint64_t threads_missed_ = 0;

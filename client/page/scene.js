@@ -36,6 +36,7 @@ const tilePixels = 512;
 // Of all tiles that are seen together: lines, and the band that reaches in from beside the picture.
 const mostSegments = 40_000, mostOfBand = 10_000, mostOfTile = 8192;
 const mostTiles = 160;
+const longestWithout = 100;  // ms
 
 export class Tiles {
   constructor(view, changed) {
@@ -122,7 +123,7 @@ export class Tiles {
         this.loaded.delete(oldest);
       }
       this.asked.delete(key);
-      this.changed();
+      this.has(key);
     } catch (error) {
       this.asked.delete(key);
       if (error.name === 'AbortError') return;
@@ -131,10 +132,18 @@ export class Tiles {
     }
   }
 
+  // The tiles of a picture come at nearly the same time: each picture drawn in between holds the last
+  // one up. Where they do not, what is there by then is shown.
+  has(key) {
+    if (this.complete) return this.changed();
+    if (this.wanted.has(key)) this.later ??= setTimeout(() => { this.later = null; this.changed(); }, longestWithout);
+  }
+
   get complete() { return this.asked.size === 0; }
 
   release() {
     this.settle();
+    clearTimeout(this.later);
     for (const abort of this.asked.values()) abort.abort();
     for (const tile of this.loaded.values()) tile.release?.();
     this.loaded.clear();

@@ -33,7 +33,7 @@ void main() {
   span = distance(a, b);
   vec2 along = span > 0.0 ? (b - a) / span : vec2(1.0, 0.0);
   radius = band > 0.0 ? tool * band : widths[style] * (is_marked ? 2.4 : 1.0) * 0.5;
-  float reach = radius + 1.0, below = -reach, above = reach;
+  float reach = radius + 0.5, below = -reach, above = reach;
   half_sweep = tool_and_sweep.y / 2.0;
   center = vec2(0.0);
   bend = 0.0;

@@ -338,6 +338,11 @@ void Api::compute(std::function<void()> work) {
   backend_.pool.submit(*new Task(*this, std::move(work)));
 }
 
+void Api::compute_in_background(std::function<void()> work) {
+  begin();
+  background_.submit(*new Task(*this, std::move(work)));
+}
+
 void Api::begin() {
   const std::lock_guard lock(mutex_);
   ++on_their_way_;

@@ -19,6 +19,7 @@
 #include "server/http/rpc_call.h"
 #include "server/http/service.h"
 #include "server/http/view/store.h"
+#include "server/worker_pool.h"
 
 namespace trc::server::http {
 
@@ -84,6 +85,9 @@ class Api final : public Service {
   [[nodiscard]] bool stopping();
   // Has something computed by a worker.
   void compute(std::function<void()> work);
+  // The same for what nobody waits for: behind all others. Gives way to `background` alone.
+  void compute_in_background(std::function<void()> work);
+  [[nodiscard]] WorkerPool& background() { return background_; }
 
   // While one lives, `stop` waits.
   class Stay {
@@ -119,6 +123,9 @@ class Api final : public Service {
   std::size_t on_their_way_ = 0;  // calls, tasks and who stays
   std::list<std::weak_ptr<RpcCall>> calls_;
   bool stopping_ = false;
+
+  // Ends before all that its work needs.
+  WorkerPool background_{1, WorkerPool::Priority::low};
 };
 
 }  // namespace trc::server::http

@@ -13,6 +13,7 @@
 #include "server/http/settings.h"
 #include "server/http/view/store.h"
 #include "server/http/view/view_builder.h"
+#include "server/http/view/view_tap.h"
 #include "server/rpc/setup.h"
 
 namespace trc::server::http {
@@ -35,8 +36,11 @@ v1::Problem no_view() {
 // is looked at all the more.
 class ViewFormat final : public Format, public std::enable_shared_from_this<ViewFormat> {
  public:
-  ViewFormat(Api& api, std::shared_ptr<ViewBuilder> builder)
-      : api_(api), builder_(std::move(builder)) {}
+  ViewFormat(Api& api, std::shared_ptr<ViewBuilder> builder, std::shared_ptr<ViewTap> tap)
+      : api_(api), builder_(std::move(builder)), tap_(std::move(tap)) {}
+  ~ViewFormat() override { tap_->close(); }
+  ViewFormat(const ViewFormat&) = delete;
+  ViewFormat& operator=(const ViewFormat&) = delete;
 
   [[nodiscard]] Head head() const override {
     return {.status = said_.empty() ? 503U : 201U,
@@ -76,6 +80,7 @@ class ViewFormat final : public Format, public std::enable_shared_from_this<View
 
  private:
   void make() {
+    tap_->finish();
     const auto view = builder_->finish(ViewStore::new_id());
     if (view == nullptr) return;
     api_.views().add(view);
@@ -84,6 +89,7 @@ class ViewFormat final : public Format, public std::enable_shared_from_this<View
 
   Api& api_;
   std::shared_ptr<ViewBuilder> builder_;
+  std::shared_ptr<ViewTap> tap_;
   v1::CompensateProgramResponse answer_;
   std::string said_;
 };
@@ -125,11 +131,11 @@ void answer_of_view(Api& api, const ExchangePointer& exchange, const Make& make)
 void make_output_of(Api& api, const std::shared_ptr<View>& view) {
   if (view->said().refused() || !view->begin_output()) return;
   struct Abandoned {};
-  api.compute([&api, view] {
+  api.compute_in_background([&api, view] {
     try {
       view->make_output([&] {
         if (view->is_given_up() || api.stopping()) throw Abandoned{};
-        api.backend().pool.give_way();
+        api.background().give_way();
       });
     } catch (const Abandoned&) {
     }
@@ -167,11 +173,15 @@ void start_view(Api& api, const ExchangePointer& exchange, AskedView& asked) {
   auto builder = std::make_shared<ViewBuilder>(std::move(asked.program), api.memory(),
                                                [&api] { return api.views().give_up_one(); });
   if (asked.measured_later) builder->measure_later();
-  const std::string tap = ViewStore::new_id();
-  api.backend().run_taps.add(tap, builder);
-  Run::start(api, exchange, {.method = compensate_program_rpc, .run_tap = tap},
+  auto tap = std::make_shared<ViewTap>(
+      builder,
+      ViewTap::Help{.compute = [&api](std::function<void()> work) { api.compute(std::move(work)); },
+                    .pass = [&api] { api.backend().pool.give_way(); }});
+  const std::string name = ViewStore::new_id();
+  api.backend().run_taps.add(name, tap);
+  Run::start(api, exchange, {.method = compensate_program_rpc, .run_tap = name},
              std::make_unique<ProgramQuestions>(asked.setup, text, api.most_message_bytes()),
-             std::make_shared<ViewFormat>(api, std::move(builder)));
+             std::make_shared<ViewFormat>(api, std::move(builder), std::move(tap)));
 }
 
 // Takes from the query which plane is shown; false: it is none.

@@ -39,12 +39,12 @@ class Outbox {
   // Valid until the content changes or the next one is taken.
   [[nodiscard]] Slice take(wire::Layout layout, std::size_t most_bytes);
 
-  // Takes all blocks at once, which leave by another way than the slices.
+  // Takes all blocks at once, which leave by another way than the slices: `give` may keep them.
   template <class Give>
   void take_blocks(Give give) {
     for (Answer& part : answers_.parts()) {
-      give(std::span<const CompensatedBlock>(part.blocks));
       blocks_taken_ += part.blocks.size();
+      give(part.blocks);
       part.blocks.clear();
     }
     forget_taken_parts();

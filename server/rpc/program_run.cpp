@@ -91,7 +91,7 @@ bool ProgramRun::execute() {
 void ProgramRun::give_to_tap() {
   if (!stream_.run_tap) return;
   responses_.outbox().take_blocks(
-      [&](std::span<const CompensatedBlock> blocks) { stream_.run_tap->take_path(blocks); });
+      [&](std::vector<CompensatedBlock>& blocks) { stream_.run_tap->take_path(blocks); });
 }
 
 void ProgramRun::summarize(v1::ProgramSummary& message) const {

@@ -5,6 +5,7 @@
 #include <mutex>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "core/nc/state/block.h"
 #include "core/trc/result/compensated_block.h"
@@ -23,7 +24,8 @@ class RunTap {
   virtual ~RunTap() = default;
   // Come before the blocks of the path that are made of them.
   virtual void take_contour(std::span<const Block> blocks) = 0;
-  virtual void take_path(std::span<const CompensatedBlock> blocks) = 0;
+  // May keep the blocks, and leaves others or none in their place.
+  virtual void take_path(std::vector<CompensatedBlock>& blocks) = 0;
 };
 
 // The taps of this process that wait for their stream. A call names its tap in its metadata; names

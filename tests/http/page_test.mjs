@@ -840,15 +840,28 @@ const tests = {
     await show(page, file('waves.nc', waves(blocks)), {tool_radius: '0.05'});
     const took = Number(await page.evaluate(() => document.body.dataset.pictureMs));
     assert.ok(Number(await page.evaluate(() => document.body.dataset.segments)) <= 50_000);
+    // From the turn of the wheel until all of the picture is drawn at the new scale, and the page is
+    // ready for the next one. How long the driver takes to hear of it is not the page's.
+    await page.evaluate(() => {
+      let turned = 0;
+      addEventListener('wheel', event => { turned = event.timeStamp; }, {capture: true});
+      globalThis.stepMs = () => new Promise(resolve => {
+        const look = () => {
+          if (document.body.dataset.complete !== 'true') return;
+          watch.disconnect();
+          requestAnimationFrame(() => resolve(performance.now() - turned));
+        };
+        const watch = new MutationObserver(look);
+        addEventListener('wheel', () => watch.observe(document.body, {attributes: true, attributeFilter: ['data-complete']}), {once: true});
+      });
+    });
     const steps = [];
     const box = await page.locator('#over').boundingBox();
     await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
     for (let i = 0; i < 12; ++i) {
-      const begin = Date.now();
+      const step = page.evaluate(() => globalThis.stepMs());
       await page.mouse.wheel(0, -300);
-      await page.waitForTimeout(30);
-      await page.waitForSelector('body[data-complete=true]');
-      steps.push(Date.now() - begin - 30);
+      steps.push(Math.round(await step));
       assert.ok(Number(await page.evaluate(() => document.body.dataset.segments)) <= 50_000);
     }
     steps.sort((a, b) => a - b);

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 #include <pthread.h>
+#include <sys/resource.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
@@ -43,6 +45,23 @@ TEST(WorkerPool, RunsEveryJobBeforeItEnds) {
 TEST(WorkerPool, HasAThreadPerCoreUnlessTold) {
   EXPECT_GE(WorkerPool(0).thread_count(), 1U);
   EXPECT_EQ(WorkerPool(3).thread_count(), 3U);
+}
+
+TEST(WorkerPool, OfLowPriorityLeavesTheCoresToOthers) {
+  const auto priority_in = [](WorkerPool::Priority priority) {
+    WorkerPool::Group group;
+    int found = 0;
+    Task task([&] { found = getpriority(PRIO_PROCESS, 0); });
+    {
+      WorkerPool pool(1, priority);
+      pool.submit(task, group);
+    }
+    return found;
+  };
+  const int own = getpriority(PRIO_PROCESS, 0);
+  EXPECT_EQ(priority_in(WorkerPool::Priority::usual), own);
+  EXPECT_EQ(priority_in(WorkerPool::Priority::low), std::max(own, 10));
+  EXPECT_EQ(getpriority(PRIO_PROCESS, 0), own);
 }
 
 TEST(WorkerPool, GivesTurnsInTheOrderOfTheQueue) {

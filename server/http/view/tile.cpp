@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace trc::server::http {
@@ -37,20 +38,18 @@ class Sleeve {
     if (distance <= tolerance) return farthest_ <= tolerance;
     // Going back would be lost.
     if (distance + tolerance < farthest_) return false;
-    const double spread = std::asin(std::min(1.0, tolerance / distance));
-    const double angle = std::atan2(to.y(), to.x());
-    if (open_) {
-      open_ = false;
-      middle_ = angle;
-      low_ = -spread;
-      high_ = spread;
+    // What passes the point within the tolerance; lengths do not matter.
+    const double along = std::sqrt(distance * distance - tolerance * tolerance);
+    const Vector aside(-tolerance * to.y(), tolerance * to.x());
+    const Vector low = along * to - aside;
+    const Vector high = along * to + aside;
+    if (std::exchange(open_, false)) {
+      low_ = low;
+      high_ = high;
     } else {
-      double off = angle - middle_;
-      if (off > std::numbers::pi) off -= 2 * std::numbers::pi;
-      if (off < -std::numbers::pi) off += 2 * std::numbers::pi;
-      if (off < low_ || off > high_) return false;
-      low_ = std::max(low_, off - spread);
-      high_ = std::min(high_, off + spread);
+      if (cross(low_, to) < 0 || cross(to, high_) < 0) return false;
+      if (cross(low_, low) > 0) low_ = low;
+      if (cross(high, high_) > 0) high_ = high;
     }
     farthest_ = std::max(farthest_, distance);
     return true;
@@ -58,9 +57,8 @@ class Sleeve {
 
  private:
   bool open_ = true;
-  double middle_ = 0;
-  double low_ = 0;
-  double high_ = 0;
+  Vector low_ = Vector::Zero();  // clockwise of all directions that are left
+  Vector high_ = Vector::Zero();
   double farthest_ = 0;
 };
 

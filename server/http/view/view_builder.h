@@ -18,7 +18,6 @@
 #include "server/http/view/lines.h"
 #include "server/http/view/view.h"
 #include "server/http/view/view_contour.h"
-#include "server/rpc/run_taps.h"
 #include "trc/v1/http.pb.h"
 
 namespace trc::server::http {
@@ -34,13 +33,14 @@ struct ViewedProgram {
 
 // Puts a view together while a stream compensates its program: contour and path come from there,
 // what is said about them with the answers, in another thread.
-class ViewBuilder final : public RunTap {
+class ViewBuilder {
  public:
   // `make_room` frees memory that matters less; false: there is none.
   ViewBuilder(ViewedProgram program, Memory& memory, std::function<bool()> make_room);
 
-  void take_contour(std::span<const Block> blocks) override;
-  void take_path(std::span<const CompensatedBlock> blocks) override;
+  void take_contour(std::span<const Block> blocks);
+  // Comes behind the contour that it is made of.
+  void take_path(std::span<const CompensatedBlock> blocks);
   // Without it nothing more is taken.
   [[nodiscard]] bool has_memory() const;
 
@@ -53,7 +53,7 @@ class ViewBuilder final : public RunTap {
   [[nodiscard]] std::shared_ptr<View> finish(std::string id);
 
  private:
-  // The stream's thread puts contour and path in, another one takes the view out.
+  // One thread puts contour and path in, another one takes the view out.
   mutable std::mutex mutex_;
 
   // So many lines, as far as there are.
