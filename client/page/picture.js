@@ -1,4 +1,5 @@
 // The picture: what is drawn, and which part of the plane.
+import {inside} from './api.js';
 import {arrowsOf} from './arrows.js';
 import {Canvas2d} from './canvas2d.js';
 import {Overlay} from './overlay.js';
@@ -29,6 +30,15 @@ export function redraw() {
   requestAnimationFrame(() => { isDue = false; draw(); });
 }
 
+// Where somebody may look closer: nothing has to be waited for then.
+const msToRest = 40;
+let pointer = null, looksAhead = 0;
+for (const kind of ['pointermove', 'wheel']) $('over').addEventListener(kind, event => { pointer = [event.offsetX, event.offsetY]; }, {passive: true});
+function lookAheadSoon() {
+  clearTimeout(looksAhead);
+  if (!inside) looksAhead = setTimeout(() => shown.current?.tiles?.lookAhead(camera, ...(pointer ?? [])), msToRest);
+}
+
 function draw() {
   const ratio = window.devicePixelRatio || 1;
   for (const canvas of [$('lines'), $('over')]) {
@@ -57,6 +67,7 @@ function draw() {
     if (own.complete) {
       document.body.dataset.pictureMs ??= (performance.now() - shown.current.began).toFixed(1);
       own.settle();
+      lookAheadSoon();
     }
   }
   const arrows = shown.current?.tiles && shown.also.arrows ? arrowsOf(camera, shown.current.tiles.visible(camera), isShown) : [];

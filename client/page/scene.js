@@ -52,12 +52,13 @@ export class Tiles {
   // Around what draws one picture: tiles that were asked for and nobody wants are given up.
   begin() { this.wanted = new Set(); }
   end() {
-    for (const [key, abort] of this.asked)
-      if (!this.wanted.has(key)) { abort.abort(); this.asked.delete(key); }
+    for (const [key, {abort, isAhead}] of this.asked)
+      if (!isAhead && !this.wanted.has(key)) { abort.abort(); this.asked.delete(key); }
   }
 
-  // Tiles to draw, coarse ones first where fine ones are still on their way.
-  visible(camera, kind = '') {
+  // Tiles to draw, coarse ones first where fine ones are still on their way. `isAhead`: they are asked
+  // for, but nobody waits for them.
+  visible(camera, kind = '', isAhead = false) {
     const {view} = this;
     const size = view.tileSize;
     const level = Math.max(0, Math.min(view.mostLevel, Math.round(Math.log2(size * camera.scale / tilePixels))));
@@ -75,8 +76,8 @@ export class Tiles {
     for (let y = clamp(index(low.y, lowY)); y <= clamp(index(high.y, lowY)); ++y)
       for (let x = clamp(index(low.x, lowX)); x <= clamp(index(high.x, lowX)); ++x) {
         const key = `${kind}${level}/${x}/${y}`;
-        this.wanted.add(key);
-        if (!this.loaded.has(key)) this.ask(key, {level, x, y, segments});
+        if (!isAhead) this.wanted.add(key);
+        if (!this.loaded.has(key)) this.ask(key, {level, x, y, segments}, isAhead);
         const found = this.nearest(kind, level, x, y);
         if (found) draw.set(found.key, found);
       }
@@ -93,6 +94,13 @@ export class Tiles {
     return this.visible(wide, 'band/');
   }
 
+  // Loads what is shown next by whoever looks closer at a point of the screen.
+  lookAhead(camera, sx, sy) {
+    const closer = Object.assign(new Camera(), camera);
+    closer.zoom(2, sx, sy);
+    this.visible(closer, '', true);
+  }
+
   nearest(kind, level, x, y) {
     for (; level >= 0; --level, x >>= 1, y >>= 1) {
       const key = `${kind}${level}/${x}/${y}`;
@@ -105,13 +113,14 @@ export class Tiles {
     return null;
   }
 
-  async ask(key, name) {
-    if (this.asked.has(key)) return;
-    const abort = new AbortController();
-    this.asked.set(key, abort);
+  async ask(key, name, isAhead) {
+    const before = this.asked.get(key);
+    if (before) { before.isAhead &&= isAhead; return; }
+    const own = {abort: new AbortController(), isAhead};
+    this.asked.set(key, own);
     try {
       const {level, x, y} = name;
-      const bytes = await api.tile(this.view.id, name, abort.signal);
+      const bytes = await api.tile(this.view.id, name, own.abort.signal);
       const count = new DataView(bytes).getUint32(4, true);
       const side = this.view.tileSize / 2 ** level;
       this.loaded.set(key, {key, level, count, side, bytes,
@@ -123,10 +132,10 @@ export class Tiles {
         this.loaded.delete(oldest);
       }
       this.asked.delete(key);
-      this.has(key);
+      if (!own.isAhead) this.has(key);
     } catch (error) {
       this.asked.delete(key);
-      if (error.name === 'AbortError') return;
+      if (own.isAhead || error.name === 'AbortError') return;
       this.settle();
       this.lost?.(error);
     }
@@ -139,12 +148,12 @@ export class Tiles {
     if (this.wanted.has(key)) this.later ??= setTimeout(() => { this.later = null; this.changed(); }, longestWithout);
   }
 
-  get complete() { return this.asked.size === 0; }
+  get complete() { return ![...this.asked.values()].some(({isAhead}) => !isAhead); }
 
   release() {
     this.settle();
     clearTimeout(this.later);
-    for (const abort of this.asked.values()) abort.abort();
+    for (const {abort} of this.asked.values()) abort.abort();
     for (const tile of this.loaded.values()) tile.release?.();
     this.loaded.clear();
   }

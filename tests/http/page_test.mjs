@@ -862,6 +862,7 @@ const tests = {
       const step = page.evaluate(() => globalThis.stepMs());
       await page.mouse.wheel(0, -300);
       steps.push(Math.round(await step));
+      await page.waitForTimeout(100);
       assert.ok(Number(await page.evaluate(() => document.body.dataset.segments)) <= 50_000);
     }
     steps.sort((a, b) => a - b);
