@@ -9,10 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/verify/capsule.h"
 #include "core/verify/coverage.h"
 #include "core/verify/disk.h"
-#include "core/verify/four_walls.h"
+#include "core/verify/near_walls.h"
 #include "core/verify/nearest.h"
 #include "core/verify/selection_walls.h"
 #include "core/verify/shape.h"
@@ -24,10 +23,8 @@ namespace {
 // Longer arcs are compared part by part: their boxes would be near to too much.
 constexpr double longest_probe = 2;  // rad
 
-// Pieces one behind the other are near to the same walls: those are looked for together.
 // Of long pieces there are fewer in a group, else what is near to all of them together is most of
 // the contour.
-constexpr std::size_t most_of_group = 32;
 constexpr std::size_t few_of_group = 20;
 constexpr double reach_of_group = 8;  // times the tool radius
 
@@ -65,7 +62,8 @@ class Selection {
         walls_(what.walls),
         sides_(walls_.sides()),
         tree_(walls_.tree()),
-        is_plain_(walls_.are_plain()) {
+        is_plain_(walls_.are_plain()),
+        near_(held_, tree_, checkpoint_) {
     // Rules count upwards.
     const ProgrammedPiece& first = held_.programmed()[begin_];
     has_one_rule_ = first.rule == held_.programmed()[end_ - 1].rule;
@@ -128,16 +126,16 @@ class Selection {
 
   void begin_group(std::size_t first) {
     group_ = {.first = first, .behind = first};
-    is_group_known_ = has_near_ = false;
+    near_.clear();
     auto pieces = held_.path().from(first);
     const Point& start = held_.path()[first].piece.start;
-    const std::size_t last = std::min(first + most_of_group, held_.path().end());
+    const std::size_t last = std::min(first + NearWalls::most_of_group, held_.path().end());
     for (; group_.behind < last; ++group_.behind) {
       const PathPiece& path = pieces.next();
       if (path.programmed >= end_) break;
       group_.required = std::max(group_.required, required_of(path));
       const double most = reach_of_group * group_.required;
-      if (!winds_ && group_.behind >= first + few_of_group &&
+      if (!near_.path_winds() && group_.behind >= first + few_of_group &&
           (path.piece.end - start).squaredNorm() > most * most)
         break;
     }
@@ -236,58 +234,15 @@ class Selection {
            (piece.end - clear_->place).squaredNorm() <= slack * slack;
   }
 
-  // The walls that the pieces of the group are compared with. A box along its way is a narrow one.
-  void find_near() {
-    near_.clear();
-    is_group_known_ = true;
-    const auto& path = held_.path();
-    const Vector way = path[group_.behind - 1].piece.end - path[group_.first].piece.start;
-    const double length = way.norm();
-    BoxAlong around(length > 0 ? Vector(way / length) : Vector::UnitX());
-    auto pieces = path.from(group_.first);
-    for (std::size_t number = group_.first; number < group_.behind; ++number) {
-      Capsule& capsule = capsules_[number - group_.first];
-      capsule = capsule_of(pieces.next().piece);
-      add_to(around, capsule);
-    }
-    const Box box = around.box();
-    const double reach = group_.required + widest_of_interest() + slack;
-    // What goes round in windings is near to all of them by its box. So is what comes next then.
-    if (!winds_) {
-      has_near_ = tree_.find_near(box, reach, leaves_);
-      winds_ = !has_near_;
-    }
-    if (winds_) {
-      tree_.make_rings(checkpoint_);
-      has_near_ = tree_.find_near(box, ring_of_group(), reach, leaves_);
-      winds_ = has_near_;
-    }
-    if (!has_near_) return tree_.make_own_rings(checkpoint_);
-    report_.steps += leaves_.size();
-    origin_ = box.center;
-    tree_.gather(leaves_, origin_, winds_, near_);
-  }
-
-  // Between which distances from the middle of all walls it lies.
-  Ring ring_of_group() {
-    auto pieces = held_.path().from(group_.first);
-    Ring ring;
-    for (std::size_t number = 0; number < group_.behind - group_.first; ++number) {
-      rings_[number] = tree_.about_middle(pieces.next().piece);
-      ring = ring.exists() ? verify::around(ring, rings_[number]) : rings_[number];
-    }
-    return ring;
-  }
-
   // `margin`: what is of interest.
   void search(std::size_t number, const PathPiece& path, const ProgrammedPiece& own,
               double margin) {
     is_near_ = false;
     // Before anything has been found, all walls are near.
     if (!report_.worst && is_whole_wall(own)) compare(path, own, own.piece, own.number);
-    if (!is_group_known_ && report_.worst) find_near();
-    if (has_near_)
-      search_near(path, number - group_.first, own);
+    if (!near_.are_known() && report_.worst) find_near();
+    if (near_.are_worth_it())
+      search_near(path, number);
     else
       search_all(path);
     if (!is_near_) clear_ = {.place = path.piece.start, .margin = margin, .required = required_};
@@ -297,53 +252,17 @@ class Selection {
     return block.is_contour && tree_.is_whole(block.number);
   }
 
-  // `number`: in the group.
-  void search_near(const PathPiece& path, std::size_t number, const ProgrammedPiece& own) {
-    const Capsule& capsule = capsules_[number];
-    const double reach = required_ + margin_of_interest() + slack;
-    Reached reached(path.piece, capsule, origin_, reach);
-    if (winds_) reached.between = {rings_[number], reach};
-    // The wall that it runs beside is near for sure.
-    if (is_whole_wall(own) && reached.piece.is_apart_from(own.piece, reach))
-      reached.told_apart = path.programmed;
-    double least = least_;
-    for (const WallTree::FourLeaves& four : near_) {
-      FourWalls::Bits leaves = near(reached, four);
-      for (; leaves != 0; leaves &= leaves - 1) {
-        search_near(path, four.leaves[static_cast<std::size_t>(std::countr_zero(leaves))], reached);
-        if (least_ == least) continue;
-        least = least_;
-        reached.reach = required_ + margin_of_interest() + slack;
-        reached.around = FourWalls::Surroundings(capsule, origin_, reached.reach);
-      }
-    }
+  void find_near() {
+    near_.find(group_.first, group_.behind, group_.required + widest_of_interest() + slack);
+    report_.steps += near_.leaves();
   }
-  // A piece of path and all that counts as near to it.
-  struct Reached {
-    Reached(const Piece& path, const Capsule& around_path, const Point& origin, double within)
-        : piece(path), reach(within), around(around_path, origin, within) {}
-    Compared piece;
-    double reach;  // mm
-    FourWalls::Surroundings around;
-    FourRings::Surroundings between{};
-    std::size_t told_apart = none;  // a programmed piece
-  };
-  [[nodiscard]] FourWalls::Bits near(const Reached& reached, const FourWalls& walls,
-                                     const FourRings& rings) const {
-    const FourWalls::Bits between = winds_ ? rings.near(reached.between) : ~FourWalls::Bits{0};
-    return between == 0 ? 0 : between & walls.near(reached.around);
-  }
-  [[nodiscard]] FourWalls::Bits near(const Reached& reached,
-                                     const WallTree::FourLeaves& four) const {
-    return winds_ && four.are_windings ? four.rings.near(reached.between)
-                                       : near(reached, four.around, four.rings);
-  }
-  void search_near(const PathPiece& path, const WallTree::Leaf& leaf, const Reached& reached) {
-    tree_.for_each_of(leaf, near(reached, leaf.walls, leaf.rings), reached.told_apart,
-                      [&](const ProgrammedPiece& block, const Piece& wall, std::size_t first) {
-                        if (!reached.piece.is_apart_from(wall, reached.reach))
-                          compare(path, block, wall, first);
-                      });
+
+  void search_near(const PathPiece& path, std::size_t number) {
+    near_.for_each_near(
+        number, path, [this] { return required_ + margin_of_interest() + slack; },
+        [&](const ProgrammedPiece& block, const Piece& wall, std::size_t first) {
+          compare(path, block, wall, first);
+        });
   }
 
   void search_all(const PathPiece& path) {
@@ -354,6 +273,7 @@ class Selection {
 
   void search_all(const PathPiece& path, const Piece& part) {
     const Disk disk = disk_of(part);
+    const Compared compared(path.piece);
     tree_.for_each_near(
         tree_.probe(part),
         [this](double required) {
@@ -362,7 +282,8 @@ class Selection {
           return std::min(required_, required) + margin_of_interest() + slack;
         },
         [&](const ProgrammedPiece& block, const Piece& wall, std::size_t first) {
-          if (least_gap(disk, disk_of(wall)) < required_ + margin_of_interest() + slack)
+          const double reach = required_ + margin_of_interest() + slack;
+          if (least_gap(disk, disk_of(wall)) < reach && !compared.is_apart_from(wall, reach))
             compare(path, block, wall, first);
         });
   }
@@ -537,18 +458,10 @@ class Selection {
     double required = 0;
   };
   Group group_{};
-  std::array<Capsule, most_of_group> capsules_;  // around them
-  std::array<Ring, most_of_group> rings_;        // where they wind: about the middle of all walls
   // Numbers of pieces of path that were clear, by slot_of(); empty: there are no laps.
   std::vector<std::size_t> clear_before_;
   std::size_t slot_ = 0;  // of the piece that is being measured
-  // What may be near to the group.
-  bool is_group_known_ = false;
-  bool winds_ = false;  // looked for by its distances from the middle of all walls as well
-  std::vector<WallTree::FourLeaves> near_;
-  Point origin_ = Point::Zero();  // that its coordinates count from
-  bool has_near_ = false;         // else they are too many to be looked at for each piece
-  std::vector<std::size_t> leaves_;
+  NearWalls near_;        // to the group
   // A place of the path that is clear with `slack` to spare.
   struct Clear {
     Point place = Point::Zero();

@@ -46,6 +46,7 @@ WallTree::WallTree(const HeldPath& held, std::size_t begin, std::size_t end,
   build_buckets(checkpoint);
   for (std::size_t level = 1; level < levels_.size(); ++level)
     build_level(levels_[level - 1], checkpoint);
+  build_fours(checkpoint);
 }
 
 void WallTree::move_to(const HeldPath& held, std::size_t begin, Checkpoint& checkpoint) {
@@ -166,6 +167,7 @@ void WallTree::build_buckets(Checkpoint& checkpoint) {
       add_to(box, capsule);
       leaf.walls.set(places[number], capsule, leaf.origin);
     }
+    leaf.walls.finish();
     node.box = box.box();
   }
 }
@@ -183,6 +185,26 @@ void WallTree::build_level(const Level& below, Checkpoint& checkpoint) {
                 .required = std::max(node.required, second.required)};
     }
     nodes_.push_back(node);
+  }
+}
+
+void WallTree::build_fours(Checkpoint& checkpoint) {
+  for (std::size_t index = 0; index < levels_.front().size; ++index) {
+    checkpoint.pass();
+    origin_ = leaves_[index].origin;
+    if (nodes_[index].required >= 0) break;
+  }
+  for (std::size_t level = 2; level < levels_.size(); level += 2) {
+    const Level& below = levels_[level - 2];
+    levels_[level].first_four = fours_.size();
+    for (std::size_t index = 0; index < below.size; ++index) {
+      checkpoint.pass();
+      const std::size_t place = index % FourWalls::count;
+      if (place == 0) fours_.emplace_back();
+      const Node& node = nodes_[below.first + index];
+      if (node.required >= 0) fours_.back().set(place, capsule_of(node.box), origin_);
+      if (place + 1 == FourWalls::count || index + 1 == below.size) fours_.back().finish();
+    }
   }
 }
 
@@ -279,11 +301,54 @@ Ring WallTree::own_ring_of_bucket(std::size_t index) const {
 
 // Two leaves beside each other are hardly ever told apart by the box around a whole group: they are
 // found together.
-template <class IsNear>
-bool WallTree::find_leaves(const IsNear& is_near, std::vector<std::size_t>& found) const {
+void WallTree::add_near(const Stretch& both, const Box& box, double reach,
+                        std::vector<std::size_t>& found) const {
+  if (least_gap(node_at(both).box, box, reach) >= reach) return;
+  const std::size_t left = 2 * both.index;
+  add_leaf(left, found);
+  if (left + 1 < levels_.front().size) add_leaf(left + 1, found);
+}
+
+bool WallTree::find_near(const Box& box, double reach, std::vector<std::size_t>& found) const {
   found.clear();
-  const auto add = [&](std::size_t index) {
-    if (nodes_[index].required >= 0) found.push_back(index);
+  const FourWalls::Surroundings around(capsule_of(box), origin_, reach);
+  // Of every other level up to three nodes wait for the one before them.
+  std::array<Stretch, 2 * most_levels> open;
+  std::size_t count = 0;
+  const std::size_t top = (levels_.size() - 1) / 2 * 2;
+  for (std::size_t index = levels_[top].size; index-- > 0;)
+    open[count++] = {.level = top, .index = index};
+  for (std::size_t looked_at = 0; count > 0; looked_at += FourWalls::count) {
+    if (looked_at > most_nodes) return false;
+    const auto [level, index] = open[--count];
+    if (level == 0) {
+      add_leaf(index, found);
+      continue;
+    }
+    const FourWalls::Bits near = fours_[levels_[level].first_four + index].near(around);
+    if (level > 2) {
+      for (std::size_t place = FourWalls::count; place-- > 0;)
+        if ((near >> place & 1U) != 0)
+          open[count++] = {.level = level - 2, .index = FourWalls::count * index + place};
+      continue;
+    }
+    if ((near & 3U) != 0) add_near({.level = 1, .index = 2 * index}, box, reach, found);
+    if ((near & 12U) != 0) add_near({.level = 1, .index = 2 * index + 1}, box, reach, found);
+    if (found.size() > most_leaves) return false;
+  }
+  return true;
+}
+
+bool WallTree::find_near(const Box& box, const Ring& about_middle, double reach,
+                         std::vector<std::size_t>& found) const {
+  found.clear();
+  const double inner = about_middle.inner - reach;
+  const double outer = about_middle.outer + reach;
+  const auto is_near = [&](std::size_t place) {
+    const Box& own = nodes_[place].box;
+    const Ring& ring = rings_.nodes[place];
+    return ring.outer > inner && ring.inner < outer &&
+           (is_winding(own, ring) || least_gap(own, box, reach) < reach);
   };
   // Of each level one node waits for its sibling.
   std::array<Stretch, most_levels> open;
@@ -295,14 +360,14 @@ bool WallTree::find_leaves(const IsNear& is_near, std::vector<std::size_t>& foun
     const std::size_t place = place_of(stretch);
     if (nodes_[place].required < 0 || !is_near(place)) continue;
     if (stretch.level == 0) {
-      add(stretch.index);
+      add_leaf(stretch.index, found);
       continue;
     }
     const std::size_t left = 2 * stretch.index;
     const bool has_right = left + 1 < levels_[stretch.level - 1].size;
     if (stretch.level == 1) {
-      add(left);
-      if (has_right) add(left + 1);
+      add_leaf(left, found);
+      if (has_right) add_leaf(left + 1, found);
       if (found.size() > most_leaves) return false;
       continue;
     }
@@ -310,25 +375,6 @@ bool WallTree::find_leaves(const IsNear& is_near, std::vector<std::size_t>& foun
     open[count++] = {.level = stretch.level - 1, .index = left};
   }
   return true;
-}
-
-bool WallTree::find_near(const Box& box, double reach, std::vector<std::size_t>& found) const {
-  return find_leaves(
-      [&](std::size_t place) { return least_gap(nodes_[place].box, box, reach) < reach; }, found);
-}
-
-bool WallTree::find_near(const Box& box, const Ring& about_middle, double reach,
-                         std::vector<std::size_t>& found) const {
-  const double inner = about_middle.inner - reach;
-  const double outer = about_middle.outer + reach;
-  return find_leaves(
-      [&](std::size_t place) {
-        const Box& own = nodes_[place].box;
-        const Ring& ring = rings_.nodes[place];
-        return ring.outer > inner && ring.inner < outer &&
-               (is_winding(own, ring) || least_gap(own, box, reach) < reach);
-      },
-      found);
 }
 
 void WallTree::gather(const std::vector<std::size_t>& found, const Point& origin, bool with_rings,
@@ -343,6 +389,7 @@ void WallTree::gather(const std::vector<std::size_t>& found, const Point& origin
     leaf = {.index = index, .walls = kept.walls};
     leaf.walls.move_origin(origin - kept.origin);
     four.around.set(place, capsule_of(node.box), origin);
+    if (place + 1 == FourWalls::count || number + 1 == found.size()) four.around.finish();
     if (!with_rings) continue;
     four.rings.set(place, rings_.nodes[index]);
     four.are_windings = four.are_windings && is_winding(node.box, rings_.nodes[index]);
