@@ -156,6 +156,8 @@ class WallTree {
  private:
   static constexpr std::size_t bucket_size = FourWalls::count;  // pieces of a leaf
   static constexpr std::size_t most_levels = 48;
+  // Shorter arcs lie in boxes thin enough, and turn about no centre of their own.
+  static constexpr double long_sweep = 0.5;  // rad
 
   struct Node {
     Box box{};

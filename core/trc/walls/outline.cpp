@@ -10,6 +10,7 @@
 namespace trc {
 
 void Outline::append(const ContourView& contour, const ContourPlace& from, const ContourPlace& to) {
+  if (corners_.empty() && from.number <= to.number) corners_.reserve(to.number - from.number + 1);
   for (std::size_t number = from.number; number <= to.number && number < contour.count; ++number) {
     contour.pass();
     const Segment segment = contour.segment(number);
