@@ -15,23 +15,29 @@ Vector half_in(const Vector& half, double cosine, double sine) {
 
 Vector in_frame(const Vector& along, const Vector& v) { return {along.dot(v), cross(along, v)}; }
 
-Box around_along(const Box& a, const Box& b, const Vector& along) {
+// Around two boxes in a frame along `along`, from the centre of the first one.
+struct Extent {
+  Vector along;
+  Vector low;
+  Vector high;
+};
+
+Extent extent_along(const Box& a, const Box& b, const Vector& along) {
   const Vector half_a = half_in(a.half, along.dot(a.along), cross(along, a.along));
   const Vector half_b = half_in(b.half, along.dot(b.along), cross(along, b.along));
   const Vector apart = in_frame(along, b.center - a.center);
-  const Vector low = Vector(-half_a).cwiseMin(Vector(apart - half_b));
-  const Vector high = half_a.cwiseMax(Vector(apart + half_b));
-  const Vector middle = 0.5 * (low + high);
-  return {.center = a.center + middle.x() * along + middle.y() * left_of(along),
-          .along = along,
-          .half = 0.5 * (high - low)};
+  return {.along = along,
+          .low = Vector(-half_a).cwiseMin(Vector(apart - half_b)),
+          .high = half_a.cwiseMax(Vector(apart + half_b))};
 }
 
 // Boxes without width differ in length alone.
-bool is_smaller(const Box& a, const Box& b) {
-  const double area_a = a.half.x() * a.half.y();
-  const double area_b = b.half.x() * b.half.y();
-  return area_a != area_b ? area_a < area_b : a.half.sum() < b.half.sum();
+bool is_smaller(const Extent& a, const Extent& b) {
+  const Vector size_a = a.high - a.low;
+  const Vector size_b = b.high - b.low;
+  const double area_a = size_a.x() * size_a.y();
+  const double area_b = size_b.x() * size_b.y();
+  return area_a != area_b ? area_a < area_b : size_a.sum() < size_b.sum();
 }
 
 double gap_in_frame_of(const Box& own, const Box& other, double cosine, double sine) {
@@ -44,15 +50,18 @@ double gap_in_frame_of(const Box& own, const Box& other, double cosine, double s
 }  // namespace
 
 Box around(const Box& a, const Box& b) {
-  Box best = around_along(a, b, a.along);
+  Extent best = extent_along(a, b, a.along);
   const Vector between = b.center - a.center;
   const double distance = between.norm();
   const std::array<Vector, 2> others{b.along, distance > 0 ? Vector(between / distance) : a.along};
   for (const Vector& along : others) {
-    const Box box = around_along(a, b, along);
-    if (is_smaller(box, best)) best = box;
+    const Extent extent = extent_along(a, b, along);
+    if (is_smaller(extent, best)) best = extent;
   }
-  return best;
+  const Vector middle = 0.5 * (best.low + best.high);
+  return {.center = a.center + middle.x() * best.along + middle.y() * left_of(best.along),
+          .along = best.along,
+          .half = 0.5 * (best.high - best.low)};
 }
 
 double least_gap(const Box& a, const Box& b, double enough) {

@@ -6,25 +6,21 @@
 
 namespace trc::verify {
 
-Capsule capsule_of(const Piece& piece) {
-  const Vector chord = piece.end - piece.start;
+Capsule capsule_of_arc(const Piece& arc) {
+  const Vector chord = arc.end - arc.start;
   const double length = magnitude(chord);
-  Capsule capsule{
-      .center = 0.5 * (piece.start + piece.end), .half = 0.5 * chord, .half_length = 0.5 * length};
-  if (length > 0) capsule.normal = left_of(chord) / length;
-  if (!piece.is_arc()) return capsule;
-  const double radius = piece.radius();
-  const double end_radius = magnitude(piece.end - piece.center);
+  const double radius = arc.radius();
+  const double end_radius = magnitude(arc.end - arc.center);
   const double largest = std::max(radius, end_radius);
-  if (std::abs(piece.sweep) > std::numbers::pi || length == 0)
-    return {.center = piece.center, .margin = largest};
+  if (std::abs(arc.sweep) > std::numbers::pi || length == 0)
+    return {.center = arc.center, .margin = largest};
   // The bow lies on the right of the chord where the arc turns left. Start and end may lie on
   // circles that differ a little, so that it reaches beyond the chord by that.
-  const Vector bow = std::copysign(1.0, -piece.sweep) * capsule.normal;
-  const double height = rise_of(piece, largest, bow);
-  capsule.center += 0.5 * height * bow;
-  capsule.margin = height / 2 + 2 * std::abs(radius - end_radius);
-  return capsule;
+  const Vector bow = left_of(chord) * (std::copysign(1.0, -arc.sweep) / length);
+  const double height = rise_of(arc, largest, bow);
+  return {.center = 0.5 * (arc.start + arc.end) + 0.5 * height * bow,
+          .half = 0.5 * chord,
+          .margin = height / 2 + 2 * std::abs(radius - end_radius)};
 }
 
 }  // namespace trc::verify

@@ -1,21 +1,23 @@
 #include "core/verify/clearance.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
-#include <limits>
+#include <functional>
+#include <optional>
 #include <utility>
-#include <vector>
 
-#include "core/verify/capsule.h"
+#include "core/verify/clear_before.h"
 #include "core/verify/coverage.h"
 #include "core/verify/disk.h"
-#include "core/verify/four_walls.h"
+#include "core/verify/fine_steps.h"
+#include "core/verify/margins.h"
+#include "core/verify/near_walls.h"
 #include "core/verify/nearest.h"
+#include "core/verify/own_side.h"
 #include "core/verify/selection_walls.h"
 #include "core/verify/shape.h"
+#include "core/verify/touched_walls.h"
 #include "core/verify/wall_tree.h"
 
 namespace trc::verify {
@@ -24,20 +26,10 @@ namespace {
 // Longer arcs are compared part by part: their boxes would be near to too much.
 constexpr double longest_probe = 2;  // rad
 
-// Pieces one behind the other are near to the same walls: those are looked for together.
 // Of long pieces there are fewer in a group, else what is near to all of them together is most of
 // the contour.
-constexpr std::size_t most_of_group = 32;
 constexpr std::size_t few_of_group = 20;
 constexpr double reach_of_group = 8;  // times the tool radius
-
-// Of laps so many pieces of path are known again; a power of 2.
-constexpr std::size_t most_clear = std::size_t{1} << 16U;
-constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-
-// What is told of the worst place, and what is looked for below the least margin that was seen, are
-// each exact to half of it.
-constexpr double half_resolution = margin_resolution / 2;  // mm
 
 // Where one piece of path was clear, those as near to it need not be searched again.
 constexpr double slack = half_resolution / 2;  // mm
@@ -58,23 +50,23 @@ class Selection {
         begin_(what.begin),
         end_(what.end),
         latest_(what.begin),
-        allowed_(settings.allowed),
-        input_resolution_(settings.leads.input_resolution),
         progress_(settings.progress),
         checkpoint_(checkpoint),
         walls_(what.walls),
         sides_(walls_.sides()),
         tree_(walls_.tree()),
-        is_plain_(walls_.are_plain()) {
+        is_plain_(walls_.are_plain()),
+        margins_(what.held, settings.allowed),
+        touched_(what.held, what.walls, {what.begin, what.end}, settings.uncut != nullptr),
+        near_(held_, tree_, checkpoint_),
+        fine_steps_(held_, settings.leads.input_resolution),
+        clear_before_(what.walls, what.end - what.begin) {
     // Rules count upwards.
     const ProgrammedPiece& first = held_.programmed()[begin_];
     has_one_rule_ = first.rule == held_.programmed()[end_ - 1].rule;
     required_by_rule_ = held_.rule_of(first).required;
     report_.walls = walls_.count();
     report_.wall_length = walls_.length();
-    if (settings.uncut) touched_.resize(end_ - begin_);
-    if (sides_.sides.size() == 1 && !sides_.sides.front().rings.empty())
-      clear_before_.assign(std::min(most_clear, std::bit_ceil(2 * (end_ - begin_))), none);
   }
 
   // The pieces of the path from `next` on that stem from this selection. Returns the one behind.
@@ -90,54 +82,32 @@ class Selection {
       if (progress_) progress_(next - all.begin(), all.end() - all.begin());
     }
     if (report_.checked > 0) count_left_out(end_, place_);
+    report_.touched_length = touched_.length();
+    report_.worst = margins_.worst();
+    report_.gouge = margins_.gouge();
     return next;
   }
 
   [[nodiscard]] const ClearanceReport& report() const { return report_; }
-
-  // What was kept as touched leaves over.
-  void tell_uncut(const UncutSink& uncut) {
-    for (std::size_t place = begin_; place < end_; ++place) {
-      checkpoint_.pass();
-      const ProgrammedPiece& block = held_.programmed()[place];
-      if (!block.is_contour) continue;
-      std::vector<Stretch>& touched = touched_[place - begin_];
-      std::sort(touched.begin(), touched.end(),
-                [](const Stretch& a, const Stretch& b) { return a.from < b.from; });
-      Stretch left = walls_.wall_of(block);
-      for (const Stretch& stretch : touched) {
-        tell_uncut(block, {left.from, stretch.from}, uncut);
-        left.from = std::max(left.from, stretch.to);
-      }
-      tell_uncut(block, left, uncut);
-    }
-  }
+  void tell_uncut(const UncutSink& uncut) { touched_.tell_uncut(uncut, checkpoint_); }
 
  private:
-  void tell_uncut(const ProgrammedPiece& block, const Stretch& stretch, const UncutSink& uncut) {
-    constexpr double shortest = 1e-3;  // mm
-    if (stretch.length() < shortest) return;
-    uncut({.source = block.source,
-           .plane = held_.rule_of(block).plane,
-           .path = trc::verify::part_of(segment_of(block.piece), stretch)});
-  }
-
   [[nodiscard]] bool has(std::size_t number) const {
     return number < held_.path().end() && held_.path()[number].programmed < end_;
   }
 
   void begin_group(std::size_t first) {
     group_ = {.first = first, .behind = first};
-    is_group_known_ = has_near_ = false;
+    near_.clear();
     auto pieces = held_.path().from(first);
     const Point& start = held_.path()[first].piece.start;
-    const std::size_t last = std::min(first + most_of_group, held_.path().end());
+    const std::size_t last = std::min(first + NearWalls::most_of_group, held_.path().end());
     for (; group_.behind < last; ++group_.behind) {
       const PathPiece& path = pieces.next();
       if (path.programmed >= end_) break;
       group_.required = std::max(group_.required, required_of(path));
       const double most = reach_of_group * group_.required;
-      if (!winds_ && group_.behind >= first + few_of_group &&
+      if (!near_.path_winds() && group_.behind >= first + few_of_group &&
           (path.piece.end - start).squaredNorm() > most * most)
         break;
     }
@@ -150,49 +120,30 @@ class Selection {
     if (const Rule& rule = held_.rule_of(own); !rule.follows && rule.radius > 0) return;
     ++report_.checked;
     required_ = required_of(path);
-    gouges_ = false;
+    margins_.begin_piece();
     if (path.on_contour) check_side(path, own);
     if (!path.inserted && own.is_contour)
-      count_touched(path.programmed,
-                    touched(own.piece, walls_.wall_of(own), path.piece, required_));
+      touched_.add(path.programmed, touched(own.piece, walls_.wall_of(own), path.piece, required_));
     // Over the seam of a closed contour the path comes back to the first blocks.
     count_left_out(path.programmed < latest_ ? end_ : path.programmed, path.piece.start);
     place_ = path.piece.end;
-    const double margin = margin_of_interest();
+    const double margin = margins_.of_interest();
     if (!is_clear_here(path.piece, margin) && !was_clear(path)) {
       search(number, path, own, margin);
       // What gouges has been compared with what is nearer than that alone.
-      if (!is_near_ && !gouges_) keep_clear(number);
+      if (!is_near_ && !margins_.gouges()) clear_before_.keep(number);
     }
-    if (!gouges_) return;
+    if (!margins_.gouges()) return;
     ++report_.gouging;
   }
 
-  // Laps on top of each other have the same path again and again: where a piece of it was clear,
-  // it is so in later laps, which have to keep clear of no more walls.
+  // In an earlier lap, beside walls that it had to keep as clear of.
   [[nodiscard]] bool was_clear(const PathPiece& path) {
-    if (clear_before_.empty()) return false;
-    slot_ = slot_of(path.piece);
-    const std::size_t known = clear_before_[slot_];
-    if (known == none) return false;
-    const PathPiece& other = held_.path()[known];
+    const auto known = clear_before_.find(path.piece);
+    if (!known) return false;
+    const PathPiece& other = held_.path()[*known];
     return other.programmed <= path.programmed && other.piece == path.piece &&
            required_of(other) >= required_;
-  }
-  void keep_clear(std::size_t number) {
-    if (!clear_before_.empty()) clear_before_[slot_] = number;
-  }
-  [[nodiscard]] std::size_t slot_of(const Piece& path) const {
-    std::uint64_t key = 0;
-    for (const double value : {path.start.x(), path.start.y(), path.end.x(), path.end.y()})
-      key = (std::rotl(key, 23) ^ std::bit_cast<std::uint64_t>(value)) * 0x9E3779B97F4A7C15U;
-    return key >> 32U & (clear_before_.size() - 1);
-  }
-
-  void count_touched(std::size_t number, const Stretch& stretch) {
-    if (!(stretch.from < stretch.to)) return;
-    report_.touched_length += stretch.length();
-    if (!touched_.empty()) touched_[number - begin_].push_back(stretch);
   }
 
   // Of arcs as large as the tool, and of what is smaller than the input is exact, nothing is
@@ -202,7 +153,7 @@ class Selection {
       checkpoint_.pass();
       const ProgrammedPiece& block = held_.programmed()[number];
       if (block.is_contour && is_touched_from(place, block.piece, required_))
-        count_touched(number, walls_.wall_of(block));
+        touched_.add(number, walls_.wall_of(block));
     }
   }
 
@@ -218,17 +169,6 @@ class Selection {
     return has_next ? std::min(own, required_at(path.programmed + 1)) : own;
   }
 
-  // A margin from here on changes nothing of the report.
-  [[nodiscard]] double margin_of_interest() const {
-    const double of_gouge =
-        gouges_ ? std::min(least_gouge_ - half_resolution, -allowed_) : -allowed_;
-    return std::max(least_ - half_resolution, of_gouge);
-  }
-  // Of any piece, before something of it has been found.
-  [[nodiscard]] double widest_of_interest() const {
-    return std::max(least_ - half_resolution, -allowed_);
-  }
-
   // Path that stands still, beside as many walls as a full circle has, or nearly so.
   [[nodiscard]] bool is_clear_here(const Piece& piece, double margin) const {
     return !piece.is_arc() && clear_ && clear_->required >= required_ && clear_->margin >= margin &&
@@ -236,58 +176,15 @@ class Selection {
            (piece.end - clear_->place).squaredNorm() <= slack * slack;
   }
 
-  // The walls that the pieces of the group are compared with. A box along its way is a narrow one.
-  void find_near() {
-    near_.clear();
-    is_group_known_ = true;
-    const auto& path = held_.path();
-    const Vector way = path[group_.behind - 1].piece.end - path[group_.first].piece.start;
-    const double length = way.norm();
-    BoxAlong around(length > 0 ? Vector(way / length) : Vector::UnitX());
-    auto pieces = path.from(group_.first);
-    for (std::size_t number = group_.first; number < group_.behind; ++number) {
-      Capsule& capsule = capsules_[number - group_.first];
-      capsule = capsule_of(pieces.next().piece);
-      add_to(around, capsule);
-    }
-    const Box box = around.box();
-    const double reach = group_.required + widest_of_interest() + slack;
-    // What goes round in windings is near to all of them by its box. So is what comes next then.
-    if (!winds_) {
-      has_near_ = tree_.find_near(box, reach, leaves_);
-      winds_ = !has_near_;
-    }
-    if (winds_) {
-      tree_.make_rings(checkpoint_);
-      has_near_ = tree_.find_near(box, ring_of_group(), reach, leaves_);
-      winds_ = has_near_;
-    }
-    if (!has_near_) return tree_.make_own_rings(checkpoint_);
-    report_.steps += leaves_.size();
-    origin_ = box.center;
-    tree_.gather(leaves_, origin_, winds_, near_);
-  }
-
-  // Between which distances from the middle of all walls it lies.
-  Ring ring_of_group() {
-    auto pieces = held_.path().from(group_.first);
-    Ring ring;
-    for (std::size_t number = 0; number < group_.behind - group_.first; ++number) {
-      rings_[number] = tree_.about_middle(pieces.next().piece);
-      ring = ring.exists() ? verify::around(ring, rings_[number]) : rings_[number];
-    }
-    return ring;
-  }
-
   // `margin`: what is of interest.
   void search(std::size_t number, const PathPiece& path, const ProgrammedPiece& own,
               double margin) {
     is_near_ = false;
     // Before anything has been found, all walls are near.
-    if (!report_.worst && is_whole_wall(own)) compare(path, own, own.piece, own.number);
-    if (!is_group_known_ && report_.worst) find_near();
-    if (has_near_)
-      search_near(path, number - group_.first, own);
+    if (!margins_.worst() && is_whole_wall(own)) compare(path, own, own.piece, own.number);
+    if (!near_.are_known() && margins_.worst()) find_near();
+    if (near_.are_worth_it())
+      search_near(path, number);
     else
       search_all(path);
     if (!is_near_) clear_ = {.place = path.piece.start, .margin = margin, .required = required_};
@@ -297,53 +194,18 @@ class Selection {
     return block.is_contour && tree_.is_whole(block.number);
   }
 
-  // `number`: in the group.
-  void search_near(const PathPiece& path, std::size_t number, const ProgrammedPiece& own) {
-    const Capsule& capsule = capsules_[number];
-    const double reach = required_ + margin_of_interest() + slack;
-    Reached reached(path.piece, capsule, origin_, reach);
-    if (winds_) reached.between = {rings_[number], reach};
-    // The wall that it runs beside is near for sure.
-    if (is_whole_wall(own) && reached.piece.is_apart_from(own.piece, reach))
-      reached.told_apart = path.programmed;
-    double least = least_;
-    for (const WallTree::FourLeaves& four : near_) {
-      FourWalls::Bits leaves = near(reached, four);
-      for (; leaves != 0; leaves &= leaves - 1) {
-        search_near(path, four.leaves[static_cast<std::size_t>(std::countr_zero(leaves))], reached);
-        if (least_ == least) continue;
-        least = least_;
-        reached.reach = required_ + margin_of_interest() + slack;
-        reached.around = FourWalls::Surroundings(capsule, origin_, reached.reach);
-      }
-    }
+  void find_near() {
+    near_.find(group_.first, group_.behind,
+               group_.required + margins_.widest_of_interest() + slack);
+    report_.steps += near_.leaves();
   }
-  // A piece of path and all that counts as near to it.
-  struct Reached {
-    Reached(const Piece& path, const Capsule& around_path, const Point& origin, double within)
-        : piece(path), reach(within), around(around_path, origin, within) {}
-    Compared piece;
-    double reach;  // mm
-    FourWalls::Surroundings around;
-    FourRings::Surroundings between{};
-    std::size_t told_apart = none;  // a programmed piece
-  };
-  [[nodiscard]] FourWalls::Bits near(const Reached& reached, const FourWalls& walls,
-                                     const FourRings& rings) const {
-    const FourWalls::Bits between = winds_ ? rings.near(reached.between) : ~FourWalls::Bits{0};
-    return between == 0 ? 0 : between & walls.near(reached.around);
-  }
-  [[nodiscard]] FourWalls::Bits near(const Reached& reached,
-                                     const WallTree::FourLeaves& four) const {
-    return winds_ && four.are_windings ? four.rings.near(reached.between)
-                                       : near(reached, four.around, four.rings);
-  }
-  void search_near(const PathPiece& path, const WallTree::Leaf& leaf, const Reached& reached) {
-    tree_.for_each_of(leaf, near(reached, leaf.walls, leaf.rings), reached.told_apart,
-                      [&](const ProgrammedPiece& block, const Piece& wall, std::size_t first) {
-                        if (!reached.piece.is_apart_from(wall, reached.reach))
-                          compare(path, block, wall, first);
-                      });
+
+  void search_near(const PathPiece& path, std::size_t number) {
+    near_.for_each_near(
+        number, path, [this] { return required_ + margins_.of_interest() + slack; },
+        [&](const ProgrammedPiece& block, const Piece& wall, std::size_t first) {
+          compare(path, block, wall, first);
+        });
   }
 
   void search_all(const PathPiece& path) {
@@ -354,15 +216,17 @@ class Selection {
 
   void search_all(const PathPiece& path, const Piece& part) {
     const Disk disk = disk_of(part);
+    const Compared compared(path.piece);
     tree_.for_each_near(
         tree_.probe(part),
         [this](double required) {
           checkpoint_.pass();
           ++report_.steps;
-          return std::min(required_, required) + margin_of_interest() + slack;
+          return std::min(required_, required) + margins_.of_interest() + slack;
         },
         [&](const ProgrammedPiece& block, const Piece& wall, std::size_t first) {
-          if (least_gap(disk, disk_of(wall)) < required_ + margin_of_interest() + slack)
+          const double reach = required_ + margins_.of_interest() + slack;
+          if (least_gap(disk, disk_of(wall)) < reach && !compared.is_apart_from(wall, reach))
             compare(path, block, wall, first);
         });
   }
@@ -373,7 +237,7 @@ class Selection {
     ++report_.steps;
     checkpoint_.pass();
     const double required = std::min(required_, held_.rule_of(block).required);
-    const double limit = required + margin_of_interest() + slack;
+    const double limit = required + margins_.of_interest() + slack;
     const Gap gap = gap_between(path.piece, wall, limit);
     if (gap.distance >= limit) return;
     // Only of what is near it matters whether it is a wall, and how near the path may come to it.
@@ -385,13 +249,13 @@ class Selection {
                                     : touch_of_laps(block.number, first, own);
     }
     is_near_ = true;
-    if (is_fine_step(block) || is_beside_fine_step(path.programmed))
-      touch = std::max(touch, shortest_step());
-    note(path, {.distance = gap.distance,
-                .required = required,
-                .touch = touch,
-                .point = gap.on_a,
-                .wall = block.source});
+    if (fine_steps_.are_beside(block, path.programmed, required_))
+      touch = std::max(touch, fine_steps_.shortest(required_));
+    margins_.note(path, {.distance = gap.distance,
+                         .required = required,
+                         .touch = touch,
+                         .point = gap.on_a,
+                         .wall = block.source});
   }
 
   // One of them lies in the lap of the path itself: as far behind the begin of that.
@@ -406,99 +270,16 @@ class Selection {
     return walls.ring_of(same) == ring ? walls.touch_between(same, own) : 0;
   }
 
-  // Of two lines, and of arcs about one centre of which the path is no more than the contour.
-  static bool is_surely_beside(const Piece& path, const Piece& own, Side side) {
-    if (path.is_arc() != own.is_arc()) return false;
-    if (!path.is_arc()) {
-      const Point middle = 0.5 * (path.start + path.end);
-      const double left = cross(Vector(own.end - own.start), middle - own.start);
-      return side == Side::left ? left >= 0 : left <= 0;
-    }
-    const bool turns_left = own.sweep > 0;
-    if (path.center != own.center || (path.sweep > 0) != turns_left ||
-        std::abs(own.sweep) > std::numbers::pi)
-      return false;
-    const bool is_inside =
-        (path.start - path.center).squaredNorm() < (own.start - own.center).squaredNorm();
-    return is_inside == (turns_left == (side == Side::left)) && is_within(path, own);
-  }
-
-  // mm. A line no longer than that is as short as rounding leaves it where nothing was meant.
-  [[nodiscard]] double shortest_step() const {
-    return 1.5 * std::min(input_resolution_, 0.01 * required_);
-  }
-  // Such a line has no side (D-44).
-  [[nodiscard]] bool is_hardly_there(const Piece& own) const {
-    return !own.is_arc() && (own.end - own.start).norm() <= shortest_step();
-  }
-  // Lines that rounding has bent so that a corner takes more than there is of them may be joined
-  // within that distance (D-44).
-  [[nodiscard]] bool is_fine_step(const ProgrammedPiece& block) const {
-    if (block.piece.is_arc() || !held_.rule_of(block).joins_fine_steps) return false;
-    const double longest = 2.5 * required_ * std::min(input_resolution_, 0.01 * required_);  // mm²
-    return (block.piece.end - block.piece.start).squaredNorm() <= longest;
-  }
-
-  // With it a line before or behind one is turned.
-  [[nodiscard]] bool is_beside_fine_step(std::size_t place) const {
-    const auto& blocks = held_.programmed();
-    return is_fine_step(blocks[place]) ||
-           (place > blocks.begin() && is_fine_step(blocks[place - 1])) ||
-           (place + 1 < blocks.end() && is_fine_step(blocks[place + 1]));
-  }
-
   // Whether the middle of the path lies on the side of its own block that the program asks for.
   void check_side(const PathPiece& path, const ProgrammedPiece& own) {
     const Rule& rule = held_.rule_of(own);
-    if (!rule.follows || is_hardly_there(own.piece)) return;
-    // The quick way; what it finds at fault is looked at as all others are.
-    if (is_surely_beside(path.piece, own.piece, rule.side)) return;
-    const Point middle = place_at(segment_of(path.piece), 0.5).point;
-    const Segment contour = segment_of(own.piece);
-    const Point foot = nearest_point(contour, middle);
-    const double left = cross(direction_at(contour, foot), middle - foot);
-    if (rule.side == Side::left ? left >= 0 : left <= 0) return;
-    note(path, {.distance = -(middle - foot).norm(),
-                .required = required_,
-                .point = middle,
-                .wall = own.source});
-  }
-
-  // A wall near to the path.
-  struct Near {
-    double distance = 0;
-    double required = 0;
-    double touch = 0;  // so much nearer than that is no gouge, mm
-    Point point = Point::Zero();
-    Source wall{};
-  };
-
-  void note(const PathPiece& path, const Near& near) {
-    const double margin = near.distance - near.required;
-    if (margin + near.touch < -allowed_) {
-      gouges_ = true;
-      if (margin < least_gouge_) {
-        least_gouge_ = margin;
-        if (!report_.gouge || margin <= report_.gouge->margin() - half_resolution)
-          report_.gouge = clearance_of(path, near);
-      }
-    }
-    if (margin >= least_) return;
-    // Whatever was compared counts, also what is not told: else walls that are a little less far
-    // than what is told, as around a tool that goes round in a hole, would be near for ever.
-    least_ = margin;
-    if (report_.worst && margin > report_.worst->margin() - half_resolution) return;
-    report_.worst = clearance_of(path, near);
-  }
-
-  [[nodiscard]] Clearance clearance_of(const PathPiece& path, const Near& near) const {
-    const ProgrammedPiece& own = held_.programmed()[path.programmed];
-    const Rule& rule = held_.rule_of(own);
-    return {.distance = near.distance,
-            .required = near.required,
-            .place = from_plane(rule.plane, near.point, path.height),
-            .path = own.source,
-            .contour = near.wall};
+    if (!rule.follows || fine_steps_.is_hardly_there(own.piece, required_)) return;
+    const auto wrong = on_wrong_side(path.piece, own.piece, rule.side);
+    if (!wrong) return;
+    margins_.note(path, {.distance = -wrong->apart,
+                         .required = required_,
+                         .point = wrong->middle,
+                         .wall = own.source});
   }
 
   static Piece part_of(const Piece& piece, int part, int parts) {
@@ -516,8 +297,6 @@ class Selection {
   std::size_t end_;
   std::size_t latest_;  // programmed piece whose path has been measured; `end_`: all that have one
   Point place_ = Point::Zero();  // where that path ends
-  double allowed_;
-  double input_resolution_;
   const std::function<void(std::size_t, std::size_t)>& progress_;
   Checkpoint& checkpoint_;
   const SelectionWalls& walls_;
@@ -527,9 +306,8 @@ class Selection {
   bool has_one_rule_ = false;
   double required_by_rule_ = 0;  // then, mm
   ClearanceReport report_;
-  double least_ = std::numeric_limits<double>::infinity();        // margin that was seen, mm
-  double least_gouge_ = std::numeric_limits<double>::infinity();  // of a gouge, mm
-  std::vector<std::vector<Stretch>> touched_;  // of each programmed piece, where that is asked for
+  Margins margins_;
+  TouchedWalls touched_;
   // Pieces that are measured one after the other.
   struct Group {
     std::size_t first = 0;
@@ -537,18 +315,9 @@ class Selection {
     double required = 0;
   };
   Group group_{};
-  std::array<Capsule, most_of_group> capsules_;  // around them
-  std::array<Ring, most_of_group> rings_;        // where they wind: about the middle of all walls
-  // Numbers of pieces of path that were clear, by slot_of(); empty: there are no laps.
-  std::vector<std::size_t> clear_before_;
-  std::size_t slot_ = 0;  // of the piece that is being measured
-  // What may be near to the group.
-  bool is_group_known_ = false;
-  bool winds_ = false;  // looked for by its distances from the middle of all walls as well
-  std::vector<WallTree::FourLeaves> near_;
-  Point origin_ = Point::Zero();  // that its coordinates count from
-  bool has_near_ = false;         // else they are too many to be looked at for each piece
-  std::vector<std::size_t> leaves_;
+  NearWalls near_;  // to the group
+  FineSteps fine_steps_;
+  ClearBefore clear_before_;
   // A place of the path that is clear with `slack` to spare.
   struct Clear {
     Point place = Point::Zero();
@@ -558,7 +327,6 @@ class Selection {
   std::optional<Clear> clear_;
   // Of the piece that is being measured.
   double required_ = 0;
-  bool gouges_ = false;
   bool is_near_ = false;
 };
 

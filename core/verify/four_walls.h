@@ -16,10 +16,10 @@ namespace trc::verify {
 // What lies around up to four walls, compared with a piece of path all at once. Coordinates count
 // from an origin near to the walls, so that they may be floats.
 //
-// Nothing near is left out. Of what is added, subtracted and multiplied to tell two capsules apart,
-// no step is off by more than 6e-8 of the sum of the coordinates of their centres and halves, and
-// there are fewer than ten of them: `slack` is more than that, and what each capsule adds of it is
-// in its margin. What floats cannot hold is near to everything.
+// Nothing near is left out. Of what is added, multiplied and divided to tell two capsules apart, no
+// step is off by more than 6e-8 of the sum of the coordinates of their centres and halves, and
+// there are fewer than twenty of them: `slack` is more than that, and what each capsule adds of it
+// is in its margin. What floats cannot hold is near to everything.
 class FourWalls {
   using Floats = __attribute__((vector_size(16))) float;
   using Truths = __attribute__((vector_size(16))) std::int32_t;
@@ -32,17 +32,19 @@ class FourWalls {
   // A piece of path, and all within reach of it.
   class Surroundings {
    public:
-    Surroundings(const Capsule& path, const Point& origin, double reach) {
-      const Kept kept(path, origin);
-      x_ = all(kept.x);
-      y_ = all(kept.y);
-      half_x_ = all(kept.half_x);
-      half_y_ = all(kept.half_y);
-      normal_x_ = all(static_cast<float>(path.normal.x()));
-      normal_y_ = all(static_cast<float>(path.normal.y()));
-      const double within = reach + slack * std::abs(reach);
-      about_ = all(rounded_up(kept.radius + within));
-      beside_ = all(rounded_up(kept.margin + within));
+    Surroundings(const Capsule& path, const Point& origin, double reach)
+        : Surroundings(around(path, origin), 0, reach) {}
+    // One of several.
+    Surroundings(const FourWalls& paths, std::size_t place, double reach)
+        : x_(all(paths.x_[place])),
+          y_(all(paths.y_[place])),
+          half_x_(all(paths.half_x_[place])),
+          half_y_(all(paths.half_y_[place])),
+          normal_x_(all(paths.normal_x_[place])),
+          normal_y_(all(paths.normal_y_[place])) {
+      const float within = rounded_up(reach + slack * std::abs(reach));
+      about_ = all(rounded_up(paths.radius_[place] + within));
+      beside_ = all(rounded_up(paths.margin_[place] + within));
     }
 
    private:
@@ -57,17 +59,27 @@ class FourWalls {
     Floats beside_;
   };
 
-  // What has not been set is near to nothing.
+  // What has not been set is near to nothing. Before anything is asked, finish() has to be called.
   void set(std::size_t place, const Capsule& wall, const Point& origin) {
-    const Kept kept(wall, origin);
-    x_[place] = kept.x;
-    y_[place] = kept.y;
-    half_x_[place] = kept.half_x;
-    half_y_[place] = kept.half_y;
-    normal_x_[place] = static_cast<float>(wall.normal.x());
-    normal_y_[place] = static_cast<float>(wall.normal.y());
-    radius_[place] = rounded_up(kept.radius);
-    margin_[place] = rounded_up(kept.margin);
+    const Vector center = wall.center - origin;
+    constexpr double most = 1e15;
+    const bool is_held = center.lpNorm<1>() + wall.half.lpNorm<1>() + wall.margin < most;
+    x_[place] = is_held ? static_cast<float>(center.x()) : 0;
+    y_[place] = is_held ? static_cast<float>(center.y()) : 0;
+    half_x_[place] = is_held ? static_cast<float>(wall.half.x()) : 0;
+    half_y_[place] = is_held ? static_cast<float>(wall.half.y()) : 0;
+    margin_[place] = is_held ? rounded_up(wall.margin) : std::numeric_limits<float>::infinity();
+  }
+  // Makes of all of them what comparing them asks for.
+  void finish() {
+    const Floats length = root_of(half_x_ * half_x_ + half_y_ * half_y_);
+    const Truths is_line = length > Floats{};
+    const Floats share = 1 / length;
+    normal_x_ = std::bit_cast<Floats>(std::bit_cast<Truths>(-half_y_ * share) & is_line);
+    normal_y_ = std::bit_cast<Floats>(std::bit_cast<Truths>(half_x_ * share) & is_line);
+    const Floats all_of_it = size(x_) + size(y_) + size(half_x_) + size(half_y_) + margin_;
+    margin_ += static_cast<float>(slack) * all_of_it + shortest;
+    radius_ = length + margin_;
   }
 
   // Counts from another origin, which lies at `shift` from the old one.
@@ -99,35 +111,28 @@ class FourWalls {
   friend class FourRings;
   static constexpr double slack = 2e-6;
 
-  // Of a capsule, from the origin on.
-  struct Kept {
-    Kept(const Capsule& capsule, const Point& origin) {
-      const Vector center = capsule.center - origin;
-      const double size = center.lpNorm<1>() + capsule.half.lpNorm<1>() + capsule.margin;
-      constexpr double most = 1e15;
-      if (!(size < most)) {
-        radius = margin = std::numeric_limits<double>::infinity();
-        return;
-      }
-      x = static_cast<float>(center.x());
-      y = static_cast<float>(center.y());
-      half_x = static_cast<float>(capsule.half.x());
-      half_y = static_cast<float>(capsule.half.y());
-      margin = capsule.margin + slack * size;
-      radius = capsule.half_length + margin;
-    }
-    float x = 0;
-    float y = 0;
-    float half_x = 0;
-    float half_y = 0;
-    double margin = 0;
-    double radius = 0;
-  };
+  // The square of what is shorter is none in floats.
+  static constexpr float shortest = 1e-15F;  // mm
+
+  static FourWalls around(const Capsule& one, const Point& origin) {
+    FourWalls made;
+    made.set(0, one, origin);
+    made.finish();
+    return made;
+  }
 
   static Floats all(float value) { return Floats{value, value, value, value}; }
   static Floats size(Floats of) {
     constexpr std::int32_t all_but_sign = std::numeric_limits<std::int32_t>::max();
     return std::bit_cast<Floats>(std::bit_cast<Truths>(of) & all_but_sign);
+  }
+  static Floats root_of(Floats squares) {
+#ifdef __SSE__
+    return __builtin_ia32_sqrtps(squares);
+#else
+    for (std::size_t place = 0; place < count; ++place) squares[place] = std::sqrt(squares[place]);
+    return squares;
+#endif
   }
   // By next to nothing too large; what is slack is far more than that.
   static float rounded_up(double value) {

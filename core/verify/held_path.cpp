@@ -146,6 +146,13 @@ std::size_t HeldPath::first_from(const Source& source) const {
 // The path follows the program, but for the seam of a closed contour: the next one is near.
 const ProgrammedPiece* HeldPath::find(const Source& source) {
   last_ = std::max(last_, programmed_.begin());
+  // Mostly it is the last one or the one behind it.
+  for (std::size_t number = last_; number < std::min(last_ + 2, programmed_.end()); ++number) {
+    const ProgrammedPiece& piece = programmed_[number];
+    if (piece.source.index != source.index || piece.source.part != source.part) continue;
+    last_ = number;
+    return &piece;
+  }
   if (last_ >= programmed_.end() || is_before(source, programmed_[last_].source))
     last_ = first_from(source);
   for (; last_ < programmed_.end(); ++last_) {

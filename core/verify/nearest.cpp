@@ -58,18 +58,6 @@ class Bow {
   [[nodiscard]] double inner() const { return std::min(radius_, end_radius_); }
   [[nodiscard]] double outer() const { return std::max(radius_, end_radius_); }
 
-  // All of a line lies behind the centre, seen from every place of the arc: none of them is nearer
-  // to it than `distance`, mm. False: it may be, or may not.
-  [[nodiscard]] bool looks_away_from(const Line& line, double distance) const {
-    // Up to 120 degrees a direction between both ends is a sum of them, with one of the two in all
-    // at least and two of them at most.
-    if (!is_minor_ || from_.dot(to_) < -0.5 * from_.squaredNorm()) return false;
-    const double room = (inner() - distance) * inner();
-    const Vector start = line.start - center_;
-    const Vector end = line.end - center_;
-    return std::max(std::max(start.dot(from_), start.dot(to_)),
-                    std::max(end.dot(from_), end.dot(to_))) <= (room > 0 ? 0.5 * room : room);
-  }
   // All of a line lies beyond one of its ends, where an end is nearest to it, and both ends are no
   // nearer to it than `distance`, mm. False: it may be so, or not.
   [[nodiscard]] bool ends_before(const Line& line, double distance) const {
@@ -157,7 +145,6 @@ struct Least : Gap {
 // The smallest distance is taken at an end of one of the two, where they cross, or at the foot of
 // the centre. `on_a` is on the line.
 Gap gap_of(const Line& line, const Bow& arc, double enough) {
-  if (arc.looks_away_from(line, enough)) return {enough, line.start};
   const Vector along = line.end - line.start;
   const double square = along.squaredNorm();
   const double share = square > 0 ? (arc.center() - line.start).dot(along) / square : 0;

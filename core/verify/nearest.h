@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/geometry/segment.h"
 #include "core/verify/piece.h"
@@ -66,6 +67,24 @@ struct Circles {
          (within >= 0 && std::max(start.squaredNorm(), end.squaredNorm()) <= within * within);
 }
 
+// All of a line lies behind the centre of an arc, seen from every place of that, as the walls at a
+// corner that the path turns about: neither is nearer to the other one than `distance`, mm. False:
+// it may be, or not. `circles`: those of the arc.
+[[nodiscard]] inline bool looks_away(const Piece& arc, const Circles& circles, const Piece& line,
+                                     double distance) {
+  const Vector from = arc.start - arc.center;
+  const Vector to = arc.end - arc.center;
+  // Up to 120 degrees a direction between both ends is a sum of them, with one of the two in all
+  // at least and two of them at most.
+  if (std::abs(arc.sweep) > std::numbers::pi || from.dot(to) < -0.5 * from.squaredNorm())
+    return false;
+  const double room = (circles.inner - distance) * circles.inner;
+  const Vector start = line.start - arc.center;
+  const Vector end = line.end - arc.center;
+  return std::max(std::max(start.dot(from), start.dot(to)), std::max(end.dot(from), end.dot(to))) <=
+         (room > 0 ? 0.5 * room : room);
+}
+
 // A piece that is compared with many, each of which takes little to be told apart from it.
 class Compared {
  public:
@@ -77,8 +96,12 @@ class Compared {
       const Circles circles = circles_of(other);
       return are_apart(circles_, circles, distance) || is_beyond_ends(other, circles, distance);
     }
-    if (piece_.is_arc()) return are_apart(circles_, other, distance);
-    if (other.is_arc()) return are_apart(circles_of(other), piece_, distance);
+    if (piece_.is_arc())
+      return looks_away(piece_, circles_, other, distance) || are_apart(circles_, other, distance);
+    if (other.is_arc()) {
+      const Circles circles = circles_of(other);
+      return are_apart(circles, piece_, distance) || looks_away(other, circles, piece_, distance);
+    }
     return is_beside(piece_, other, distance) || is_beside(other, piece_, distance);
   }
 

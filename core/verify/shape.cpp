@@ -78,12 +78,14 @@ Place place_at(const Segment& segment, double share) {
 }
 
 bool is_finite(const Segment& segment) {
+  // Nothing times what is finite is nothing.
+  const auto nothing = [](const Point& point) { return 0 * point.x() + 0 * point.y(); };
   return std::visit(
-      overloaded{[](const Line& line) { return line.start.allFinite() && line.end.allFinite(); },
-                 [](const Arc& arc) {
-                   return arc.start.allFinite() && arc.end.allFinite() && arc.center.allFinite() &&
-                          std::isfinite(arc.sweep);
-                 }},
+      overloaded{
+          [&](const Line& line) { return nothing(line.start) + nothing(line.end) == 0; },
+          [&](const Arc& arc) {
+            return nothing(arc.start) + nothing(arc.end) + nothing(arc.center) + 0 * arc.sweep == 0;
+          }},
       segment);
 }
 

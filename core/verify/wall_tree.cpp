@@ -10,18 +10,6 @@
 namespace trc::verify {
 namespace {
 
-// Shorter arcs lie in boxes thin enough, and turn about no centre of their own.
-constexpr double long_sweep = 0.5;  // rad
-
-// Of what lies in the box and in the ring, about another centre.
-Ring seen_from(const Point& center, const Box& box, const Ring& ring) {
-  Ring seen = ring_of(box, center);
-  const double apart = (ring.center - center).norm();
-  seen.inner = std::max({seen.inner, ring.inner - apart, apart - ring.outer});
-  seen.outer = std::min(seen.outer, ring.outer + apart);
-  return seen;
-}
-
 // A box that holds a whole winding is near to everything within.
 bool is_winding(const Box& box, const Ring& about_middle) {
   return box.half.sum() > 1.5 * about_middle.outer;
@@ -46,6 +34,7 @@ WallTree::WallTree(const HeldPath& held, std::size_t begin, std::size_t end,
   build_buckets(checkpoint);
   for (std::size_t level = 1; level < levels_.size(); ++level)
     build_level(levels_[level - 1], checkpoint);
+  build_fours(checkpoint);
 }
 
 void WallTree::move_to(const HeldPath& held, std::size_t begin, Checkpoint& checkpoint) {
@@ -166,6 +155,7 @@ void WallTree::build_buckets(Checkpoint& checkpoint) {
       add_to(box, capsule);
       leaf.walls.set(places[number], capsule, leaf.origin);
     }
+    leaf.walls.finish();
     node.box = box.box();
   }
 }
@@ -186,104 +176,76 @@ void WallTree::build_level(const Level& below, Checkpoint& checkpoint) {
   }
 }
 
-template <class OfBucket, class OfBoth>
-std::vector<Ring> WallTree::rings_of_nodes(const OfBucket& of_bucket, const OfBoth& of_both,
-                                           Checkpoint& checkpoint) const {
-  std::vector<Ring> rings;
-  rings.reserve(nodes_.size());
-  for (std::size_t index = 0; index < levels_.front().size; ++index)
-    rings.push_back(of_bucket(index));
-  for (std::size_t level = 1; level < levels_.size(); ++level) {
-    const Level& below = levels_[level - 1];
-    for (std::size_t first = below.first; first < below.first + below.size; first += 2) {
+void WallTree::build_fours(Checkpoint& checkpoint) {
+  for (std::size_t index = 0; index < levels_.front().size; ++index) {
+    checkpoint.pass();
+    origin_ = leaves_[index].origin;
+    if (nodes_[index].required >= 0) break;
+  }
+  for (std::size_t level = 2; level < levels_.size(); level += 2) {
+    const Level& below = levels_[level - 2];
+    levels_[level].first_four = fours_.size();
+    for (std::size_t index = 0; index < below.size; ++index) {
       checkpoint.pass();
-      const std::size_t second = first + 1;
-      if (second == below.first + below.size || nodes_[second].required < 0)
-        rings.push_back(Ring(rings[first]));
-      else if (nodes_[first].required < 0)
-        rings.push_back(Ring(rings[second]));
-      else
-        rings.push_back(of_both(rings, first, second));
+      const std::size_t place = index % FourWalls::count;
+      if (place == 0) fours_.emplace_back();
+      const Node& node = nodes_[below.first + index];
+      if (node.required >= 0) fours_.back().set(place, capsule_of(node.box), origin_);
+      if (place + 1 == FourWalls::count || index + 1 == below.size) fours_.back().finish();
     }
   }
-  return rings;
-}
-
-void WallTree::make_rings(Checkpoint& checkpoint) const {
-  if (!rings_.nodes.empty()) return;
-  rings_.middle = find_middle(checkpoint);
-  rings_.leaves.reserve(leaves_.size());
-  rings_.nodes = rings_of_nodes(
-      [&](std::size_t index) {
-        return ring_of_bucket(index, rings_.leaves.emplace_back(), checkpoint);
-      },
-      [](const std::vector<Ring>& rings, std::size_t first, std::size_t second) {
-        return around(rings[first], rings[second]);
-      },
-      checkpoint);
-}
-
-Ring WallTree::ring_of_bucket(std::size_t index, FourRings& leaf, Checkpoint& checkpoint) const {
-  Ring ring;
-  const std::size_t first = begin_ + index * bucket_size;
-  for (std::size_t place = 0; place < bucket_size && first + place < end_; ++place)
-    visit_wall(first + place, [&](const ProgrammedPiece&, const Piece& wall, std::size_t) {
-      checkpoint.pass();
-      const Ring of_wall = about_middle(wall);
-      leaf.set(place, of_wall);
-      ring = ring.exists() ? around(ring, of_wall) : of_wall;
-    });
-  return ring;
-}
-
-void WallTree::make_own_rings(Checkpoint& checkpoint) const {
-  if (!own_rings_.empty()) return;
-  make_rings(checkpoint);
-  own_rings_ = rings_of_nodes(
-      [&](std::size_t index) {
-        checkpoint.pass();
-        return own_ring_of_bucket(index);
-      },
-      // About the centre of one of the two, whatever is narrowest.
-      [&](const std::vector<Ring>& rings, std::size_t first, std::size_t second) {
-        const Ring& a = rings[first];
-        const Ring& b = rings[second];
-        if (a.center == b.center) return around(a, b);
-        Ring narrowest;
-        for (const Point& center : {a.center, b.center}) {
-          const Ring ring = around(seen_from(center, nodes_[first].box, a),
-                                   seen_from(center, nodes_[second].box, b));
-          if (!narrowest.exists() || ring.outer - ring.inner < narrowest.outer - narrowest.inner)
-            narrowest = ring;
-        }
-        return narrowest;
-      },
-      checkpoint);
-}
-
-// Of walls with a long arc among them about the centre of that.
-Ring WallTree::own_ring_of_bucket(std::size_t index) const {
-  std::array<Piece, bucket_size> walls;
-  std::size_t count = 0;
-  std::size_t longest = 0;
-  visit_bucket(index, [&](const ProgrammedPiece&, const Piece& wall, std::size_t) {
-    if (std::abs(wall.sweep) > std::abs(walls[longest].sweep)) longest = count;
-    walls[count++] = wall;
-  });
-  if (std::abs(walls[longest].sweep) <= long_sweep) return rings_.nodes[index];
-  Ring ring = ring_of(walls[0], walls[longest].center);
-  for (std::size_t number = 1; number < count; ++number)
-    ring = around(ring, ring_of(walls[number], walls[longest].center));
-  return ring;
 }
 
 // Two leaves beside each other are hardly ever told apart by the box around a whole group: they are
 // found together.
-template <class IsNear>
-bool WallTree::find_leaves(const IsNear& is_near, std::vector<std::size_t>& found) const {
+void WallTree::add_near(const Stretch& both, const Box& box, double reach,
+                        std::vector<std::size_t>& found) const {
+  if (least_gap(node_at(both).box, box, reach) >= reach) return;
+  const std::size_t left = 2 * both.index;
+  add_leaf(left, found);
+  if (left + 1 < levels_.front().size) add_leaf(left + 1, found);
+}
+
+bool WallTree::find_near(const Box& box, double reach, std::vector<std::size_t>& found) const {
   found.clear();
-  const auto add = [&](std::size_t index) {
-    if (nodes_[index].required >= 0) found.push_back(index);
+  const FourWalls::Surroundings around(capsule_of(box), origin_, reach);
+  // Of every other level up to three nodes wait for the one before them.
+  std::array<Stretch, 2 * most_levels> open;
+  std::size_t count = 0;
+  const std::size_t top = (levels_.size() - 1) / 2 * 2;
+  for (std::size_t index = levels_[top].size; index-- > 0;)
+    open[count++] = {.level = top, .index = index};
+  for (std::size_t looked_at = 0; count > 0; looked_at += FourWalls::count) {
+    if (looked_at > most_nodes) return false;
+    const auto [level, index] = open[--count];
+    if (level == 0) {
+      add_leaf(index, found);
+      continue;
+    }
+    const FourWalls::Bits near = fours_[levels_[level].first_four + index].near(around);
+    if (level > 2) {
+      for (std::size_t place = FourWalls::count; place-- > 0;)
+        if ((near >> place & 1U) != 0)
+          open[count++] = {.level = level - 2, .index = FourWalls::count * index + place};
+      continue;
+    }
+    if ((near & 3U) != 0) add_near({.level = 1, .index = 2 * index}, box, reach, found);
+    if ((near & 12U) != 0) add_near({.level = 1, .index = 2 * index + 1}, box, reach, found);
+    if (found.size() > most_leaves) return false;
+  }
+  return true;
+}
+
+bool WallTree::find_near(const Box& box, const Ring& about_middle, double reach,
+                         std::vector<std::size_t>& found) const {
+  found.clear();
+  const double inner = about_middle.inner - reach;
+  const double outer = about_middle.outer + reach;
+  const auto is_near = [&](std::size_t place) {
+    const Box& own = nodes_[place].box;
+    const Ring& ring = rings_.nodes[place];
+    return ring.outer > inner && ring.inner < outer &&
+           (is_winding(own, ring) || least_gap(own, box, reach) < reach);
   };
   // Of each level one node waits for its sibling.
   std::array<Stretch, most_levels> open;
@@ -295,14 +257,14 @@ bool WallTree::find_leaves(const IsNear& is_near, std::vector<std::size_t>& foun
     const std::size_t place = place_of(stretch);
     if (nodes_[place].required < 0 || !is_near(place)) continue;
     if (stretch.level == 0) {
-      add(stretch.index);
+      add_leaf(stretch.index, found);
       continue;
     }
     const std::size_t left = 2 * stretch.index;
     const bool has_right = left + 1 < levels_[stretch.level - 1].size;
     if (stretch.level == 1) {
-      add(left);
-      if (has_right) add(left + 1);
+      add_leaf(left, found);
+      if (has_right) add_leaf(left + 1, found);
       if (found.size() > most_leaves) return false;
       continue;
     }
@@ -310,25 +272,6 @@ bool WallTree::find_leaves(const IsNear& is_near, std::vector<std::size_t>& foun
     open[count++] = {.level = stretch.level - 1, .index = left};
   }
   return true;
-}
-
-bool WallTree::find_near(const Box& box, double reach, std::vector<std::size_t>& found) const {
-  return find_leaves(
-      [&](std::size_t place) { return least_gap(nodes_[place].box, box, reach) < reach; }, found);
-}
-
-bool WallTree::find_near(const Box& box, const Ring& about_middle, double reach,
-                         std::vector<std::size_t>& found) const {
-  const double inner = about_middle.inner - reach;
-  const double outer = about_middle.outer + reach;
-  return find_leaves(
-      [&](std::size_t place) {
-        const Box& own = nodes_[place].box;
-        const Ring& ring = rings_.nodes[place];
-        return ring.outer > inner && ring.inner < outer &&
-               (is_winding(own, ring) || least_gap(own, box, reach) < reach);
-      },
-      found);
 }
 
 void WallTree::gather(const std::vector<std::size_t>& found, const Point& origin, bool with_rings,
@@ -343,6 +286,7 @@ void WallTree::gather(const std::vector<std::size_t>& found, const Point& origin
     leaf = {.index = index, .walls = kept.walls};
     leaf.walls.move_origin(origin - kept.origin);
     four.around.set(place, capsule_of(node.box), origin);
+    if (place + 1 == FourWalls::count || number + 1 == found.size()) four.around.finish();
     if (!with_rings) continue;
     four.rings.set(place, rings_.nodes[index]);
     four.are_windings = four.are_windings && is_winding(node.box, rings_.nodes[index]);

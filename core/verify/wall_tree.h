@@ -149,12 +149,15 @@ class WallTree {
   [[nodiscard]] static std::size_t bytes_for(std::size_t pieces) {
     return (sizeof(Node) + 2 * sizeof(Ring)) * (2 * (pieces / bucket_size) + most_levels) +
            (sizeof(KeptLeaf) + sizeof(FourRings)) * (pieces / bucket_size + 1) +
+           sizeof(FourWalls) * (pieces / (3 * bucket_size) + most_levels) +
            pieces * (2 * sizeof(std::size_t) + sizeof(std::uint32_t));
   }
 
  private:
   static constexpr std::size_t bucket_size = FourWalls::count;  // pieces of a leaf
   static constexpr std::size_t most_levels = 48;
+  // Shorter arcs lie in boxes thin enough, and turn about no centre of their own.
+  static constexpr double long_sweep = 0.5;  // rad
 
   struct Node {
     Box box{};
@@ -173,6 +176,7 @@ class WallTree {
   struct Level {
     std::size_t first = 0;  // of the nodes
     std::size_t size = 0;
+    std::size_t first_four = 0;  // of every other level, from the third on
   };
 
   [[nodiscard]] Stretch whole() const { return {.level = levels_.size() - 1}; }
@@ -182,9 +186,6 @@ class WallTree {
   [[nodiscard]] const Node& node_at(const Stretch& stretch) const {
     return nodes_[place_of(stretch)];
   }
-  // `is_near` is asked for the place of a node.
-  template <class IsNear>
-  bool find_leaves(const IsNear& is_near, std::vector<std::size_t>& found) const;
   // Only whether it is below `reach` need be right.
   [[nodiscard]] double gap_of(const Probe& probe, const Stretch& stretch, double reach) const;
   template <class Visit>
@@ -210,6 +211,14 @@ class WallTree {
   [[nodiscard]] Point find_middle(Checkpoint& checkpoint) const;
   void build_buckets(Checkpoint& checkpoint);
   void build_level(const Level& below, Checkpoint& checkpoint);
+  void build_fours(Checkpoint& checkpoint);
+  // With walls in it.
+  void add_leaf(std::size_t index, std::vector<std::size_t>& found) const {
+    if (nodes_[index].required >= 0) found.push_back(index);
+  }
+  // Of two leaves beside each other, where they are as near to the box as that.
+  void add_near(const Stretch& both, const Box& box, double reach,
+                std::vector<std::size_t>& found) const;
   [[nodiscard]] Ring ring_of_bucket(std::size_t index, FourRings& leaf,
                                     Checkpoint& checkpoint) const;
   [[nodiscard]] Ring own_ring_of_bucket(std::size_t index) const;
@@ -233,6 +242,10 @@ class WallTree {
   std::vector<Node> nodes_;  // level by level, buckets first
   std::vector<Level> levels_;
   std::vector<KeptLeaf> leaves_;
+  // For each node of every other level what lies around the nodes two levels below: most of what is
+  // far away is told apart from a group of path four at a time.
+  std::vector<FourWalls> fours_;
+  Point origin_ = Point::Zero();         // that these count from
   mutable Rings rings_;                  // empty: nobody has asked for them
   mutable std::vector<Ring> own_rings_;  // about an arc's own centre, or about the middle
 };

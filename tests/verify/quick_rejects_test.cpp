@@ -122,6 +122,7 @@ TEST(QuickRejects, NothingNearIsLeftOut) {
       walls.set(place, verify::capsule_of(made[place]), before);
       rings.set(place, verify::ring_of(made[place], middle));
     }
+    walls.finish();
     walls.move_origin(about - before);
     const std::size_t one = seed % FourWalls::count;
     const double exact = verify::gap_between(path, made[one], all).distance;
@@ -146,6 +147,7 @@ TEST(QuickRejects, WhatIsFarFromEverythingIsNotNear) {
   FourWalls walls;
   FourRings rings;
   walls.set(1, verify::capsule_of({.start = {5, 0}, .end = {6, 0}}), Point::Zero());
+  walls.finish();
   rings.set(1, verify::ring_of({.start = {5, 0}, .end = {6, 0}}, Point::Zero()));
   const Piece path{.start = {5, 2}, .end = {6, 2}};
   const auto near = [&](double reach) {
@@ -161,6 +163,7 @@ TEST(QuickRejects, WhatIsFarFromEverythingIsNotNear) {
 TEST(QuickRejects, WhatIsHugeIsNear) {
   FourWalls walls;
   walls.set(2, verify::capsule_of({.start = {-1e30, 0}, .end = {1e30, 1}}), Point::Zero());
+  walls.finish();
   const Piece path{.start = {5, 2}, .end = {6, 2}};
   EXPECT_NE(walls.near(FourWalls::Surroundings(verify::capsule_of(path), Point::Zero(), 3)) & 4U,
             0U);

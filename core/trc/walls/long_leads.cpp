@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -85,9 +86,11 @@ bool cross_as_leads(const ContourView& contour, const EndsMeeting& closing) {
   return to_out < to_in;
 }
 
-double length_between(const ContourView& contour, const EndsMeeting& closing) {
+// mm. Where it is more than `enough`, it need not be all.
+double length_between(const ContourView& contour, const EndsMeeting& closing, double enough) {
   double length = closing.second.along - closing.first.along;
-  for (std::size_t number = closing.first.number; number < closing.second.number; ++number)
+  for (std::size_t number = closing.first.number;
+       number < closing.second.number && !(length > enough); ++number)
     length += length_of(contour.segment(number));
   return length;
 }
@@ -120,8 +123,10 @@ bool is_between_long_leads(const ContourView& contour, const EndsMeeting& closin
     return false;
   const bool is_plain = go_straight_or_round(contour, closing, tolerance);
   if (!is_plain && !cross_as_leads(contour, closing)) return false;
-  const double length = length_between(contour, closing);
   const double shortest = std::max(10 * tolerance, is_plain ? 0 : tool_radius / 2);
+  // All of it tells whether it is slender.
+  constexpr double all = std::numeric_limits<double>::infinity();
+  const double length = length_between(contour, closing, is_plain ? shortest : all);
   if (length <= shortest) return false;
   Scratch scratch;
   Outline ring(scratch.memory());

@@ -10,9 +10,16 @@
 namespace trc {
 
 void Outline::append(const ContourView& contour, const ContourPlace& from, const ContourPlace& to) {
+  if (corners_.empty() && from.number <= to.number) corners_.reserve(to.number - from.number + 1);
   for (std::size_t number = from.number; number <= to.number && number < contour.count; ++number) {
     contour.pass();
     const Segment segment = contour.segment(number);
+    // Most are lines from end to end.
+    const auto* line = std::get_if<Line>(&segment);
+    if (line != nullptr && number != from.number && number != to.number) {
+      if ((line->end - line->start).squaredNorm() > 0) add(line->start);
+      continue;
+    }
     const double length = length_of(segment);
     const double begin = number == from.number ? from.along : 0;
     const double end = number == to.number ? to.along : length;
@@ -22,29 +29,25 @@ void Outline::append(const ContourView& contour, const ContourPlace& from, const
     const double turn = arc != nullptr ? std::abs(arc->sweep) * (end - begin) / length : 0;
     const auto chords = static_cast<int>(std::ceil(std::max(1.0, turn / chord)));
     for (int part = 0; part < chords; ++part)
-      corners_.push_back(point_along(segment, begin + (end - begin) * part / chords));
+      add(point_along(segment, begin + (end - begin) * part / chords));
   }
 }
 
-double Outline::area() const {
-  if (corners_.empty()) return 0;
-  double doubled = 0;
-  Vector from = corners_.back() - corners_.front();
-  for (const Point& corner : corners_) {
-    const Vector to = corner - corners_.front();
-    doubled += cross(from, to);
-    from = to;
-  }
-  return doubled / 2;
+void Outline::add(const Point& corner) {
+  if (!corners_.empty())
+    doubled_area_ +=
+        cross(Vector(corners_.back() - corners_.front()), Vector(corner - corners_.front()));
+  corners_.push_back(corner);
 }
 
 bool Outline::has_on(Side side, const Point& point) const {
   int turns = 0;
-  for (std::size_t index = 0; index < corners_.size(); ++index) {
-    const Vector from = corners_[index] - point;
-    const Vector to = corners_[(index + 1) % corners_.size()] - point;
+  Vector from = corners_.empty() ? Vector::Zero() : Vector(corners_.back() - point);
+  for (const Point& corner : corners_) {
+    const Vector to = corner - point;
     if (from.y() <= 0 && to.y() > 0 && cross(from, to) > 0) ++turns;
     if (from.y() > 0 && to.y() <= 0 && cross(from, to) < 0) --turns;
+    from = to;
   }
   const bool is_inside = turns != 0;
   const bool tool_is_inside = (area() > 0) == (side == Side::left);

@@ -17,7 +17,7 @@ class Outline {
   void append(const ContourView& contour, const ContourPlace& from, const ContourPlace& to);
 
   // mm²; positive where it goes round it to the left.
-  [[nodiscard]] double area() const;
+  [[nodiscard]] double area() const { return doubled_area_ / 2; }
   // Straight leads may go round a little on either side. `length`: of the stretches, mm.
   [[nodiscard]] bool is_slender(double length) const {
     return std::abs(area()) <= 0.01 * length * length;
@@ -26,7 +26,10 @@ class Outline {
   [[nodiscard]] bool has_on(Side side, const Point& point) const;
 
  private:
+  void add(const Point& corner);
+
   std::pmr::vector<Point> corners_;
+  double doubled_area_ = 0;  // mm²
 };
 
 }  // namespace trc
