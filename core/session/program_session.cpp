@@ -38,9 +38,10 @@ NcWriter::Setup writer_setup(const ProgramSessionSetup& setup) {
                          .inch = program.inch,
                          .spelling = {.points = dialect.writes_points, .klartext = klartext},
                          .renumbers = program.renumbers};
-  // Text has no word for an axis with a longer name.
-  for (const std::string& axis : program.tracking_axes)
+  for (const std::string& axis : program.tracking_axes) {
     writer.tracking_letters += axis.size() == 1 ? axis.front() : '?';
+    writer.tracking_names.push_back(axis.size() == 1 ? "" : axis);
+  }
   return writer;
 }
 
@@ -51,6 +52,7 @@ void add(const Block& block, NcWriter::Meaning& meaning) {
         const Plane plane = given.mode->plane;
         if constexpr (std::is_same_v<decltype(given), const MotionBlock&>)
           meaning.end = from_plane(plane, end_of(given.path), given.normal.to);
+        meaning.keeps_place = given.mode->active() && given.mode->tool_radius == 0;
         const std::size_t third = axes_of(plane).third;
         meaning.end[third] = given.normal.to;
         if (given.normal.moves()) meaning.moved |= axis_bit(third);

@@ -21,10 +21,11 @@ void sum_up_words(ProgramLine& line) {
   for (const WordRange& word : line.words) {
     line.roles |= bit(word.role);
     if (word.role != WordRole::coordinate) continue;
-    if (!names_an_axis(line, word)) {
-      line.names_other_axes |= is_polar(line, word);
+    if (!long_name_of(line, word).empty()) {
+      line.names_other_axes = true;
       continue;
     }
+    if (!names_an_axis(line, word)) continue;
     const char letter = upper(line.text[word.begin]);
     if (letter >= 'X' && letter <= 'Z') {
       line.main_axes |= static_cast<std::uint8_t>(1U << (letter - 'X'));

@@ -318,6 +318,7 @@ class Interpreter {
 
   // Of Sinumerik: sinumerik_block.cpp, _functions.cpp, _values.cpp and _arcs.cpp.
   bool read_named_words(ProgramLine& line, BlockWords& block);
+  [[nodiscard]] int axis_of_index(const NamedWord& word) const;
   bool check_index(const NamedWord& word, const ProgramLine& line);
   bool read_named_address(const NamedWord& word, ProgramLine& line, BlockWords& block);
   bool read_tool_name(const NamedWord& word, ProgramLine& line, BlockWords& block);
