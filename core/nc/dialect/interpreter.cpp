@@ -305,7 +305,11 @@ bool Interpreter::is_plain(ProgramLine& line, PlainMotion& plain) const {
 bool Interpreter::apply(ProgramLine& line, const PlainMotion& plain) {
   MoveRequest request;
   plain.enter(request);
-  if (request.center[axes_of(state_.programmed_plane()).third].value_or(0) != 0) {  // a pitch
+  const MotionKind kind = plain.has_function() ? plain.motion() : motion_;
+  const bool passes_over_circle_words =
+      dialect_.name == DialectName::fanuc && plain.has_circle_words() && kind <= MotionKind::linear;
+  if (passes_over_circle_words ||
+      request.center[axes_of(state_.programmed_plane()).third].value_or(0) != 0) {  // a pitch
     line.words.clear();
     return read_block(line);
   }
