@@ -73,7 +73,10 @@ TEST(ToolsOfPrograms, HaveNoRadiusFromTheWordsOfOthers) {
   for (const std::string side :
        {"M19 P90 G41 D1", "G154 P1 G41 D1", "G41 D1 M19 P90", "G41 M19 P90"})
     EXPECT_EQ(distance(head + contour_of(fanuc, side) + "M30\n", setup_of(fanuc)), 5) << side;
+  EXPECT_EQ(distance(head + contour_of(fanuc, "G41 D1 M143 P5") + "M30\n", setup_of(fanuc)), 5);
   EXPECT_EQ(distance(head + contour_of(fanuc, "G41 P0.75") + "M30\n", setup_of(fanuc)), -1);
+  EXPECT_EQ(told(head + contour_of(fanuc, "G41 D1 M8 P0.75") + "M30\n", setup_of(fanuc)),
+            "900003 3 P, which no function of the line takes\n");
 }
 
 TEST(ToolsOfPrograms, HaveTheRadiusThatSinumerikWrites) {

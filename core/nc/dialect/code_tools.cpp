@@ -30,6 +30,17 @@ bool has_length_offset(const ProgramLine& line) {
   });
 }
 
+// Further work offsets take a P, and M words of machine builders may; those of spindle and coolant
+// do not.
+bool has_function_with_p(const ProgramLine& line) {
+  return std::ranges::any_of(line.words, [&](const WordRange& range) {
+    const std::string_view word = line.word(range);
+    if (same_name(word, "G154") || same_name(word, "G54.1")) return true;
+    const bool is_m = word.size() > 2 && upper(word[0]) == 'M' && word[1] != '0';
+    return is_m && is_digit(word[1]) && is_digit(word[2]);
+  });
+}
+
 // G38.2 of 382.
 std::string name_of_function(std::int32_t tenths) {
   const std::string tenth = tenths % 10 == 0 ? "" : "." + std::to_string(tenths % 10);
@@ -160,9 +171,11 @@ bool Interpreter::check_words_beside_contour(const ProgramLine& line, const Bloc
   if (block.tooth_feed && trc_active())
     return unsupported(*block.tooth_feed, "FZ=, no feed per minute, while TRC is active");
   const bool takes_p = block.orients_spindle || block.has(dwell) || block.has(zero_shift) ||
-                       block.has(tool_data) || block.tool || block.offset || block.tool_data;
+                       block.has(tool_data) || block.tool_data || has_function_with_p(line);
   if (dialect_.name == DialectName::fanuc && selects && block.tool_data_number && !takes_p)
-    return unsupported(block.tool_data_number->begin, "P beside G41, G42, a radius or a diameter");
+    return unsupported(block.tool_data_number->begin,
+                       block.tool || block.offset ? "P, which no function of the line takes"
+                                                  : "P beside G41, G42, a radius or a diameter");
   if (dialect_.name != DialectName::linuxcnc) return true;
   if (selects && block.tool_data_number)
     return unsupported(block.tool_data_number->begin, "P, which no function of the line takes");

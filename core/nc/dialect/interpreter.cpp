@@ -270,7 +270,10 @@ bool Interpreter::read_block(ProgramLine& line) {
   copy_plunge_from_nowhere(line, block);
   copy_helix_with_pitch(line, block);
   sum_up_words(line);
-  return apply(line, block);
+  const bool goes_on = apply(line, block);
+  // RNDM=: the motion ends where its corner begins.
+  if (line.is_motion && contour_open() && block.move.corner) line.has_trc_words = true;
+  return goes_on;
 }
 
 // An increment of the third axis, whose place is not known: while TRC is off nothing hangs on it.

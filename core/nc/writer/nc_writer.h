@@ -45,14 +45,15 @@ class NcWriter {
 
   // What the program says in a line, before TRC.
   struct Meaning {
-    bool gives_block = false;  // one with its Source comes to write(), unless TRC drops it
-    Position end{};            // where the program is after the line
-    bool keeps_place = false;  // a radius of 0: the path is that of the program
-    AxisSet moved{};           // axes across the plane and tracking axes that travel
+    bool gives_block = false;   // one with its Source comes to write(), unless TRC drops it
+    Position end{};             // where the program is after the line
+    bool keeps_place = false;   // a radius of 0: the path is that of the program
+    std::uint32_t motions = 0;  // in the plane, of the last line that has some
+    AxisSet moved{};            // axes across the plane and tracking axes that travel
 
     template <class Archive>
     void serialize(Archive& archive) {
-      archive(gives_block, end, keeps_place, moved);
+      archive(gives_block, end, keeps_place, motions, moved);
     }
   };
   // The next line of the program.
