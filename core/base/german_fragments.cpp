@@ -369,7 +369,6 @@ constexpr auto fragments = std::to_array<Fragment>({
     {"stroke check on", "Überwachung des Verfahrbereichs ein"},
     {"the number of a parameter", "die Nummer eines Parameters"},
     {"the tool of another spindle", "das Werkzeug einer anderen Spindel"},
-    {"the wear of a tool radius", "der Verschleiß eines Werkzeugradius"},
     {"upper limits", "obere Grenzen"},
     {"weighting of acceleration", "Gewichtung der Beschleunigung"},
     {"weighting of feedforward control", "Gewichtung der Vorsteuerung"},

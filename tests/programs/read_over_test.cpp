@@ -215,8 +215,7 @@ TEST(ReadOver, SwitchesOfTheMachinePass) {
   for (const char* const line : {"#3003=1\n", "#3001=0 (clock)\n", "#3004=7\n", "#3003=0\n"})
     EXPECT_NE(flat.find(line), std::string::npos) << flat;
   EXPECT_EQ(refusal_of("G21\n#3003=#0\nM30\n", setup_of(fanuc)).first, 900307);
-  EXPECT_EQ(told("G21\n#12001=-0.02\nM30\n", setup_of(fanuc)),
-            "900003 2 #12001, the wear of a tool radius\n");
+  EXPECT_EQ(written("G21\n#12001=-0.02\nM30\n", setup_of(fanuc)), "G21\nG10 L13 P1 R-0.02\nM30\n");
   EXPECT_EQ(told("G21\n#1=5 #2=6\nM30\n", setup_of(fanuc)),
             "900308 2 #, a second assignment: one in a block\n");
   EXPECT_EQ(flat_of("G21\n(B) #1=5\nG0 X#1\nM30\n", setup_of(fanuc)), "G21\n(B)\nG0 X5.\nM30\n");

@@ -53,6 +53,7 @@ TEST(ToolsOfPrograms, HaveTheWearThatFanucWrites) {
   table.session.program.mode.tool_radius = 0;
   table.session.program.tools[1] = 4;
   EXPECT_EQ(distance(head + "G10 L13 P1 R0.2\n" + wall, table), 4.2);
+  EXPECT_EQ(distance(head + "#12001=0.2\n" + wall, table), 4.2);
   EXPECT_EQ(distance(head + "G10 L13 P2 R0.2\n" + wall, table), 4);
   EXPECT_EQ(distance(head + "G10 L12 P1 R4.\nG10 L13 P1 R-0.5\n" + wall, table), 3.5);
   EXPECT_EQ(distance(head + "G10 L13 P1 R0.2\n" + wall, setup_of(fanuc)), 5.2);
