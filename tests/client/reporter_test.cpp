@@ -65,7 +65,7 @@ TEST(Reporter, HelpsWithWhatTheCommandLineHas) {
 
 // "line 4 (block 3)" in a message, and the same in front of it.
 TEST(Reporter, NamesBlocksOfKlartextWithoutN) {
-  Diagnostic found = diagnostic(Code::tool_radius_zero, {.line = 4, .number = 3});
+  Diagnostic found = diagnostic(Code::tool_radius_zero, {.number = 3, .line = 4});
   EXPECT_EQ(text_of(for_command_line(found, DialectName::heidenhain), {.file = "a.h"})
                 .find("a.h:4: block 3: warning"),
             0U);
