@@ -210,7 +210,9 @@ std::string text_of(const Diagnostic& diagnostic, const Shown& shown) {
   place += ':';
   // Blocks of Klartext have numbers without N.
   if (diagnostic.source.number != Source::no_number)
-    place += (diagnostic.words == ControlWords::klartext ? " " : " N") +
+    place += (diagnostic.words != ControlWords::klartext ? " N"
+              : diagnostic.language == Language::german  ? " Satz "
+                                                         : " block ") +
              std::to_string(diagnostic.source.number) + ':';
 
   const DiagnosticTexts texts = texts_of(diagnostic);

@@ -153,6 +153,7 @@ Diagnostic for_command_line(Diagnostic found, DialectName dialect) {
   if (found.code == Code::nc_unknown_function)
     texts.help = with_name_of_function(std::move(texts.help), found.detail);
   found.texts = std::make_shared<const DiagnosticTexts>(std::move(texts));
+  found.words = words;
   return found;
 }
 

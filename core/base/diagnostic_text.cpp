@@ -458,6 +458,16 @@ std::string_view help_about_values(const Diagnostic& diagnostic, bool german) {
                     "Helix folgt aus ihrem Ende."
                   : "Take it out: it is no centre in this plane, and the pitch of a helix follows "
                     "from its end.";
+  const bool has_number = diagnostic.detail.size() > 2 && diagnostic.detail[1] >= '0' &&
+                          diagnostic.detail[1] <= '9' &&
+                          diagnostic.detail.find('=') != std::string::npos;
+  if (diagnostic.code == Code::nc_axis_unknown && has_number)
+    return german ? "Den Buchstaben allein schreiben, wo die Achse der Ebene gemeint ist, X statt "
+                    "X1; eine Achse für sich zu den mitgeführten Achsen des Setups nehmen, mit "
+                    "dem Namen, den sie hier hat: --set axis_names=X1."
+                  : "Write the letter alone where the axis of the plane is meant, X for X1; add an "
+                    "axis of its own to the tracking axes of the setup, by the name it has here: "
+                    "--set axis_names=X1.";
   const bool is_word_alone =
       !diagnostic.detail.empty() && diagnostic.detail.find_first_of(" ,") == std::string::npos;
   if (diagnostic.code == Code::nc_unsupported && diagnostic.words == ControlWords::klartext &&

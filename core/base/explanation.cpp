@@ -453,6 +453,8 @@ constexpr auto rows = std::to_array<Explanation>({
      .causes = {"Comments in an older encoding, as with umlauts from an editor of Windows.",
                 "A file transfer left bytes of its own at the beginning or the end.",
                 "A sign of degrees, of diameters or of a tolerance outside of a comment."},
+     .on_command_line = "Take it out, and save the program as plain text in UTF-8; ASCII is UTF-8 "
+                        "too. Comments in Latin-1 stay as they are with --set encoding=auto.",
      .example = "N10 G00 X0 Y0\n"
                 "N20 G01 X10 (bell \x07)\n"
                 "N30 M30\n"},

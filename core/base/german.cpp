@@ -177,7 +177,10 @@ constexpr auto rows = std::to_array<GermanRow>({
          "ein Zeichen gehört in kein NC-Programm: ein Steuerzeichen, kein UTF-8, oder außerhalb "
          "von Kommentaren kein ASCII",
      .help = "Es herausnehmen und das Programm als reinen Text in UTF-8 speichern; auch ASCII ist "
-             "UTF-8."},
+             "UTF-8.",
+     .on_command_line = "Es herausnehmen und das Programm als reinen Text in UTF-8 speichern; auch "
+                        "ASCII ist UTF-8. Kommentare in Latin-1 bleiben mit --set encoding=auto, "
+                        "wie sie sind."},
     {.code = Code::nc_number,
      .title = "eine Zahl fehlt, ist falsch geschrieben oder außerhalb des Bereichs",
      .help = "Hinter den Adressbuchstaben eine Dezimalzahl schreiben; wo ein Bereich genannt ist, "

@@ -453,11 +453,27 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Das Wort streichen oder den Dialekt angeben, der es hat."},
     {"tool offset, twice", "Write the coordinates with the offset in them.",
      "Die Koordinaten mit der Korrektur darin schreiben."},
+    {"a motion function of its own",
+     "Write G00 or G01 beside G41 or G42, or in front of them: what moves the axes before lasts up "
+     "to the next motion function.",
+     "G00 oder G01 neben G41 oder G42 schreiben, oder davor: was die Achsen davor bewegt, gilt bis "
+     "zur nächsten Wegbedingung."},
     {"TRC under",
      "End in front of the contour what gives coordinates another meaning, with a straight motion "
      "behind it that names both axes of the plane.",
      "Vor der Kontur beenden, was Koordinaten eine andere Bedeutung gibt, und dahinter eine "
      "Gerade mit beiden Achsen der Ebene programmieren."},
+    {"P beside G41, G42",
+     "Leave P out: what it means differs from control to control. Give tool_radius in the setup, "
+     "or write a D word in its place, whose radius the tool table or G10 L12 P R gives.",
+     "P weglassen: was es bedeutet, ist je nach Steuerung verschieden. tool_radius im Setup "
+     "angeben, oder an seine Stelle ein D-Wort schreiben, dessen Radius die Werkzeugtabelle oder "
+     "G10 L12 P R angibt."},
+    {"a sum of a tool radius",
+     "Write the value itself under G90: G10 L12 P R the radius, L13 its wear, G10 L1 P R in "
+     "LINUXCNC; or leave it out, and give both in the table of the setup.",
+     "Den Wert selbst unter G90 schreiben: G10 L12 P R den Radius, L13 seinen Verschleiß, G10 L1 "
+     "P R bei LINUXCNC; oder es weglassen und beide in der Tabelle des Setups angeben."},
     {"measuring", "Take it into a program of its own: where it stops only the machine knows.",
      "Es in ein eigenes Programm auslagern: wo es hält, weiß nur die Maschine."},
     {"APPR ", "Write LT, LN, CT, LCT, or PLT to PLCT, behind APPR.",

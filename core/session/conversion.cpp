@@ -343,6 +343,12 @@ bool Conversion::read_word(const ProgramLine& line, const WordRange& range, Word
     case WordRole::trc:
       return fail(line, capitals(word));
     case WordRole::coordinate:
+      // X1=5: how another control calls the axis nobody says.
+      if (const std::string_view name = long_name_of(line, range);
+          std::ranges::any_of(setup_.tracking_axes, [name](const std::string& axis) {
+            return axis.size() > 1 && same_name(axis, name);
+          }))
+        return fail(line, capitals(word));
       return !says_way_round(line, range) || fail(line, capitals(word) + ", a way round");
     case WordRole::feed:
       // FZ0.1, FQ1: the feed before would stay in force.

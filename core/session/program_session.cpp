@@ -38,19 +38,27 @@ NcWriter::Setup writer_setup(const ProgramSessionSetup& setup) {
                          .inch = program.inch,
                          .spelling = {.points = dialect.writes_points, .klartext = klartext},
                          .renumbers = program.renumbers};
-  // Text has no word for an axis with a longer name.
-  for (const std::string& axis : program.tracking_axes)
+  for (const std::string& axis : program.tracking_axes) {
     writer.tracking_letters += axis.size() == 1 ? axis.front() : '?';
+    writer.tracking_names.push_back(axis.size() == 1 ? "" : axis);
+  }
   return writer;
 }
+
+constexpr double same_place = 1e-9;  // mm
 
 void add(const Block& block, NcWriter::Meaning& meaning) {
   meaning.gives_block = true;
   std::visit(
       [&](const auto& given) {
         const Plane plane = given.mode->plane;
-        if constexpr (std::is_same_v<decltype(given), const MotionBlock&>)
+        if constexpr (std::is_same_v<decltype(given), const MotionBlock&>) {
+          const Point before = to_plane(plane, meaning.end);
+          meaning.keeps_place = given.mode->active() && given.mode->tool_radius == 0 &&
+                                (start_of(given.path) - before).norm() <= same_place;
+          ++meaning.motions;
           meaning.end = from_plane(plane, end_of(given.path), given.normal.to);
+        }
         const std::size_t third = axes_of(plane).third;
         meaning.end[third] = given.normal.to;
         if (given.normal.moves()) meaning.moved |= axis_bit(third);
@@ -151,12 +159,16 @@ void ProgramSession::Parts::advance() {
 bool ProgramSession::Parts::take(LinePointer& given) {
   const ProgramLine& line = *given;
   next_item = line.source.index + (line.has_words ? 1 : 0);
-  meaning.gives_block = false;
+  // Behind a corner that has become blocks of its own the line begins elsewhere than it says.
+  const std::uint32_t motions_before = std::exchange(meaning.motions, 0U);
+  meaning.gives_block = meaning.keeps_place = false;
   meaning.moved = 0;
   const std::span<const Block> waiting = path.waiting();
   while (line.has_words && blocks_taken < waiting.size() &&
          index_of(waiting[blocks_taken]) == line.source.index)
     add(waiting[blocks_taken++], meaning);
+  meaning.keeps_place &= meaning.motions == 1 && motions_before <= 1;
+  if (meaning.motions == 0) meaning.motions = motions_before;
   if (setup.nc_text) {
     writer.take(std::move(given), meaning);
     silent_lines = meaning.gives_block ? 0 : silent_lines + 1;

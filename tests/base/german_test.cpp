@@ -142,7 +142,6 @@ TEST(German, SaysNothingInTwoLanguages) {
         "DC, ACP or ACN, a way round, beside a contour",
         "CC, an arc or a pole across the plane",
         "X, beside the contour since G40 without motion",
-        "#11001, the wear of a tool radius",
         "CC with an axis that turns",
         "CT behind a motion of the contour: program its centre",
         "DPRNT without the places of its value",

@@ -25,6 +25,12 @@ const std::string loop =
     "FN 0: Q1 = +0\nLBL 1\nL X+Q1 Y+0 R0 FMAX M3\nFN 1: Q1 = +Q1 + +10\n"
     "FN 12: IF +Q1 LT +50 GOTO LBL 1\nL Z+50 R0 FMAX\nM30\n";
 
+// Behind a tool change the height is not known, until a line says it.
+TEST(KlartextOff, StepsFromAHeightThatIsNotKnown) {
+  EXPECT_EQ(code_of("L X-20 Y-10 R0 FMAX\nL IZ-3 R0 F100\n" + contour), 0);
+  EXPECT_EQ(code_of("L X-20 Y-10 R0 FMAX\nL IX-3 IZ-3 R0 F100\n" + contour), 900106);
+}
+
 TEST(KlartextOff, JumpsComeOutAsTheyStand) {
   const std::string program = "BEGIN PGM A MM\n" + loop + "END PGM A MM\n";
   EXPECT_EQ(text_of(program), program);

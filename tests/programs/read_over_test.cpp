@@ -43,6 +43,24 @@ std::string sinumerik_contour(const std::string& lines) {
          "\nG41 G1 X0 Y-10 F100\nY40\nX40\nG40 Y-30\nM30\n";
 }
 
+// Of EdingCNC. What DlgMsg asks for changes a variable.
+TEST(ReadOver, MessagesForTheOperatorPass) {
+  for (const DialectName dialect : {fanuc, linuxcnc}) {
+    const std::string text =
+        "G21 G90\nmsg \"tool 5\" (flat)\nN5 DlgMsg \"Ready?\"\n"
+        "LogFile \"a.txt\" 1\nLOGMSG \"x \" 5\nM30\n";
+    EXPECT_EQ(written(text, setup_of(dialect)), text);
+    EXPECT_EQ(told("G21 G90\nDlgMsg \"Width?\" \"w\" 1\nM30\n", setup_of(dialect)),
+              "900003 2 DLGMSG, a statement\n");
+    EXPECT_EQ(told("G21 G90\nMSG G1 X10\nM30\n", setup_of(dialect)), "900003 2 MSG, a statement\n");
+  }
+}
+
+TEST(ReadOver, APointBehindAnExpressionIsThatOfItsNumber) {
+  EXPECT_EQ(written("#1=500\nM03 S[#1]. F[#1+1].\nG1 X[#1].\nM30\n", setup_of(fanuc)),
+            "M03 S500 F501.\nG1 X500.\nM30\n");
+}
+
 TEST(ReadOver, AToolOfTheSpindleIsItsTool) {
   ProgramSessionSetup setup = setup_of(sinumerik);
   setup.session.program.tool_names["FR6"] = row_of_edge(2, 1);
@@ -197,8 +215,7 @@ TEST(ReadOver, SwitchesOfTheMachinePass) {
   for (const char* const line : {"#3003=1\n", "#3001=0 (clock)\n", "#3004=7\n", "#3003=0\n"})
     EXPECT_NE(flat.find(line), std::string::npos) << flat;
   EXPECT_EQ(refusal_of("G21\n#3003=#0\nM30\n", setup_of(fanuc)).first, 900307);
-  EXPECT_EQ(told("G21\n#12001=-0.02\nM30\n", setup_of(fanuc)),
-            "900003 2 #12001, the wear of a tool radius\n");
+  EXPECT_EQ(written("G21\n#12001=-0.02\nM30\n", setup_of(fanuc)), "G21\nG10 L13 P1 R-0.02\nM30\n");
   EXPECT_EQ(told("G21\n#1=5 #2=6\nM30\n", setup_of(fanuc)),
             "900308 2 #, a second assignment: one in a block\n");
   EXPECT_EQ(flat_of("G21\n(B) #1=5\nG0 X#1\nM30\n", setup_of(fanuc)), "G21\n(B)\nG0 X5.\nM30\n");

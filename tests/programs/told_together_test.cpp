@@ -29,10 +29,10 @@ std::string told(const std::string& text, DialectName dialect,
 }
 
 TEST(ToldTogether, OfFanucAreStateAndWordsAndCalls) {
-  EXPECT_EQ(told("G21 G90 G17\n#1=#5041\nG0 X#1 Y#5042\nIF [#1 GT 5] GOTO 10\nG33 Z5.\n"
+  EXPECT_EQ(told("G21 G90 G17\n#1=#5041\nG0 X#1 Y#5042\nIF [#1 GT 5] GOTO 10\nG45 Z5.\n"
                  "M98 P1234\nN10 G777\nM98 P1235\nG0 X#501\nM30\nG888\n",
                  DialectName::fanuc),
-            "900307 2 #5041\n900307 3 #5042\n900003 5 G33, thread cutting\n900306 6 O1234\n"
+            "900307 2 #5041\n900307 3 #5042\n900003 5 G45, tool offset increase\n900306 6 O1234\n"
             "900002 7 G777\n900306 8 O1235\n900303 9 #501\n");
 }
 

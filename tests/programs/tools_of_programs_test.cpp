@@ -44,6 +44,42 @@ double distance(const std::string& text, const ProgramSessionSetup& setup) {
   return farthest;
 }
 
+// L13 of G10: the wear of the register, with the radius of the table, of the program or of the
+// setup. Another one than the setup says is none to choose from.
+TEST(ToolsOfPrograms, HaveTheWearThatFanucWrites) {
+  const std::string wall = contour_of(fanuc, "G41 D1") + "M30\n";
+  const std::string head = "G21 G17 G90\n";
+  ProgramSessionSetup table = setup_of(fanuc);
+  table.session.program.mode.tool_radius = 0;
+  table.session.program.tools[1] = 4;
+  EXPECT_EQ(distance(head + "G10 L13 P1 R0.2\n" + wall, table), 4.2);
+  EXPECT_EQ(distance(head + "#12001=0.2\n" + wall, table), 4.2);
+  EXPECT_EQ(distance(head + "G10 L13 P2 R0.2\n" + wall, table), 4);
+  EXPECT_EQ(distance(head + "G10 L12 P1 R4.\nG10 L13 P1 R-0.5\n" + wall, table), 3.5);
+  EXPECT_EQ(distance(head + "G10 L13 P1 R0.2\n" + wall, setup_of(fanuc)), 5.2);
+  EXPECT_EQ(distance(head + "G10 L13 P1 R0.2\nG10 L13 P1 R0.\n" + wall, setup_of(fanuc)), 5);
+  EXPECT_NEAR(distance("G20 G17 G90\nG10 L13 P1 R0.01\nG21\n" + wall, setup_of(fanuc)), 5.254,
+              1e-9);
+  ProgramSessionSetup worn = setup_of(fanuc);
+  worn.session.program.wear = 0.1;
+  EXPECT_EQ(distance(head + "G10 L13 P1 R0.1\n" + wall, worn), 5.1);
+  EXPECT_EQ(told(head + "G10 L13 P1 R0.2\n" + wall, worn),
+            "900003 2 G10 L13, another wear than the setup gives that tool\n");
+  EXPECT_EQ(distance(head + "G91 G10 L13 P1 R0.2\nG90\n" + wall, table), -1);
+}
+
+// The P of a function beside G41 is none of its radius.
+TEST(ToolsOfPrograms, HaveNoRadiusFromTheWordsOfOthers) {
+  const std::string head = "G21 G17 G90 G154 P1\n";
+  for (const std::string side :
+       {"M19 P90 G41 D1", "G154 P1 G41 D1", "G41 D1 M19 P90", "G41 M19 P90"})
+    EXPECT_EQ(distance(head + contour_of(fanuc, side) + "M30\n", setup_of(fanuc)), 5) << side;
+  EXPECT_EQ(distance(head + contour_of(fanuc, "G41 D1 M143 P5") + "M30\n", setup_of(fanuc)), 5);
+  EXPECT_EQ(distance(head + contour_of(fanuc, "G41 P0.75") + "M30\n", setup_of(fanuc)), -1);
+  EXPECT_EQ(told(head + contour_of(fanuc, "G41 D1 M8 P0.75") + "M30\n", setup_of(fanuc)),
+            "900003 3 P, which no function of the line takes\n");
+}
+
 TEST(ToolsOfPrograms, HaveTheRadiusThatSinumerikWrites) {
   const std::string wall = contour_of(sinumerik, "G41") + "M30\n";
   ProgramSessionSetup setup = setup_of(sinumerik);

@@ -119,5 +119,73 @@ TEST(Unfollowed, WordsOfControlsOfTheSameFamilyComeOutAsTheyStand) {
   }
 }
 
+struct Beside {
+  DialectName dialect = fanuc;
+  std::string line{};
+  std::string name{};  // how it is told within a contour
+  bool loses = true;   // where the tool stands
+};
+
+// Threads, measuring and axes that move by themselves come out as they stand where TRC is off.
+// Where they end in the plane only the control knows, and no contour has them.
+TEST(Unfollowed, MotionsOfOtherTasksComeOutAsTheyStand) {
+  const std::string begin = "G90 G17\nG0 X-20. Y-20. Z5.\n";
+  const std::string contour = "G41 D1 G1 X0. Y0. F500.\nY40.\n";
+  for (const Beside& each : {
+           Beside{fanuc, "G33 X0. F1.5", "G33, thread cutting"},
+           Beside{fanuc, "G33 Z-10. F1.5", "G33, thread cutting", false},
+           Beside{sinumerik, "G33 Z-10 K1.5", "G33, thread cutting", false},
+           Beside{sinumerik, "G34 Y-10 K1.5 F0.1", "G34, thread cutting"},
+           Beside{sinumerik, "MEAS=1 G1 X10 F100", "MEAS=1, measuring"},
+           Beside{sinumerik, "MEAW=-1 G1 Z-10 F100", "MEAW=-1, measuring", false},
+           Beside{sinumerik, "POS[Z]=10", "POS[Z]=10, a motion of an axis by itself", false},
+           Beside{sinumerik, "POSA[X]=10 FA[X]=100", "POSA[X]=10, a motion of an axis by itself"},
+           Beside{fanuc, "G0 X-20. Y-20. R3.", "R in a straight motion", false},
+           Beside{fanuc, "G1 X-20. Y-20. I0. J0. K0. F100.", "", false},
+           Beside{fanuc, "G1 X0. I2. F100.", ""},
+           Beside{fanuc, "G1 X0. R2. F100.", "R in a straight motion"},
+       }) {
+    const ProgramSessionSetup setup = computing_setup(each.dialect, 5);
+    const std::string text = begin + each.line + "\nG0 Z5.\n";
+    EXPECT_EQ(run_computing(text + "M30\n", setup, Output::nc_text).text, text + "M30\n");
+    const std::string end = "G40 X-20. Y-20.\nM30\n";
+    EXPECT_EQ(refusal_of(text + contour + end, setup).first, each.loses ? 900106 : 0) << each.line;
+    EXPECT_EQ(refusal_of(text + "G0 X-20. Y-20.\n" + contour + end, setup).first, 0) << each.line;
+    const Ran within =
+        run_computing(begin + contour + each.line + "\n" + end, setup, Output::nc_text);
+    ASSERT_TRUE(within.stopped) << each.line;
+    EXPECT_NE(within.report().find(each.name), std::string::npos) << within.report();
+  }
+}
+
+// A contour without G01 behind a thread would be cut in step with the spindle.
+TEST(Unfollowed, ThreadsAndProbingLastUpToTheNextMotionFunction) {
+  const std::string begin = "G90 G17\nG0 X-20. Y-20. Z5.\n";
+  const std::string end = "Y40.\nG40 X-20. Y-20.\nM30\n";
+  using Motions = std::vector<std::pair<DialectName, std::string>>;
+  for (const auto& [dialect, motion] : Motions{{fanuc, "G33 Z-1. F1."},
+                                               {sinumerik, "G33 Z-1 K1"},
+                                               {sinumerik, "G331 Z-1 K1"},
+                                               {linuxcnc, "G33.1 Z-1 K1"},
+                                               {linuxcnc, "G38.2 Z-1 F100"}}) {
+    const ProgramSessionSetup setup = computing_setup(dialect, 5);
+    const std::string at = begin + motion + "\n";
+    EXPECT_EQ(refusal_of(at + "G41 D1 X0. Y0. F500.\n" + end, setup).first, 900003) << motion;
+    EXPECT_EQ(refusal_of(at + "G41 D1 G1 X0. Y0. F500.\n" + end, setup).first, 0) << motion;
+    EXPECT_EQ(refusal_of(at + "X0.\nG91 G0 X5.\nG90\nM30\n", setup).first, 900106) << motion;
+  }
+}
+
+TEST(Unfollowed, IsToldByItsNameWithinAContour) {
+  const std::string begin = "G90 G17\nG0 X-20. Y-20. Z5.\nG41 D1 G1 X0. Y0. F500.\n";
+  const std::string end = "\nY40.\nG40 X-20. Y-20.\nM30\n";
+  const auto told = [&](DialectName dialect, const std::string& line) {
+    return run_computing(begin + line + end, computing_setup(dialect, 5), Output::nc_text).report();
+  };
+  EXPECT_NE(told(fanuc, "G16").find("G16, polar coordinates"), std::string::npos);
+  EXPECT_NE(told(fanuc, "G52 X0").find("G52, local coordinate system"), std::string::npos);
+  EXPECT_NE(told(sinumerik, "TRANS X5").find("TRANS, "), std::string::npos);
+}
+
 }  // namespace
 }  // namespace trc::support

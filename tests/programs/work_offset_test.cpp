@@ -40,6 +40,13 @@ TEST(WorkOffset, SelectedOnceMoreLeavesThePositionKnown) {
   EXPECT_EQ(code_of(isg, behind("G159=2", "G159=3")), 900106);
 }
 
+// One block that is not shifted ends no selection.
+TEST(WorkOffset, StaysBehindBlocksWithoutIt) {
+  for (const std::string block : {"SUPA G0 Z100", "G0 SUPA Z100 D0", "G53 G0 Z100", "G153 G0 Z100"})
+    EXPECT_EQ(code_of(sinumerik, behind("G54", block + "\nG54")), 0) << block;
+  EXPECT_EQ(code_of(sinumerik, behind("G54", "SUPA G0 X5\nG54")), 900106);
+}
+
 TEST(WorkOffset, IsNotTakenForTheSameBehindWhatMayHaveMovedIt) {
   for (const std::string moved :
        {"G10 L2 P1 X5.", "G10 L2 P1 X5.\nG0 X0 Y0", "#5221=5.\nG0 X0 Y0", "G52 X5.\nG0 X0 Y0",

@@ -161,6 +161,7 @@ struct Interpreter::BlockWords {
   bool leads_softly = false;                     // G147 … G348 are followed
   MotionKind motion_before = MotionKind::rapid;  // of such a block
   double feed_before = 0;
+  bool measures = false;                           // MEAS=, MEAW= of Sinumerik
   std::optional<std::uint32_t> unfollowed_word{};  // CT, TURN=, AP=, RP=, ,A, X=R1
 };
 

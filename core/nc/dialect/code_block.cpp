@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/nc/dialect/block_words.h"
+#include "core/nc/text/characters.h"
 
 // What the words of a block of plain letters and numbers mean together, before any of it takes
 // effect: the dialects of Fanuc and of LinuxCNC.
@@ -64,6 +65,7 @@ bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
     forget_what_a_call_may_change(
         line, block,
         block.calls_the_machine ? called_name(line.text, block.of(single_move).begin) : code_.call);
+  pass_over_circle_words(line, block);
   const bool goes_on = copy_code_block(line, block) && check_circle_words(line, block);
   if (block.has(cycle)) code_.cycle = true;
   reads_plain_lines_ = may_read_plain_lines();
@@ -164,11 +166,42 @@ bool Interpreter::may_read_plain_lines() const {
          code_.open_corner.source.line == 0;
 }
 
+MotionKind Interpreter::kind_of(const BlockWords& block) const {
+  return block.has(motion) ? motions[static_cast<std::size_t>(block.of(motion).function->number)]
+                           : motion_;
+}
+
+// I, J, K and R of a straight motion of FANUC outside of contours: where it ends hangs on none of
+// them. At feed some controls round or bevel the corner for them (D-117).
+void Interpreter::pass_over_circle_words(ProgramLine& line, BlockWords& block) const {
+  const MotionKind kind = kind_of(block);
+  const bool is_straight = kind == MotionKind::rapid || kind == MotionKind::linear;
+  if (dialect_.name != DialectName::fanuc || !block.center || !is_straight || contour_open() ||
+      block.has(side) || block.has(dwell) || block.has(tool_data) || block.has(single_move) ||
+      block.has(cycle) || code_.cycle || block.has(frame) || block.has(unfollowed))
+    return;
+  const auto says = [](const std::optional<double>& value) { return value.value_or(0) != 0; };
+  const bool cuts_corner =
+      kind == MotionKind::linear && (says(block.move.radius) || says(block.move.center[0]) ||
+                                     says(block.move.center[1]) || says(block.move.center[2]));
+  if (cuts_corner) {
+    block.copied = true;
+    for (std::size_t axis = 0; axis < block.move.end.size(); ++axis)
+      if (block.move.end[axis]) block.forget |= static_cast<AxisBits>(1U << axis);
+    return;
+  }
+  block.move.radius.reset();
+  block.move.center = {};
+  block.center.reset();
+  for (WordRange& word : line.words)
+    if (word.role == WordRole::coordinate &&
+        std::string_view("IJKR").find(upper(line.text[word.begin])) != std::string_view::npos)
+      word.role = WordRole::technology;
+}
+
 // What I, J, K and R mean in a straight motion of Fanuc: a vector beside G40 and G41, a corner.
 bool Interpreter::check_circle_words(const ProgramLine& line, const BlockWords& block) {
-  const MotionKind kind = block.has(motion)
-                              ? motions[static_cast<std::size_t>(block.of(motion).function->number)]
-                              : motion_;
+  const MotionKind kind = kind_of(block);
   const bool is_straight = kind == MotionKind::rapid || kind == MotionKind::linear;
   if (dialect_.name != DialectName::fanuc || !block.center || !is_straight || block.copied ||
       block.has(dwell) || block.has(tool_data))
@@ -238,9 +271,7 @@ void Interpreter::take_unit_of_old(ProgramLine& line, BlockWords& block) const {
 void Interpreter::take_turns_of_arc(ProgramLine& line, BlockWords& block) const {
   if (dialect_.name != DialectName::linuxcnc || !block.tool_data_number || !contour_open()) return;
   if (!block.axis && !block.center) return;
-  const MotionKind kind = block.has(motion)
-                              ? motions[static_cast<std::size_t>(block.of(motion).function->number)]
-                              : motion_;
+  const MotionKind kind = kind_of(block);
   if (kind != MotionKind::clockwise && kind != MotionKind::counter_clockwise) return;
   block.turns = {.value = block.tool_data_number->value - 1,
                  .begin = block.tool_data_number->begin};

@@ -46,6 +46,30 @@ bool prints_text(std::string_view line, std::size_t begin) {
   return word == "POPEN" || word == "PCLOS" || word == "DPRNT" || word == "BPRNT";
 }
 
+// msg "…", LogMsg "…", LogFile "…" 1 and DlgMsg "…" of EdingCNC. Behind its text DlgMsg has what
+// the operator gives a variable.
+bool shows_message(std::string_view line, std::size_t begin) {
+  const std::string word = word_to_pass(line, begin);
+  const bool asks = word == "DLGMSG";
+  if (word != "MSG" && word != "LOGMSG" && word != "LOGFILE" && !asks) return false;
+  std::string_view behind = without_blanks_in_front(line.substr(begin + word.size()));
+  if (!behind.starts_with('"')) return false;
+  for (std::size_t texts = 0; !behind.empty(); behind = without_blanks_in_front(behind)) {
+    if (behind.front() == '(' || behind.front() == ';') return true;
+    if (behind.front() == '"') {
+      const std::size_t close = behind.find('"', 1);
+      if (close == std::string_view::npos || (asks && texts > 0)) return false;
+      behind.remove_prefix(close + 1);
+      ++texts;
+    } else if (asks || is_letter(behind.front())) {
+      return false;
+    } else {
+      behind.remove_prefix(1);
+    }
+  }
+  return true;
+}
+
 // #3003=1, #501=12.5 and #502=#0, also #500=#500+1: what the flow of a program that computes leaves
 // in it (D-88, D-93, D-95), which has read the expression.
 bool sets_variable(std::string_view line, std::size_t begin) {
@@ -154,6 +178,7 @@ bool Interpreter::names_what_passes(std::string_view line, std::uint32_t begin) 
   if (fanuc && sets_variable(line, begin)) return true;
   // SETVN 500[WIDTH,DEPTH] gives variables names.
   if (fanuc && word_to_pass(line, begin) == "SETVN") return true;
+  if (shows_message(line, begin)) return true;
   return is_name_alone(line, begin) &&
          (passes_word(state_.setup(), line, begin) || (fanuc && prints_text(line, begin)));
 }

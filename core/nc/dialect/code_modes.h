@@ -61,11 +61,12 @@ struct UnfollowedMode {
   std::int32_t function = 0;  // in tenths
   std::uint32_t line = 0;
   std::string meaning{};
-  std::string frame{};  // of Sinumerik: the one that scales, $P_UIFR[1]
+  std::string frame{};     // of Sinumerik: the one that scales, $P_UIFR[1]
+  bool is_motion = false;  // G33 and the like: in force up to the next motion function
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(function, line, meaning, frame);
+    archive(function, line, meaning, frame, is_motion);
   }
 };
 

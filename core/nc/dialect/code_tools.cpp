@@ -30,6 +30,23 @@ bool has_length_offset(const ProgramLine& line) {
   });
 }
 
+// Further work offsets take a P, and M words of machine builders may; those of spindle and coolant
+// do not.
+bool has_function_with_p(const ProgramLine& line) {
+  return std::ranges::any_of(line.words, [&](const WordRange& range) {
+    const std::string_view word = line.word(range);
+    if (same_name(word, "G154") || same_name(word, "G54.1")) return true;
+    const bool is_m = word.size() > 2 && upper(word[0]) == 'M' && word[1] != '0';
+    return is_m && is_digit(word[1]) && is_digit(word[2]);
+  });
+}
+
+// G38.2 of 382.
+std::string name_of_function(std::int32_t tenths) {
+  const std::string tenth = tenths % 10 == 0 ? "" : "." + std::to_string(tenths % 10);
+  return "G" + std::to_string(tenths / 10) + tenth;
+}
+
 // Of $TC_DP6[1,1], as row_of_edge() has it.
 std::optional<std::int64_t> row_of_index(std::string_view name) {
   std::array<double, 2> index{};
@@ -91,10 +108,14 @@ bool Interpreter::check_what_may_be_skipped(const ProgramLine& line, const Block
 bool Interpreter::check_code_selection(ProgramLine& line, BlockWords& block) {
   const bool selects = block.has(side) && !block.of(side).is(40);
   if (!check_what_may_be_skipped(line, block)) return false;
-  if (selects && !code_.unfollowed.empty())
+  if (selects && !code_.unfollowed.empty()) {
+    const UnfollowedMode& mode = code_.unfollowed.back();
+    const std::string what =
+        mode.is_motion ? name_of_function(mode.function) + ", a motion function of its own"
+                       : mode.meaning;
     return refuse_selection(line, block, Code::nc_unsupported,
-                            "TRC under " + code_.unfollowed.back().meaning + ", in line " +
-                                std::to_string(code_.unfollowed.back().line));
+                            "TRC under " + what + ", in line " + std::to_string(mode.line));
+  }
   if (dialect_.name == DialectName::sinumerik && !choose_tool_of_edge(line, block)) return false;
   if (!check_turning(line, block) || !check_words_beside_contour(line, block)) return false;
   if (block.constant_speed) block.tool.reset();
@@ -149,8 +170,12 @@ bool Interpreter::check_words_beside_contour(const ProgramLine& line, const Bloc
   // The corner in front of it still has the feed before.
   if (block.tooth_feed && trc_active())
     return unsupported(*block.tooth_feed, "FZ=, no feed per minute, while TRC is active");
-  if (dialect_.name == DialectName::fanuc && selects && block.tool_data_number)
-    return unsupported(block.of(side).begin, "G41, G42 with a radius in P");
+  const bool takes_p = block.orients_spindle || block.has(dwell) || block.has(zero_shift) ||
+                       block.has(tool_data) || block.tool_data || has_function_with_p(line);
+  if (dialect_.name == DialectName::fanuc && selects && block.tool_data_number && !takes_p)
+    return unsupported(block.tool_data_number->begin,
+                       block.tool || block.offset ? "P, which no function of the line takes"
+                                                  : "P beside G41, G42, a radius or a diameter");
   if (dialect_.name != DialectName::linuxcnc) return true;
   if (selects && block.tool_data_number)
     return unsupported(block.tool_data_number->begin, "P, which no function of the line takes");
@@ -361,7 +386,8 @@ bool Interpreter::read_edge_data(const NamedWord& word, ProgramLine& line, Block
   return std::abs(value - wear) <= alike || refused("another wear than the setup gives that tool");
 }
 
-// G10 L12 P R of Fanuc, G10 L1 P R of LinuxCNC: the program gives a tool its radius.
+// G10 L12 P R of Fanuc, G10 L1 P R of LinuxCNC: the program gives a tool its radius, L13 P R of
+// Fanuc its wear (D-118).
 bool Interpreter::take_tool_data(ProgramLine& line, BlockWords& block) {
   for (const auto& edge : block.edge_radii) {
     place(line, edge.begin);
@@ -374,18 +400,33 @@ bool Interpreter::take_tool_data(ProgramLine& line, BlockWords& block) {
   const bool radius_data =
       linuxcnc ? data == 1 || data == 10 || data == 11 : data == 12 || data == 13;
   if (!radius_data || !block.move.radius) return true;
-  if (data == 13 && *block.move.radius == 0) return true;
   const bool adds = block.has(dimension) ? block.of(dimension).is(91) : incremental_;
-  if (data != (linuxcnc ? 1 : 12) || !block.tool_data_number || adds)
-    return refuse(line, TextFault{.code = Code::nc_unsupported,
-                                  .begin = block.of(tool_data).begin,
-                                  .detail = "G10 L" + std::to_string(data) +
-                                            ", wear or a sum of a tool radius"});
+  const bool is_wear = !linuxcnc && data == 13;
+  const auto refused = [&](std::string_view why) {
+    return refuse(line,
+                  TextFault{.code = Code::nc_unsupported,
+                            .begin = block.of(tool_data).begin,
+                            .detail = "G10 L" + std::to_string(data).append(", ").append(why)});
+  };
+  if (adds && is_wear && *block.move.radius == 0) return true;
+  if ((linuxcnc && data != 1) || !block.tool_data_number || adds)
+    return refused("a sum of a tool radius");
   if (!faults_.empty()) return true;
   const bool inch = block.has(unit) ? counts_in_inch(*block.of(unit).function) : inch_;
+  const std::int64_t number = whole_number(block.tool_data_number->value);
+  const double value = *block.move.radius * (inch ? mm_per_inch : 1);
+  if (is_wear) {
+    // What the setup says of the wear it has been told; a program that sets it back to 0 does not.
+    const double wear = state_.tool().wear_of(number);
+    constexpr double alike = 1e-9;
+    if (wear != 0 && value == 0 && !state_.tool().gives_wear(number)) return true;
+    if (wear != 0 && std::abs(wear - value) > alike && !state_.tool().gives_wear(number))
+      return refused("another wear than the setup gives that tool");
+    state_.define_wear(number, value);
+    return true;
+  }
   place(line, block.of(tool_data).begin);
-  return state_.define_tool(whole_number(block.tool_data_number->value),
-                            *block.move.radius * (inch ? mm_per_inch : 1), line.source);
+  return state_.define_tool(number, value, line.source);
 }
 
 }  // namespace trc

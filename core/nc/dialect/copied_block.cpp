@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/nc/dialect/block_words.h"
+#include "core/nc/text/characters.h"
 
 // Lines of plain letters and numbers that are copied as they stand, since what they do is not
 // followed: which, what is known of the position behind them, and that no contour hangs on them.
@@ -11,6 +12,16 @@ namespace trc {
 namespace {
 
 using enum GGroup;
+
+// "G16, " in front of what the function does; of axis words nothing.
+std::string name_of_function(const ProgramLine& line, std::uint32_t begin) {
+  const auto word = std::ranges::find(line.words, begin, &WordRange::begin);
+  if (word == line.words.end()) return {};
+  const std::string_view text = line.word(*word);
+  const bool is_function = text.size() > 1 && (upper(text[0]) == 'G' || is_letter(text[1]));
+  if (!is_function) return {};
+  return std::string(text.substr(0, text.find_first_of("(=["))) + ", ";
+}
 
 }  // namespace
 
@@ -107,8 +118,9 @@ void Interpreter::copy_under_modes(BlockWords& block, AxisBits named, NotWhileAc
                 found);
   if (machine_follows_)
     copy_motion("a motion under G66 of a macro that only the machine has", all_axes, block, found);
+  const bool moves_as_named = std::ranges::all_of(code_.unfollowed, &UnfollowedMode::is_motion);
   if (!code_.unfollowed.empty())
-    copy_motion("a position that is not followed", all_axes, block, found);
+    copy_motion("a position that is not followed", moves_as_named ? named : all_axes, block, found);
   found.hangs_on_what_was_told = told && block.copied;
 }
 
@@ -120,6 +132,8 @@ void Interpreter::copy_for_words_of_line(BlockWords& block, AxisBits named, NotW
   } else if (block.axis) {
     copy_for(axis_technology, AxisBits{0}, block, found);
   }
+  // Where the axes stop only the machine knows.
+  if (block.measures) copy_motion("measuring", named, block, found);
   if (block.unfollowed_word)
     copy_motion("CT, TURN=, AP=, RP=, ANG=, ,A or a variable", all_axes, block, found);
   // In a contour they have centres (take_tangent).
@@ -251,7 +265,8 @@ bool Interpreter::copy_code_block(ProgramLine& line, BlockWords& block) {
     return refuse(line, TextFault{.code = found.code,
                                   .begin = *found.begin,
                                   .detail = found.code == Code::nc_unsupported
-                                                ? found.meaning.append(" while TRC is active")
+                                                ? name_of_function(line, *found.begin) +
+                                                      found.meaning + " while TRC is active"
                                                 : found.meaning});
   // G41 would come out, and the control compensate once more.
   if (block.copied && selects_here)

@@ -44,7 +44,7 @@ constexpr auto functions = std::to_array<GFunction>({
     {30, single_move, "to a further reference point", false, 1},
     {31, single_move, "motion until a signal"},
     {31, single_move, "measuring", false, 8},
-    {33, refused, "thread cutting"},
+    {33, single_move, "thread cutting"},
     {35, single_move, "measuring of a tool diameter"},
     {36, single_move, "measuring of a zero point; with R a rounding"},
     {37, single_move, "measuring of a tool length; with R a tangential entry"},

@@ -21,10 +21,11 @@ void sum_up_words(ProgramLine& line) {
   for (const WordRange& word : line.words) {
     line.roles |= bit(word.role);
     if (word.role != WordRole::coordinate) continue;
-    if (!names_an_axis(line, word)) {
-      line.names_other_axes |= is_polar(line, word);
+    if (!long_name_of(line, word).empty()) {
+      line.names_other_axes = true;
       continue;
     }
+    if (!names_an_axis(line, word)) continue;
     const char letter = upper(line.text[word.begin]);
     if (letter >= 'X' && letter <= 'Z') {
       line.main_axes |= static_cast<std::uint8_t>(1U << (letter - 'X'));
@@ -269,7 +270,10 @@ bool Interpreter::read_block(ProgramLine& line) {
   copy_plunge_from_nowhere(line, block);
   copy_helix_with_pitch(line, block);
   sum_up_words(line);
-  return apply(line, block);
+  const bool goes_on = apply(line, block);
+  // RNDM=: the motion ends where its corner begins.
+  if (line.is_motion && contour_open() && block.move.corner) line.has_trc_words = true;
+  return goes_on;
 }
 
 // An increment of the third axis, whose place is not known: while TRC is off nothing hangs on it.
@@ -304,7 +308,11 @@ bool Interpreter::is_plain(ProgramLine& line, PlainMotion& plain) const {
 bool Interpreter::apply(ProgramLine& line, const PlainMotion& plain) {
   MoveRequest request;
   plain.enter(request);
-  if (request.center[axes_of(state_.programmed_plane()).third].value_or(0) != 0) {  // a pitch
+  const MotionKind kind = plain.has_function() ? plain.motion() : motion_;
+  const bool passes_over_circle_words =
+      dialect_.name == DialectName::fanuc && plain.has_circle_words() && kind <= MotionKind::linear;
+  if (passes_over_circle_words ||
+      request.center[axes_of(state_.programmed_plane()).third].value_or(0) != 0) {  // a pitch
     line.words.clear();
     return read_block(line);
   }

@@ -217,6 +217,7 @@ class Interpreter {
   void copy_for_words_of_line(BlockWords& block, AxisBits named, NotWhileActive& found);
   [[nodiscard]] bool ends_what_is_unfollowed(const BlockWords& block) const;
   void end_what_was_unfollowed(BlockWords& block);
+  void take_modal_motion(const ProgramLine& line, const BlockWords& block);
   void end_scaling_frames(const std::string& frame);
   void take_tool_words(const ProgramLine& line, BlockWords& block);
   static void take_words_of_few_controls(BlockWords& block);
@@ -245,6 +246,8 @@ class Interpreter {
   bool take_corner(ProgramLine& line, BlockWords& block);
   bool take_modal_rounding(ProgramLine& line, BlockWords& block);
   bool take_corner_feed(ProgramLine& line, BlockWords& block);
+  [[nodiscard]] MotionKind kind_of(const BlockWords& block) const;
+  void pass_over_circle_words(ProgramLine& line, BlockWords& block) const;
   bool check_circle_words(const ProgramLine& line, const BlockWords& block);
   bool take_fagor_words(ProgramLine& line, BlockWords& block);
   bool take_tool_data(ProgramLine& line, BlockWords& block);
@@ -318,6 +321,7 @@ class Interpreter {
 
   // Of Sinumerik: sinumerik_block.cpp, _functions.cpp, _values.cpp and _arcs.cpp.
   bool read_named_words(ProgramLine& line, BlockWords& block);
+  [[nodiscard]] int axis_of_index(const NamedWord& word) const;
   bool check_index(const NamedWord& word, const ProgramLine& line);
   bool read_named_address(const NamedWord& word, ProgramLine& line, BlockWords& block);
   bool read_tool_name(const NamedWord& word, ProgramLine& line, BlockWords& block);

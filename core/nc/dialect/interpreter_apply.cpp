@@ -194,7 +194,9 @@ bool Interpreter::apply_tool(const ProgramLine& line, const BlockWords& block) {
                         place_of_word(line, block.tool_number->begin));
   if (block.loads_tool && at(0) && !state_.load_tool(source)) return false;
   if (block.only_tool && at(*block.only_tool) &&
-      !state_.call_tool(ToolRow(state_.setup().mode.tool_radius, state_.setup().wear), source))
+      !state_.call_tool(ToolRow(state_.setup().mode.tool_radius,
+                                state_.tool().wear_of(code_.only_register.value_or(0))),
+                        source))
     return false;
   const bool zero = block.tool && block.tool->value == 0 && dialect_.zero_is_a_radius &&
                     !state_.tool().row_of_tool(0);

@@ -10,10 +10,6 @@
 namespace trc {
 namespace {
 
-bool same_name(std::string_view a, std::string_view b) {
-  return std::ranges::equal(a, b, {}, upper, upper);
-}
-
 WordRole role_of(GGroup group) {
   switch (group) {
     case GGroup::motion:

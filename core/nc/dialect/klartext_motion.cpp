@@ -28,7 +28,13 @@ bool Interpreter::apply_klartext(ProgramLine& line, KlartextBlock& block) {
   };
   const bool approaches = block.is(KlartextStatement::approach) && selects;
   const bool departs = block.is(KlartextStatement::departure) && trc_active();
-  const bool alone = leaves_from_lost_place(block);
+  // IZ-3 from a height that is not known: outside of contours nothing hangs on it.
+  const PlaneAxes plane = axes_of(state_.mode().plane);
+  const bool plunges = block.is(KlartextStatement::straight) && !selects && !contour_open() &&
+                       block.end[plane.third] && block.end[plane.third]->increment &&
+                       !block.end[plane.first] && !block.end[plane.second] &&
+                       !state_.is_known(plane.third);
+  const bool alone = leaves_from_lost_place(block) || (plunges && !block.unfollowed);
   const bool copied = block.unfollowed.has_value() || alone || (is_lead && !approaches && !departs);
   const bool corner = block.is(KlartextStatement::rounding) || block.is(KlartextStatement::chamfer);
   if (corner && contour_open() && has(WordRole::stop))

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <string>
 
 #include "core/nc/dialect/block_words.h"
@@ -65,11 +66,21 @@ bool Interpreter::read_named_words(ProgramLine& line, BlockWords& block) {
   }
 }
 
+// X1=5, where the setup has an axis X1: its place among the tracking axes; else -1.
+int Interpreter::axis_of_index(const NamedWord& word) const {
+  if (word.index < 0) return -1;
+  const std::string name = word.letter + std::to_string(word.index);
+  const auto& names = state_.setup().tracking_axes;
+  const auto found = std::ranges::find_if(
+      names, [&](const std::string& candidate) { return same_name(candidate, name); });
+  return found == names.end() ? -1 : static_cast<int>(found - names.begin());
+}
+
 // T1=5 and M1=6 are those of the spindle; further ones have tools of their own, which no contour of
 // G41 counts on. Beside them S, H and M of one spindle pass; axes are looked at by their names.
 bool Interpreter::check_index(const NamedWord& word, const ProgramLine& line) {
   if (word.index < 0 || word.letter <= 'C' || word.letter >= 'U') return true;
-  if (is_center_letter(word.letter)) return true;
+  if (is_center_letter(word.letter) || axis_of_index(word) >= 0) return true;
   const auto wrong = [&](std::string_view why) {
     return refuse_code(line, as_code(word), Code::nc_unsupported, why);
   };
@@ -140,6 +151,18 @@ bool Interpreter::read_call_by_letter(const NamedWord& word, ProgramLine& line, 
 
 // S1=500 and M1=3 are of a spindle, X1=0 of G74 and G75 names an axis.
 bool Interpreter::read_word_of_index(const NamedWord& word, ProgramLine& line, BlockWords& block) {
+  if (const int axis = axis_of_index(word); axis >= 0 && !block.has(GGroup::single_move)) {
+    const auto index = static_cast<std::size_t>(axis);
+    if (word.reference != NamedWord::Reference::modal)
+      return refuse_code(line, as_code(word), Code::nc_unsupported, "AC or IC of a further axis");
+    block.move.tracking.resize(state_.setup().tracking_axes.size());
+    if (block.move.tracking[index]) return refuse_code(line, as_code(word), Code::nc_word_twice);
+    block.move.tracking[index] = word.value;
+    if (!block.axis) block.axis = word.begin;
+    ++block.words;
+    add(line, word, WordRole::coordinate);
+    return true;
+  }
   const bool names_axis = word.letter <= 'C' || word.letter >= 'U' || is_center_letter(word.letter);
   if (names_axis && !block.has(GGroup::single_move))
     return refuse_code(line, as_code(word), Code::nc_axis_unknown);

@@ -25,6 +25,9 @@ constexpr GFunction unfollowed_end_name{.number = 1002, .group = unfollowed_end}
 constexpr GFunction spatial_end_name{.number = 1014, .group = unfollowed_end};
 constexpr GFunction single_name{
     .number = 1003, .group = single_move, .meaning = "a cycle or motion of its own"};
+// SUPA, of one block as G53 and G153 are.
+constexpr GFunction suppression_name{
+    .number = 153, .group = single_move, .meaning = "motion without any zero shift"};
 constexpr GFunction cycle_name{.number = 1004, .group = cycle, .meaning = "a modal cycle"};
 constexpr GFunction around_the_corner{.number = 139, .group = selection};
 constexpr GFunction straight_to_the_contour{.number = 138, .group = selection};
@@ -128,7 +131,7 @@ bool Interpreter::read_known_name(SinumerikMeaning meaning, const NamedWord& wor
     case SinumerikMeaning::unfollowed_end:
       return stands_for(unfollowed_end_name);
     case SinumerikMeaning::single_move:
-      return stands_for(single_name);
+      return stands_for(suppression_name);
     case SinumerikMeaning::modal_cycle: {
       // Alone it ends the cycle.
       const bool ends = line.text.find('(', word.end) == std::string::npos;

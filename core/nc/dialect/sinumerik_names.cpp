@@ -176,10 +176,10 @@ static_assert(std::ranges::is_sorted(names, {}, &Name::name));
 
 // Calls that say nothing about where the path runs.
 constexpr auto passing_calls = std::to_array<std::string_view>(
-    {"COUPOF",    "COUPON",   "CYCLE832", "DELETE",    "FGROUP", "FILEDATE",     "FILEINFO",
-     "FILESIZE",  "FILESTAT", "FILETIME", "FPRAOF",    "FPRAON", "GROUP_ADDEND", "GROUP_BEGIN",
-     "GROUP_END", "MMC",      "MSG",      "ORIRESET",  "READ",   "SETAL",        "SETMS",
-     "SPOS",      "WAITM",    "WAITS",    "WORKPIECE", "WRITE"});
+    {"COUPOF",    "COUPON",   "CYCLE832", "DELETE",   "FGROUP",    "FILEDATE",     "FILEINFO",
+     "FILESIZE",  "FILESTAT", "FILETIME", "FPRAOF",   "FPRAON",    "GROUP_ADDEND", "GROUP_BEGIN",
+     "GROUP_END", "MMC",      "MSG",      "ORIRESET", "READ",      "SETAL",        "SETMS",
+     "SPOS",      "WAITM",    "WAITP",    "WAITS",    "WORKPIECE", "WRITE"});
 // CYCLE, HOLES, POCKET, SLOT and the like: what they move only the control knows.
 constexpr auto cycle_beginnings = std::to_array<std::string_view>(
     {"CYCLE", "HOLES", "POCKET", "SLOT", "LONGHOLE", "TRANSMIT", "TRACYL", "F_"});

@@ -14,11 +14,12 @@ namespace {
 constexpr GFunction frame_scale{
     .number = scaling_frame, .group = GGroup::unfollowed, .meaning = "a frame that scales"};
 
-// POS[X]=10; POS[A]=10 and POS[Q1]=10 move what has no part in the path.
-bool moves_main_axis(std::string_view assignment) {
+// POS[X]=10; POS[A]=10 and POS[Q1]=10 move what has no part in the path: none.
+AxisBits main_axis_of(std::string_view assignment) {
   const std::size_t index = assignment.find_first_not_of("[ \t", assignment.find('['));
-  return index != std::string_view::npos && upper(assignment[index]) >= 'X' &&
-         upper(assignment[index]) <= 'Z';
+  if (index == std::string_view::npos) return 0;
+  const char axis = upper(assignment[index]);
+  return axis < 'X' || axis > 'Z' ? AxisBits{0} : static_cast<AxisBits>(1U << (axis - 'X'));
 }
 
 }  // namespace
@@ -124,14 +125,18 @@ bool Interpreter::pass_assignment(const NamedWord& word, ProgramLine& line, Bloc
   if (is("DL") && word.value != 0) return refused("a sum offset of the tool");
   const bool is_no_offset = word.name.starts_with("TOFF") && word.value == 0;
   const std::string_view refusal = refusal_of_sinumerik_word(word.name);
-  if (!refusal.empty() && !is_no_offset) return refused(refusal);
+  const bool measures = word.name.starts_with("MEA");
+  if (!refusal.empty() && !is_no_offset && !(measures && !contour_open())) return refused(refusal);
+  block.measures |= measures;
   const bool moves_axis = is("POS") || is("POSA");
-  if (moves_axis && moves_main_axis(line.word({.begin = word.begin, .end = word.end})))
-    return refused("a motion of an axis by itself");
+  const AxisBits moved =
+      moves_axis ? main_axis_of(line.word({.begin = word.begin, .end = word.end})) : AxisBits{0};
+  if (moved != 0 && contour_open()) return refused("a motion of an axis by itself");
+  block.forget |= moved;
   const bool ends_turned_tool = is("TCARR") || is("CUTMOD");
   const bool passes = is_passing_sinumerik_word(word.name) || ends_turned_tool || moves_axis ||
                       state_.setup().pass_words.contains(word.name) || is("DISC") || is("DL") ||
-                      is_no_offset || is_corner_word || is("RPL");
+                      is_no_offset || is_corner_word || is("RPL") || measures;
   if (!passes) return refused("a variable");
   add(line, word, WordRole::technology);
   return true;

@@ -23,6 +23,16 @@ constexpr const char* programmable_frame = "$P_PFRAME";
 constexpr auto ends_of_modes = std::to_array<std::pair<int, int>>(
     {{131, 121}, {131, 1120}, {150, 160}, {500, 510}, {720, 720}, {10020, 10010}, {10140, 10120}});
 
+// Threads, tapping in step with the spindle and probing last up to the next motion function.
+bool is_modal_motion(DialectName dialect, int tenths) {
+  using enum DialectName;
+  static constexpr std::array of_sinumerik{330, 340, 350, 3310, 3320};
+  static constexpr std::array of_linuxcnc{330, 331, 382, 383, 384, 385};
+  if (dialect == fanuc) return tenths == 330;
+  if (dialect == sinumerik) return std::ranges::find(of_sinumerik, tenths) != of_sinumerik.end();
+  return dialect == linuxcnc && std::ranges::find(of_linuxcnc, tenths) != of_linuxcnc.end();
+}
+
 // Which kind of turn a function begins or ends: rotation, mirroring, mirroring by G101.
 std::uint8_t turn_of(int tenths) {
   switch (tenths) {
@@ -81,9 +91,23 @@ void Interpreter::take_what_is_unfollowed(const ProgramLine& line, BlockWords& b
                                 .meaning = std::string(function.meaning),
                                 .frame = block.frame});
   }
+  take_modal_motion(line, block);
   if (!block.has(unfollowed_end)) return;
   for (const auto& [end, mode] : ends_of_modes)
     if (std::ranges::find(block.ends, end) != block.ends.end()) code_.end_unfollowed(mode);
+}
+
+void Interpreter::take_modal_motion(const ProgramLine& line, const BlockWords& block) {
+  const bool begins = block.has(single_move) &&
+                      is_modal_motion(dialect_.name, block.of(single_move).function->tenths());
+  if (begins || block.has(motion) || block.has(cycle) || block.has(cycle_end))
+    std::erase_if(code_.unfollowed, [](const UnfollowedMode& mode) { return mode.is_motion; });
+  if (!begins) return;
+  const GFunction& function = *block.of(single_move).function;
+  code_.unfollowed.push_back({.function = function.tenths(),
+                              .line = line.source.line,
+                              .meaning = std::string(function.meaning),
+                              .is_motion = true});
 }
 
 // G69, G50 and the like stand in the first line of many programs, where there is nothing to end.

@@ -91,6 +91,8 @@ bool CodeFlow::scan_value(ComputedWord& word, std::size_t& at) {
   if (expression.failed()) return refuse(expression.fault());
   word.computed = has_computed_ = true;
   at = expression.at();
+  // S[#1]. as people write it: the point is that of a number.
+  if (fanuc && sign == '[' && sign_at(line_, at) == '.' && !is_digit(sign_at(line_, at + 1))) ++at;
   const auto refuse_value = [&](Code code) {
     return refuse(code, begin, std::string(line_.substr(begin, at - begin)));
   };

@@ -47,11 +47,6 @@ bool FanucFlow::assign(std::string& flat, std::size_t at) {
     write_behind_number(flat, comments.empty() ? "M00" : "M00 " + comments);
     return true;
   }
-  constexpr std::int64_t first_of_wear = 12001;
-  constexpr std::int64_t last_of_wear = 12999;
-  if (number >= first_of_wear && number <= last_of_wear && value.number != 0)
-    return refuse(Code::nc_unsupported, at,
-                  "#" + std::to_string(number) + ", the wear of a tool radius");
   if (const std::string data = data_setting(number, value); !data.empty()) {
     common_[number] = value.number;
     const std::string comments = comments_of(line_, behind);

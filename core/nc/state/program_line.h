@@ -122,6 +122,16 @@ struct ProgramLine {
   return !((second >= 'A' && second <= 'Z') || (second >= 'a' && second <= 'z'));
 }
 
+// X1=5, MX = 5: the name in front of the sign, of more than one character. Else nothing.
+[[nodiscard]] inline std::string_view long_name_of(const ProgramLine& line, const WordRange& word) {
+  const std::string_view text = line.word(word);
+  std::size_t end = 0;
+  while (end < text.size() && text[end] != '=' && text[end] != ' ' && text[end] != '\t') ++end;
+  const std::size_t sign = text.find_first_not_of(" \t", end);
+  if (end < 2 || sign == std::string_view::npos || text[sign] != '=') return {};
+  return text.substr(0, end);
+}
+
 // AP= and RP= name both axes of the plane, and so does AR=, which may stand for the end of an arc.
 [[nodiscard]] inline bool is_polar(const ProgramLine& line, const WordRange& word) {
   const auto is = [&](std::size_t at, char capital) {

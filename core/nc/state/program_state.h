@@ -133,6 +133,7 @@ class ProgramState {
   // The program itself gives a tool its radius, mm, which counts from its next call on. A warning
   // where the setup gives another one (900224).
   bool define_tool(std::int64_t number, double radius, const Source& source);
+  void define_wear(std::int64_t number, double wear) { tool_.define_wear(number, wear); }
   bool call_tool(const ToolRow& row, const Source& source);
   // A STRETCH_FACTOR out of range becomes 1, with a warning (22007). 22125, 900005.
   bool set_options(const TrcOptions& options, const Source& source);

@@ -90,6 +90,13 @@ std::optional<Refusal> ToolInForce::define_tool(std::int64_t number, double radi
                  .values = {{"tool_radius", radius}, {"radius_of_setup", given}}};
 }
 
+double ToolInForce::wear_of(std::int64_t number) const {
+  if (const auto wear = wears_.find(number); wear != wears_.end()) return wear->second;
+  const auto tool = setup_.tools.find(number);
+  if (tool != setup_.tools.end()) return tool->second.wear;
+  return setup_.tools.empty() && !defined_.contains(number) ? setup_.wear : 0;
+}
+
 std::optional<Refusal> ToolInForce::call_tool(const ToolRow& row) {
   return enter_row(row, RadiusGiver::program);
 }
@@ -109,8 +116,8 @@ std::optional<ToolRow> ToolInForce::row_of_tool(std::int64_t number) const {
   const auto tool = setup_.tools.find(number);
   const bool is_in_table = tool != setup_.tools.end();
   if (const auto defined = defined_.find(number); defined != defined_.end())
-    return ToolRow(defined->second, is_in_table ? tool->second.wear : 0);
-  if (is_in_table) return tool->second;
+    return ToolRow(defined->second, wear_of(number));
+  if (is_in_table) return ToolRow(tool->second.radius, wear_of(number));
   if (setup_.every_radius && number != 0) return ToolRow(*setup_.every_radius, setup_.wear);
   return std::nullopt;
 }

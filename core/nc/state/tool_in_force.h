@@ -40,6 +40,13 @@ class ToolInForce {
   // another one.
   std::optional<Refusal> define_tool(std::int64_t number, double radius);
 
+  // And the wear of its radius, mm.
+  void define_wear(std::int64_t number, double wear) { wears_[number] = wear; }
+  // Whether the program has given it.
+  [[nodiscard]] bool gives_wear(std::int64_t number) const { return wears_.contains(number); }
+  // mm, of the program, the table or the one tool of the setup.
+  [[nodiscard]] double wear_of(std::int64_t number) const;
+
   // What the first motion of a selection asks for: that there is a radius (900219) and that its
   // wear is none of a whole radius (900222); 0 gets a warning once (900220). A tool that the table
   // does not hold is told where the program calls it (900013, D-52). `selected`: by whom.
@@ -75,7 +82,7 @@ class ToolInForce {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(defined_, terms_.radius, terms_.wear, terms_.allowance, giver_, prepared_,
+    archive(defined_, wears_, terms_.radius, terms_.wear, terms_.allowance, giver_, prepared_,
             prepared_place_, loads_tools_, missing_, missing_letter_, missing_place_,
             zero_reported_);
   }
@@ -97,6 +104,7 @@ class ToolInForce {
 
   const ProgramSetup& setup_;
   std::map<std::int64_t, double> defined_{};  // by the program
+  std::map<std::int64_t, double> wears_{};    // likewise
   RadiusTerms terms_;
   RadiusGiver giver_ = RadiusGiver::nobody;
   std::int64_t prepared_ = no_tool;  // of a T word, until it is loaded

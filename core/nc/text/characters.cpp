@@ -99,6 +99,10 @@ std::string_view without_blanks_behind(std::string_view text) {
   }
 }
 
+bool same_name(std::string_view a, std::string_view b) {
+  return std::ranges::equal(a, b, {}, upper, upper);
+}
+
 std::string name_of_character(std::string_view text) {
   if (text.empty()) return {};
   const std::size_t length = utf8_character(text);

@@ -17,6 +17,7 @@ inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 [[nodiscard]] std::string in_upper_case(std::string_view text);
 // Of names in the letters of Latin-1, written in it or in UTF-8.
 [[nodiscard]] std::string in_capitals_as_utf8(std::string_view text);
+[[nodiscard]] bool same_name(std::string_view a, std::string_view b);
 [[nodiscard]] constexpr bool is_letter(char sign) {
   return upper(sign) >= 'A' && upper(sign) <= 'Z';
 }

@@ -12,10 +12,26 @@ namespace {
 // mm; a reader takes the start of a copied arc for the programmed one.
 constexpr double same_start = 1e-9;
 
+// Under a radius of 0, and as a whole.
+bool is_programmed_path(const NcWriter::Meaning& meaning, const CompensatedBlock& block) {
+  const bool may_be = block.origin == Origin::programmed || block.origin == Origin::approach ||
+                      block.origin == Origin::retract;
+  return meaning.keeps_place && may_be &&
+         (end_of(block.path) - to_plane(block.plane, meaning.end)).norm() <= same_start;
+}
+
 }  // namespace
 
 bool NcWriter::copy_motion(const Waiting& own, const CompensatedBlock& block, std::string& out) {
   const ProgramLine& line = *own.line;
+  // Of Klartext a block may end where the next one rounds its corner. Angles may count from one of
+  // a line that is written anew.
+  const bool has_polar_words = std::ranges::any_of(line.words, [&](const WordRange& word) {
+    return word.role == WordRole::coordinate && is_polar(line, word);
+  });
+  const bool stays_in_contour =
+      !line.klartext && !has_polar_words && is_programmed_path(own.meaning, block);
+  if (block.origin != Origin::uncompensated && !stays_in_contour) return false;
   if (line.has_trc_words || !line.is_motion) return false;
   if (line.motion != kind_of(block)) return false;
   if (!own.line->has(WordRole::motion) && line.motion != state_.motion) return false;

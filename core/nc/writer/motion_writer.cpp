@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/nc/state/circle.h"
+#include "core/nc/text/characters.h"
 #include "core/nc/text/number_format.h"
 
 namespace trc {
@@ -13,9 +14,6 @@ namespace {
 
 constexpr std::string_view main_axis_letters = "XYZ";
 constexpr std::string_view center_letters = "IJK";
-
-// A B C turn: degrees have no inch.
-bool is_linear(char axis_letter) { return axis_letter >= 'U' && axis_letter <= 'Z'; }
 
 // How far an arc may leave its circle when its numbers are rounded, in units of the last decimal:
 // of up to 180 degrees in its middle, one unit from its centre and half of one from its ends.
@@ -46,12 +44,6 @@ char* write_function(char* at, char digit) {
 }
 
 char* write_name(char* at, std::string_view name) { return std::ranges::copy(name, at).out; }
-
-// For the words of one motion: a function, three axes and two words for the centre, and the
-// tracking axes.
-char* room_of_motion(TextBuffer& out, const TrackingTravel& tracking) {
-  return out.room((6 + tracking.size()) * room_of_word);
-}
 
 bool is_full_circle(const Arc& arc) { return arc.start == arc.end; }
 
@@ -138,12 +130,39 @@ std::array<Arc, 2> halves_of(const Arc& arc) {
           Arc{.start = middle, .end = arc.end, .center = arc.center, .sweep = half}};
 }
 
-MotionWriter::MotionWriter(int decimals, std::string tracking_letters, Spelling spelling)
+MotionWriter::MotionWriter(int decimals, std::string tracking_letters, Spelling spelling,
+                           std::vector<std::string> tracking_names)
     : decimals_(decimals),
       unit_of_mm_(from_units(1, decimals)),
       unit_of_inch_(from_units(1, decimals + 1) * mm_per_inch),
       tracking_letters_(std::move(tracking_letters)),
-      spelling_(spelling) {}
+      tracking_names_(std::move(tracking_names)),
+      spelling_(spelling) {
+  tracking_names_.resize(tracking_letters_.size());
+  for (const std::string& name : tracking_names_)
+    longest_name_ = std::max(longest_name_, name.size());
+}
+
+std::size_t MotionWriter::axis_named(std::string_view name) const {
+  const auto found = std::ranges::find_if(tracking_names_, [&](const std::string& each) {
+    return !each.empty() && same_name(each, name);
+  });
+  return static_cast<std::size_t>(found - tracking_names_.begin()) +
+         (found == tracking_names_.end() ? std::size_t{1} << 16 : 0);
+}
+
+// A B C turn: degrees have no inch.
+bool MotionWriter::is_linear(std::size_t axis) const {
+  const std::string& name = tracking_names_[axis];
+  const char letter = name.empty() ? tracking_letters_[axis] : name.front();
+  return letter >= 'U' && letter <= 'Z';
+}
+
+// For the words of one motion: a function, three axes and two words for the centre, and the
+// tracking axes.
+char* MotionWriter::room_of_motion(TextBuffer& out, const TrackingTravel& tracking) const {
+  return out.room((6 + tracking.size()) * (room_of_word + longest_name_));
+}
 
 inline char* MotionWriter::write_word(char* at, char letter, std::int64_t units,
                                       int decimals) const {
@@ -165,7 +184,7 @@ MotionWriter::Written MotionWriter::written_center(double center, double start,
 
 bool MotionWriter::reaches_tracking(std::size_t axis, double target, double position,
                                     bool inch) const {
-  return reaches(target, position, inch && is_linear(tracking_letters_[axis]));
+  return reaches(target, position, inch && is_linear(axis));
 }
 
 MotionWriter::ArcNumbers MotionWriter::numbers_of(const Arc& arc, Plane plane,
@@ -226,12 +245,19 @@ bool MotionWriter::moves(const Position& end, const TrackingTravel& tracking,
 char* MotionWriter::write_axes(char* at, const Axes& axes, const KnownNumbers& known,
                                WrittenState& state) const {
   const auto write_axis = [&](char letter, AxisSet bit, double target, bool inch,
-                              const Written* number, double& position) {
+                              const Written* number, double& position, std::string_view name = {}) {
     if ((axes.never & bit) != 0) return;
     if ((axes.always & bit) == 0 && reaches(target, position, inch)) return;
     const Written axis =
         number != nullptr ? *number : written_end(target, position, inch, state.incremental);
+    if (!name.empty()) {
+      *at++ = ' ';
+      at = write_name(at, name);
+      letter = '=';
+    }
+    char* const begin = at;
     at = write_word(at, letter, axis.units, decimals_of(inch));
+    if (!name.empty()) at = std::copy(begin + 1, at, begin);
     position = axis.read;
   };
   for (std::size_t axis = 0; axis < axes.end.size(); ++axis)
@@ -240,7 +266,7 @@ char* MotionWriter::write_axes(char* at, const Axes& axes, const KnownNumbers& k
   for (std::size_t axis = 0; axis < axes.tracking.size(); ++axis) {
     const char letter = tracking_letters_[axis];
     write_axis(letter, axis_bit(axes.end.size() + axis), axes.tracking[axis].to,
-               state.inch && is_linear(letter), nullptr, state.tracking[axis]);
+               state.inch && is_linear(axis), nullptr, state.tracking[axis], tracking_names_[axis]);
   }
   return at;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/nc/state/program_line.h"
@@ -59,8 +60,13 @@ struct Spelling {
 // such a reader knows.
 class MotionWriter {
  public:
-  // `tracking_letters`: one letter per tracking axis. 0 <= decimals < most_decimals.
-  MotionWriter(int decimals, std::string tracking_letters, Spelling spelling = {});
+  // `tracking_letters`: one letter per tracking axis, `tracking_names` those of more than one
+  // character. 0 <= decimals < most_decimals.
+  MotionWriter(int decimals, std::string tracking_letters, Spelling spelling = {},
+               std::vector<std::string> tracking_names = {});
+
+  // The tracking axis of that name; else a number beyond them.
+  [[nodiscard]] std::size_t axis_named(std::string_view name) const;
 
   // How an arc can be written from the position the reader is at.
   enum class ArcForm : std::uint8_t {
@@ -154,6 +160,8 @@ class MotionWriter {
                            WrittenState& state) const;
 
   // `known`: the numbers of main axes that have been asked for already.
+  [[nodiscard]] char* room_of_motion(TextBuffer& out, const TrackingTravel& tracking) const;
+  [[nodiscard]] bool is_linear(std::size_t axis) const;
   using KnownNumbers = std::array<const Written*, 3>;
   [[nodiscard]] char* write_axes(char* at, const Axes& axes, const KnownNumbers& known,
                                  WrittenState& state) const;
@@ -163,6 +171,8 @@ class MotionWriter {
   double unit_of_mm_;
   double unit_of_inch_;
   std::string tracking_letters_;
+  std::vector<std::string> tracking_names_;
+  std::size_t longest_name_ = 0;
   Spelling spelling_;
 };
 

@@ -16,13 +16,15 @@ constexpr RoleSet roles_without_motion =
 
 // Of a line that is written anew, in front of the words of its motion and behind them.
 constexpr RoleSet roles_in_front = bit(WordRole::number) | bit(WordRole::mode);
+constexpr std::size_t most_axes = 61;  // of an AxisSet, beside X Y Z
+
 constexpr RoleSet roles_behind =
     bit(WordRole::technology) | bit(WordRole::comment) | bit(WordRole::feed);
 
 }  // namespace
 
 NcWriter::NcWriter(const Setup& setup)
-    : motions_(setup.decimals, setup.tracking_letters, setup.spelling),
+    : motions_(setup.decimals, setup.tracking_letters, setup.spelling, setup.tracking_names),
       klartext_(setup.spelling.klartext),
       tracking_letters_(setup.tracking_letters),
       center_letters_are_axes_(setup.tracking_letters.find_first_of("IJKR") != std::string::npos),
@@ -95,8 +97,7 @@ void NcWriter::write(const CompensatedBlock& block, std::string& out) {
     state_.position = from_plane(block.plane, end_of(block.path), block.normal.to);
     return;
   }
-  const bool may_be_copied = has_own && block.origin == Origin::uncompensated;
-  if (!may_be_copied || !copy_motion(*own_, block, out)) write_motion(block, out);
+  if (!has_own || !copy_motion(*own_, block, out)) write_motion(block, out);
   if (own_ != nullptr && (own_->line->roles & roles_without_motion) != 0) {
     write_without_motion(*own_, out);
     own_ = nullptr;
@@ -339,6 +340,11 @@ AxisSet NcWriter::all_axes_named_in(const ProgramLine& line) const {
   AxisSet named = 0;
   for (const WordRange& word : line.words) {
     if (word.role != WordRole::coordinate) continue;
+    if (const std::string_view name = long_name_of(line, word); !name.empty())
+      if (const std::size_t axis = motions_.axis_named(name); axis < most_axes) {
+        named |= axis_bit(3 + axis);
+        continue;
+      }
     if (is_polar(line, word)) named |= plane_axes(line.plane);
     if (!names_an_axis(line, word)) continue;
     const char letter = upper(line.text[word.begin]);

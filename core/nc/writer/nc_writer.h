@@ -37,19 +37,23 @@ class NcWriter {
     bool inch = false;
     Spelling spelling{};
     std::string tracking_letters{};  // one per tracking axis
+    // Likewise: those of more than one character, which are written X1=5; else empty.
+    std::vector<std::string> tracking_names{};
     bool renumbers = false;
   };
   explicit NcWriter(const Setup& setup);
 
   // What the program says in a line, before TRC.
   struct Meaning {
-    bool gives_block = false;  // one with its Source comes to write(), unless TRC drops it
-    Position end{};            // where the program is after the line
-    AxisSet moved{};           // axes across the plane and tracking axes that travel
+    bool gives_block = false;   // one with its Source comes to write(), unless TRC drops it
+    Position end{};             // where the program is after the line
+    bool keeps_place = false;   // a radius of 0: the path is that of the program
+    std::uint32_t motions = 0;  // in the plane, of the last line that has some
+    AxisSet moved{};            // axes across the plane and tracking axes that travel
 
     template <class Archive>
     void serialize(Archive& archive) {
-      archive(gives_block, end, moved);
+      archive(gives_block, end, keeps_place, motions, moved);
     }
   };
   // The next line of the program.

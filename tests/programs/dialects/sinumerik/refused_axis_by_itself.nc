@@ -1,4 +1,4 @@
-; refused 900003 line 6
+; refused 900106 line 7
 ; tool 1 5
 N10 G17 G90 G71
 N20 T1 D1

@@ -1,0 +1,16 @@
+; radius 0
+; tool 1 0
+; path 0 -10 L; 0 30 L; 20 30 L; 30 20 A; 30 -10 L; -20 -10 L
+%
+O0032 (CENTRE PATH, D1 IS 0)
+G21 G90 G17 G40 G54
+G0 X-20. Y-10. Z5.
+G1 Z-2. F100.
+G41 D1 X0 F300.
+y30.0
+N5 X20 (TOP)
+G2 X30. Y20. R10.
+G1 Y-10. M8
+G40 X-20.
+M30
+%

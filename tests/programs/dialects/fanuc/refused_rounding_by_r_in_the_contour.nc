@@ -1,0 +1,12 @@
+; radius 4
+; refused 900003 line 8
+%
+O0033
+G21 G90 G17 G40 G54
+G0 X-30. Y-20. R5.
+G41 D1 G1 X0. F400.
+Y40. R5.
+X50.
+G40 X80.
+M30
+%
