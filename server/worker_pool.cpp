@@ -1,5 +1,6 @@
 #include "server/worker_pool.h"
 
+#include <sched.h>
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -28,6 +29,14 @@ thread_local std::optional<std::chrono::nanoseconds> began;
 
 // Of the turn of this thread.
 thread_local WorkerPool::Group* group_of_turn = nullptr;
+
+// Of this thread alone, on Linux. Where that is refused its work takes what it would have taken.
+void leave_the_cores_to_others() {
+  constexpr int lowest_priority = 19;
+  (void)setpriority(PRIO_PROCESS, 0, lowest_priority);
+  const sched_param none{};
+  (void)sched_setscheduler(0, SCHED_BATCH, &none);
+}
 
 // Several turns of batches: giving way costs two changes of thread.
 constexpr std::chrono::milliseconds share_of_time{5};
@@ -128,10 +137,7 @@ std::uint64_t WorkerPool::threads_missed() const {
 }
 
 void WorkerPool::run() {
-  // Of this thread alone, on Linux. Where it is refused work takes what it would have taken.
-  constexpr int low_priority = 10;
-  if (priority_ == Priority::low && getpriority(PRIO_PROCESS, 0) < low_priority)
-    (void)setpriority(PRIO_PROCESS, 0, low_priority);
+  if (priority_ == Priority::low) leave_the_cores_to_others();
   std::unique_lock lock(mutex_);
   while (true) {
     ++idle_;

@@ -66,10 +66,10 @@ TEST(Reporter, HelpsWithWhatTheCommandLineHas) {
 // "line 4 (block 3)" in a message, and the same in front of it.
 TEST(Reporter, NamesBlocksOfKlartextWithoutN) {
   Diagnostic found = diagnostic(Code::tool_radius_zero, {.number = 3, .line = 4});
-  EXPECT_EQ(text_of(for_command_line(found, DialectName::heidenhain), {.file = "a.h"})
+  EXPECT_EQ(cli::text_of(for_command_line(found, DialectName::heidenhain), {.file = "a.h"})
                 .find("a.h:4: block 3: warning"),
             0U);
-  EXPECT_EQ(text_of(for_command_line(found, DialectName::fanuc), {.file = "a.nc"})
+  EXPECT_EQ(cli::text_of(for_command_line(found, DialectName::fanuc), {.file = "a.nc"})
                 .find("a.nc:4: N3: warning"),
             0U);
 }

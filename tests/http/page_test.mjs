@@ -840,6 +840,12 @@ const tests = {
     await show(page, file('waves.nc', waves(blocks)), {tool_radius: '0.05'});
     const took = Number(await page.evaluate(() => document.body.dataset.pictureMs));
     assert.ok(Number(await page.evaluate(() => document.body.dataset.segments)) <= 50_000);
+    // What is refused once it has come takes as long as the upload.
+    const upload = await page.evaluate(async () => {
+      const {shown} = await import('/page/shown.js'), began = performance.now();
+      await fetch('v1/views?tool_radius=none', {method: 'POST', headers: {'Content-Type': 'text/plain; charset=utf-8'}, body: shown.programs[0].text});
+      return performance.now() - began;
+    });
     // From the turn of the wheel until all of the picture is drawn at the new scale, and the page is
     // ready for the next one. How long the driver takes to hear of it is not the page's.
     await page.evaluate(() => {
@@ -868,7 +874,7 @@ const tests = {
     steps.sort((a, b) => a - b);
     const heap = await page.evaluate(() => performance.memory.usedJSHeapSize / 2 ** 20);
     assert.ok(heap < 200, `${heap} MiB in the page`);
-    console.log(`  ${blocks} blocks: first picture ${took} ms, a zoom step ${steps[6]} ms (median), page ${heap.toFixed(0)} MiB`);
+    console.log(`  ${blocks} blocks: first picture ${took} ms, the upload alone ${upload.toFixed(0)} ms, a zoom step ${steps[6]} ms (median), page ${heap.toFixed(0)} MiB`);
     // What is found behind the first picture follows.
     await page.waitForFunction(() => /blocks measured\d{5}/.test(document.getElementById('certificate').textContent));
     // The last line of the listing is reached.
