@@ -272,8 +272,9 @@ void Drawing::add(const Arc& arc, double from, double to, const Pen& pen) {
   const double sweep = (to - from) * arc.sweep / count;
   const bool is_straight = radius * (1 - std::cos(sweep / 2)) < tolerance_ / 4;
   Point at = place_on(arc, from);
-  for (double i = 1; i <= count; ++i) {
-    const Point next = place_on(arc, i < count ? from + i / count * (to - from) : to);
+  for (std::size_t i = 1; i <= static_cast<std::size_t>(count); ++i) {
+    const double share = static_cast<double>(i) / count;
+    const Point next = place_on(arc, share < 1 ? from + share * (to - from) : to);
     add(at, next, is_straight ? 0 : sweep, pen);
     at = next;
   }
