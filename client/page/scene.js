@@ -36,7 +36,7 @@ const tilePixels = 512;
 // Of all tiles that are seen together: lines, and the band that reaches in from beside the picture.
 const mostSegments = 40_000, mostOfBand = 10_000, mostOfTile = 8192;
 const mostTiles = 160;
-const longestWithout = 100;  // ms
+const longestIncomplete = 100;  // ms that a picture waits for its last tiles
 
 export class Tiles {
   constructor(view, changed) {
@@ -132,7 +132,7 @@ export class Tiles {
         this.loaded.delete(oldest);
       }
       this.asked.delete(key);
-      if (!own.isAhead) this.has(key);
+      if (!own.isAhead) this.arrived(key);
     } catch (error) {
       this.asked.delete(key);
       if (own.isAhead || error.name === 'AbortError') return;
@@ -143,9 +143,9 @@ export class Tiles {
 
   // The tiles of a picture come at nearly the same time: each picture drawn in between holds the last
   // one up. Where they do not, what is there by then is shown.
-  has(key) {
+  arrived(key) {
     if (this.complete) return this.changed();
-    if (this.wanted.has(key)) this.later ??= setTimeout(() => { this.later = null; this.changed(); }, longestWithout);
+    if (this.wanted.has(key)) this.later ??= setTimeout(() => { this.later = null; this.changed(); }, longestIncomplete);
   }
 
   get complete() { return ![...this.asked.values()].some(({isAhead}) => !isAhead); }

@@ -143,12 +143,12 @@ MotionWriter::MotionWriter(int decimals, std::string tracking_letters, Spelling 
     longest_name_ = std::max(longest_name_, name.size());
 }
 
-std::size_t MotionWriter::axis_named(std::string_view name) const {
+std::optional<std::size_t> MotionWriter::axis_named(std::string_view name) const {
   const auto found = std::ranges::find_if(tracking_names_, [&](const std::string& each) {
     return !each.empty() && same_name(each, name);
   });
-  return static_cast<std::size_t>(found - tracking_names_.begin()) +
-         (found == tracking_names_.end() ? std::size_t{1} << 16 : 0);
+  if (found == tracking_names_.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - tracking_names_.begin());
 }
 
 // A B C turn: degrees have no inch.

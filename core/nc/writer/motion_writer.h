@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -65,8 +66,8 @@ class MotionWriter {
   MotionWriter(int decimals, std::string tracking_letters, Spelling spelling = {},
                std::vector<std::string> tracking_names = {});
 
-  // The tracking axis of that name; else a number beyond them.
-  [[nodiscard]] std::size_t axis_named(std::string_view name) const;
+  // The tracking axis of that name, of more than one character; nothing: there is none.
+  [[nodiscard]] std::optional<std::size_t> axis_named(std::string_view name) const;
 
   // How an arc can be written from the position the reader is at.
   enum class ArcForm : std::uint8_t {
@@ -159,9 +160,10 @@ class MotionWriter {
   void append_klartext_arc(TextBuffer& out, const NumberedArc& arc, const Axes& axes,
                            WrittenState& state) const;
 
-  // `known`: the numbers of main axes that have been asked for already.
   [[nodiscard]] char* room_of_motion(TextBuffer& out, const TrackingTravel& tracking) const;
+  // Of a tracking axis.
   [[nodiscard]] bool is_linear(std::size_t axis) const;
+  // `known`: the numbers of main axes that have been asked for already.
   using KnownNumbers = std::array<const Written*, 3>;
   [[nodiscard]] char* write_axes(char* at, const Axes& axes, const KnownNumbers& known,
                                  WrittenState& state) const;

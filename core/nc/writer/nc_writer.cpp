@@ -16,8 +16,6 @@ constexpr RoleSet roles_without_motion =
 
 // Of a line that is written anew, in front of the words of its motion and behind them.
 constexpr RoleSet roles_in_front = bit(WordRole::number) | bit(WordRole::mode);
-constexpr std::size_t most_axes = 61;  // of an AxisSet, beside X Y Z
-
 constexpr RoleSet roles_behind =
     bit(WordRole::technology) | bit(WordRole::comment) | bit(WordRole::feed);
 
@@ -341,8 +339,8 @@ AxisSet NcWriter::all_axes_named_in(const ProgramLine& line) const {
   for (const WordRange& word : line.words) {
     if (word.role != WordRole::coordinate) continue;
     if (const std::string_view name = long_name_of(line, word); !name.empty())
-      if (const std::size_t axis = motions_.axis_named(name); axis < most_axes) {
-        named |= axis_bit(3 + axis);
+      if (const auto axis = motions_.axis_named(name)) {
+        named |= axis_bit(3 + *axis);
         continue;
       }
     if (is_polar(line, word)) named |= plane_axes(line.plane);

@@ -12,13 +12,13 @@ ViewTap::ViewTap(std::shared_ptr<ViewBuilder> builder, Help help)
 void ViewTap::take_contour(std::span<const Block> blocks) {
   std::vector<Block> piece = queue_.spare<Block>();
   piece.assign(blocks.begin(), blocks.end());
-  wait(std::move(piece));
+  give(std::move(piece));
 }
 
 void ViewTap::take_path(std::vector<CompensatedBlock>& blocks) {
   std::vector<CompensatedBlock> piece = queue_.spare<CompensatedBlock>();
   piece.swap(blocks);
-  wait(std::move(piece));
+  give(std::move(piece));
 }
 
 void ViewTap::finish() {
@@ -31,7 +31,7 @@ void ViewTap::close() {
   closed_ = true;
 }
 
-void ViewTap::wait(ViewQueue::Piece piece) {
+void ViewTap::give(ViewQueue::Piece piece) {
   const std::lock_guard lock(giving_);
   if (closed_) return;
   if (queue_.put(std::move(piece)) == ViewQueue::Taker::wanted)

@@ -33,7 +33,7 @@ class ViewTap final : public RunTap, public std::enable_shared_from_this<ViewTap
   void close();
 
  private:
-  void wait(ViewQueue::Piece piece);
+  void give(ViewQueue::Piece piece);
   // False: nothing waits.
   bool put_in_next();
 
