@@ -28,7 +28,7 @@ class WorkerPool {
 
   enum class Priority {
     usual,
-    low,  // leaves the cores to others: next to nothing is left where somebody wants them all
+    low,  // leaves the cores to others: a tenth is left where somebody wants them all
   };
   // How many turns go on at once: 0 stands for one per core. Throws std::system_error when the
   // threads cannot be made.
