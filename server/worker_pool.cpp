@@ -34,8 +34,8 @@ thread_local WorkerPool::Group* group_of_turn = nullptr;
 // A tenth of a core is left where all are wanted: a process ends only when its last thread has had
 // its turn, and at the lowest priority that takes seconds.
 void leave_the_cores_to_others() {
-  constexpr int low_priority = 10;
-  (void)setpriority(PRIO_PROCESS, 0, low_priority);
+  constexpr int steps_lower = 10;
+  (void)setpriority(PRIO_PROCESS, 0, getpriority(PRIO_PROCESS, 0) + steps_lower);
   const sched_param none{};
   (void)sched_setscheduler(0, SCHED_BATCH, &none);
 }
