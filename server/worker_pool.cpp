@@ -32,10 +32,11 @@ thread_local WorkerPool::Group* group_of_turn = nullptr;
 
 // Of this thread alone, on Linux. Where that is refused its work takes what it would have taken.
 // A tenth of a core is left where all are wanted: a process ends only when its last thread has had
-// its turn, and at the lowest priority that takes seconds.
+// its turn, and at the lowest priority that takes seconds. Seen from the other threads, whatever
+// priority the process was given: the system cuts the sum to what there is.
 void leave_the_cores_to_others() {
-  constexpr int low_priority = 10;
-  (void)setpriority(PRIO_PROCESS, 0, low_priority);
+  constexpr int steps_below = 10;
+  (void)setpriority(PRIO_PROCESS, 0, getpriority(PRIO_PROCESS, 0) + steps_below);
   const sched_param none{};
   (void)sched_setscheduler(0, SCHED_BATCH, &none);
 }
