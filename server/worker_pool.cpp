@@ -30,12 +30,13 @@ thread_local std::optional<std::chrono::nanoseconds> began;
 // Of the turn of this thread.
 thread_local WorkerPool::Group* group_of_turn = nullptr;
 
-// Of this thread alone, on Linux. Where that is refused its work takes what it would have taken.
-// A tenth of a core is left where all are wanted: a process ends only when its last thread has had
-// its turn, and at the lowest priority that takes seconds.
+// Of this thread alone, on Linux: ten steps below the process, wherever that stands. Where that is
+// refused its work takes what it would have taken. A tenth of a core is left where all are wanted:
+// a process ends only when its last thread has had its turn, and at the lowest priority that takes
+// seconds.
 void leave_the_cores_to_others() {
-  constexpr int steps_lower = 10;
-  (void)setpriority(PRIO_PROCESS, 0, getpriority(PRIO_PROCESS, 0) + steps_lower);
+  constexpr int steps_below = 10;
+  (void)setpriority(PRIO_PROCESS, 0, getpriority(PRIO_PROCESS, 0) + steps_below);
   const sched_param none{};
   (void)sched_setscheduler(0, SCHED_BATCH, &none);
 }
