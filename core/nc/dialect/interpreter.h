@@ -218,6 +218,7 @@ class Interpreter {
   [[nodiscard]] bool ends_what_is_unfollowed(const BlockWords& block) const;
   void end_what_was_unfollowed(BlockWords& block);
   void take_modal_motion(const ProgramLine& line, const BlockWords& block);
+  bool copy_thread(ProgramLine& line, BlockWords& block);
   void end_scaling_frames(const std::string& frame);
   void take_tool_words(const ProgramLine& line, BlockWords& block);
   static void take_words_of_few_controls(BlockWords& block);
