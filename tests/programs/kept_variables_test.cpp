@@ -55,9 +55,9 @@ TEST(KeptVariables, OfTheControlAreRaisedByIt) {
 
 // What is a variable of Haas there and the length of a tool of Fanuc.
 TEST(KeptVariables, OfEitherControlComeOutInTheirPlace) {
-  EXPECT_EQ(flat("G90 G0 X0 Y0\nN5 #10100=5. (A)\n#10101=[#10100*2]\nX#10101\n#11001=#0\nM30\n",
-                 fanuc),
-            "G90 G0 X0 Y0\nN5 #10100=5. (A)\n#10101=10.\nX10.\n#11001=#0\nM30\n");
+  EXPECT_EQ(
+      flat("G90 G0 X0 Y0\nN5 #10100=5. (A)\n#10101=[#10100*2]\nX#10101\n#11001=#0\nM30\n", fanuc),
+      "G90 G0 X0 Y0\nN5 #10100=5. (A)\n#10101=10.\nX10.\n#11001=#0\nM30\n");
 }
 
 TEST(KeptVariables, ComeOutAtTheEnd) {

@@ -124,12 +124,11 @@ bool Interpreter::copy_thread(ProgramLine& line, BlockWords& block) {
   if (!under_thread || !(block.has(single_move) || (block.axis && is_position))) return true;
   if (contour_open() || (block.has(side) && !block.of(side).is(40))) {
     const int number = code_.unfollowed.back().function / 10;
-    return refuse(line, TextFault{.code = Code::nc_unsupported,
-                                  .begin = block.has(single_move) ? block.of(single_move).begin
-                                                                  : *block.axis,
-                                  .detail = "G" + std::to_string(number) + ", " +
-                                            code_.unfollowed.back().meaning +
-                                            " while TRC is active"});
+    return refuse(
+        line, TextFault{.code = Code::nc_unsupported,
+                        .begin = block.has(single_move) ? block.of(single_move).begin : *block.axis,
+                        .detail = "G" + std::to_string(number) + ", " +
+                                  code_.unfollowed.back().meaning + " while TRC is active"});
   }
   block.copied = true;
   for (std::size_t axis = 0; axis < block.move.end.size(); ++axis)
