@@ -27,6 +27,30 @@ TEST(KeptLines, OfAContourWithoutARadius) {
             before + "G01 X0. Y0. F300\n" + contour + "G01 X-20. Y-20.\nM30\n");
 }
 
+// A centre path with D, whose wear is 0.
+TEST(KeptLines, OfAContourWhoseRadiusIsGivenAsZero) {
+  ProgramSessionSetup setup = computing_setup(fanuc, 0);
+  setup.session.program.tool_radius_given = true;
+  EXPECT_EQ(text_of("G21 G90 G17\nT1 M6\nG0 X-20. Y-20.\nG41 D1 G1 X0. Y0. F300\nY30.\n"
+                    "G40 X-20.\nM30\n",
+                    setup),
+            "G21 G90 G17\nT1 M6\nG0 X-20. Y-20.\nG01 X0. Y0. F300\nY30.\nG01 X-20. Y30.\nM30\n");
+}
+
+TEST(KeptLines, OfAContourOfKlartextWithoutARadius) {
+  ProgramSessionSetup setup = computing_setup(heidenhain, 0);
+  setup.session.program.tool_radius_given = true;
+  const std::string before = "0 BEGIN PGM A MM\n1 L  X-20 Y-20  R0 FMAX\n";
+  const std::string contour = "3 L   Y+50.000   ; HIGH\n4 L X+40 Y50 F200 M8\n";
+  const std::string behind = "7 L Y+0\n8  L X+0\n";
+  EXPECT_EQ(
+      text_of(before + "2 L X+0 Y+0 RL F100\n" + contour + "5 CC X+50 Y+50\n6 C X+60 Y+50 DR-\n" +
+                  behind + "9 L X-20 R0\n10 END PGM A MM\n",
+              setup),
+      before + "2 L X+0 Y+0 F100\n" + contour + "CC X+50 Y+50\n6 C X+60 Y+50 DR-\n" + behind +
+          "9 L X-20 Y+0\n10 END PGM A MM\n");
+}
+
 // Corners and turns become lines of their own: what is beside them is not as it stands.
 TEST(KeptLines, AreNoneBesideCornersOfAContourWithoutARadius) {
   const auto of = [](DialectName dialect, const std::string& contour) {

@@ -218,6 +218,7 @@ class Interpreter {
   [[nodiscard]] bool ends_what_is_unfollowed(const BlockWords& block) const;
   void end_what_was_unfollowed(BlockWords& block);
   void take_modal_motion(const ProgramLine& line, const BlockWords& block);
+  bool copy_thread(ProgramLine& line, BlockWords& block);
   void end_scaling_frames(const std::string& frame);
   void take_tool_words(const ProgramLine& line, BlockWords& block);
   static void take_words_of_few_controls(BlockWords& block);
@@ -350,7 +351,8 @@ class Interpreter {
   bool take_tangent(ProgramLine& line, BlockWords& block);
   bool take_angle(ProgramLine& line, BlockWords& block);
   [[nodiscard]] bool has_one_radius() const {
-    return state_.setup().tools.empty() && state_.setup().mode.tool_radius != 0;
+    const ProgramSetup& setup = state_.setup();
+    return setup.tools.empty() && (setup.mode.tool_radius != 0 || setup.tool_radius_given);
   }
   // A table, or one radius for all.
   [[nodiscard]] bool gives_radii() const {

@@ -147,7 +147,8 @@ bool Interpreter::read_g_function(const Word& word, ProgramLine& line, BlockWord
     return std::string("G").append(std::to_string(function->number)).append(why);
   };
   // G80 … G89 alone: passing_calls.cpp.
-  if (group == GGroup::refused || group == GGroup::spatial_circle || group == GGroup::single_move) {
+  const bool calls = group == GGroup::single_move && function->number / 10 == 8;
+  if (group == GGroup::refused || group == GGroup::spatial_circle || calls) {
     Code code = Code::nc_unsupported;
     if (group == GGroup::spatial_circle && state_.mode().active())
       code = Code::spatial_circle_while_active;
@@ -319,6 +320,7 @@ bool Interpreter::check_block(ProgramLine& line, BlockWords& block) {
     take_for_technology(line, WordRole::coordinate);
   }
   take_work_offset(block);
+  if (!copy_thread(line, block)) return false;
   const bool preset = block.of(zero_shift).is(92);
   if (preset && (block.has(motion) || block.center || block.move.radius))
     return wrong(Code::nc_unsupported, block.of(zero_shift), " with a motion");

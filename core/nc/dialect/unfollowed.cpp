@@ -26,8 +26,10 @@ constexpr auto ends_of_modes = std::to_array<std::pair<int, int>>(
 // Threads, tapping in step with the spindle and probing last up to the next motion function.
 bool is_modal_motion(DialectName dialect, int tenths) {
   using enum DialectName;
+  static constexpr std::array of_isg{330, 630, 3310, 3320};
   static constexpr std::array of_sinumerik{330, 340, 350, 3310, 3320};
   static constexpr std::array of_linuxcnc{330, 331, 382, 383, 384, 385};
+  if (dialect == isg) return std::ranges::find(of_isg, tenths) != of_isg.end();
   if (dialect == fanuc) return tenths == 330;
   if (dialect == sinumerik) return std::ranges::find(of_sinumerik, tenths) != of_sinumerik.end();
   return dialect == linuxcnc && std::ranges::find(of_linuxcnc, tenths) != of_linuxcnc.end();
@@ -108,6 +110,32 @@ void Interpreter::take_modal_motion(const ProgramLine& line, const BlockWords& b
                               .line = line.source.line,
                               .meaning = std::string(function.meaning),
                               .is_motion = true});
+}
+
+// Threads of ISG, with the lines that go on under them: they come out as they stand, and only the
+// control knows where their axes stop (D-117).
+bool Interpreter::copy_thread(ProgramLine& line, BlockWords& block) {
+  const bool was_under_thread = !code_.unfollowed.empty();
+  take_modal_motion(line, block);
+  const bool under_thread = !code_.unfollowed.empty();
+  if (was_under_thread != under_thread)
+    reads_plain_lines_ = !under_thread && faults_.empty() && !called_motion_ && !called_dimension_;
+  const bool is_position = !block.has(dwell) && !block.of(zero_shift).is(92);
+  if (!under_thread || !(block.has(single_move) || (block.axis && is_position))) return true;
+  if (contour_open() || (block.has(side) && !block.of(side).is(40))) {
+    const int number = code_.unfollowed.back().function / 10;
+    return refuse(
+        line, TextFault{.code = Code::nc_unsupported,
+                        .begin = block.has(single_move) ? block.of(single_move).begin : *block.axis,
+                        .detail = "G" + std::to_string(number) + ", " +
+                                  code_.unfollowed.back().meaning + " while TRC is active"});
+  }
+  block.copied = true;
+  for (std::size_t axis = 0; axis < block.move.end.size(); ++axis)
+    if (block.move.end[axis]) block.forget |= static_cast<AxisBits>(1U << axis);
+  take_for_technology(line, WordRole::coordinate);
+  take_for_technology(line, WordRole::trc);
+  return true;
 }
 
 // G69, G50 and the like stand in the first line of many programs, where there is nothing to end.

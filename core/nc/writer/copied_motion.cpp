@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/nc/text/characters.h"
 #include "core/nc/writer/nc_writer.h"
 #include "core/nc/writer/written_block.h"
 
@@ -20,17 +21,25 @@ bool is_programmed_path(const NcWriter::Meaning& meaning, const CompensatedBlock
          (end_of(block.path) - to_plane(block.plane, meaning.end)).norm() <= same_start;
 }
 
+// Of Klartext a block may end where the next one rounds its corner, and arcs and polar words count
+// on lines that are written anew: it is a straight line to a place of its own.
+bool stands_for_itself(const ProgramLine& line) {
+  if (!line.klartext) return true;
+  const auto name = std::ranges::find(line.words, WordRole::motion, &WordRange::role);
+  return name != line.words.end() && in_upper_case(line.word(*name)) == "L" &&
+         line.klartext->increments == 0 && !line.klartext->counts_from_start;
+}
+
 }  // namespace
 
 bool NcWriter::copy_motion(const Waiting& own, const CompensatedBlock& block, std::string& out) {
   const ProgramLine& line = *own.line;
-  // Of Klartext a block may end where the next one rounds its corner. Angles may count from one of
-  // a line that is written anew.
+  // Angles may count from one of a line that is written anew.
   const bool has_polar_words = std::ranges::any_of(line.words, [&](const WordRange& word) {
     return word.role == WordRole::coordinate && is_polar(line, word);
   });
   const bool stays_in_contour =
-      !line.klartext && !has_polar_words && is_programmed_path(own.meaning, block);
+      stands_for_itself(line) && !has_polar_words && is_programmed_path(own.meaning, block);
   if (block.origin != Origin::uncompensated && !stays_in_contour) return false;
   if (line.has_trc_words || !line.is_motion) return false;
   if (line.motion != kind_of(block)) return false;

@@ -1,0 +1,35 @@
+; radius 3
+; path -3 -10 L; -3 30 L; 5 38 A; 43 38 L; 43 -3 L; -5 -3 L; -10 -15 L
+%
+O5000 (SOLIDCAM TEST)
+(MCV-OP) (17-MAR-2019)
+(SUBROUTINES: O2 .. O0)
+G0 G17 G40 G49 G80 G90 G21
+G28 G91 Z0
+G90
+M01
+N1 M6 T1
+(TOOL -1- MILL DIA 6.0 R0. MM )
+G90 G0 G40 G54
+G43 H1 D31 G0 X-10. Y-15. Z50. S1000 M3
+M8
+(---------------------)
+(F-CONTOUR - PROFILE)
+(---------------------)
+X-10. Y-15. Z10.
+Z2.
+G1 Z-2. F33
+G41 D31 X0. Y-10. F100
+G1 Y30.
+G2 X5. Y35. I5. J0.
+G1 X40.
+Y0.
+X-5.
+G40 X-10. Y-15.
+G0 Z10.
+M9
+M5
+G28 G91 Z0
+G90
+M30
+%

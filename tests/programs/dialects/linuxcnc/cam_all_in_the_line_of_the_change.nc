@@ -1,0 +1,36 @@
+; tool 2 3
+; path -6 23 L; -3 26 A; -3 40 L; 5 48 A; 40 48 L; 48 40 A; 48 5 L; 40 -3 A; 5 -3 L; -3 5 A; -3 26 L; -6 29 A; -12 32 L
+%
+(PLATE)
+(T2  D=6. CR=0. - ZMIN=-3. - FLAT END MILL)
+G90 G54 G64 G50 G17 G40 G80 G94 G91.1 G49
+G21 (Millimeters)
+G30
+
+N10 (Contour2)
+T2 G43 H2 M6
+S5000 M3 M8
+G54
+G0 X-12. Y20.
+G0 Z15.
+G0 Z5.
+G1 Z1. F300.
+Z-3.
+G41 D2 X-6. F800.
+G3 X0. Y26. I0. J6.
+G1 Y40.
+G2 X5. Y45. I5. J0.
+G1 X40.
+G2 X45. Y40. I0. J-5.
+G1 Y5.
+G2 X40. Y0. I-5. J0.
+G1 X5.
+G2 X0. Y5. I0. J5.
+G1 Y26.
+G3 X-6. Y32. I-6. J0.
+G1 G40 X-12.
+G0 Z15.
+M5 M9
+G30
+M30
+%
