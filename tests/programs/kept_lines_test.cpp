@@ -76,8 +76,10 @@ TEST(KeptLines, AreNoneBesideCornersOfAContourWithoutARadius) {
   EXPECT_TRUE(has(modal, "G01 X0 Y25\n")) << modal;
   const std::string polar = of(sinumerik, "G111 X0 Y0\nRP=20 AP=90\nAP=IC(-30)\nY0\n");
   EXPECT_TRUE(has(polar, "G01 X10 Y17.32050808\n")) << polar;
-  const std::string klartext = of(heidenhain, "L Y+30\nRND R5\nL X+20\nL Y+0\n");
+  const std::string klartext = of(heidenhain, "L Y+30\nRND R5\nL X+20\nCHF 3\nL  Y+0\n");
   EXPECT_TRUE(has(klartext, "L X+0 Y+25\n")) << klartext;
+  EXPECT_TRUE(has(klartext, "L X+17 Y+30\n")) << klartext;
+  EXPECT_TRUE(has(klartext, "L  Y+0\n")) << klartext;
   const std::string turns = of(linuxcnc, "G3 I5 J0 P2\nG1 Y30\n");
   EXPECT_FALSE(has(turns, "G3 I5 J0 P2")) << turns;
 }

@@ -2,6 +2,8 @@
 #include <cmath>
 
 #include "core/nc/text/characters.h"
+#include "core/nc/text/number_format.h"
+#include "core/nc/text/words.h"
 #include "core/nc/writer/nc_writer.h"
 #include "core/nc/writer/written_block.h"
 
@@ -21,13 +23,29 @@ bool is_programmed_path(const NcWriter::Meaning& meaning, const CompensatedBlock
          (end_of(block.path) - to_plane(block.plane, meaning.end)).norm() <= same_start;
 }
 
-// Of Klartext a block may end where the next one rounds its corner, and arcs and polar words count
-// on lines that are written anew: it is a straight line to a place of its own.
-bool stands_for_itself(const ProgramLine& line) {
+// Whether X, Y and Z of the line are numbers, and those of where the block ends.
+bool names_end(const ProgramLine& line, const CompensatedBlock& block) {
+  const Position end = from_plane(block.plane, end_of(block.path), block.normal.to);
+  return std::ranges::all_of(line.words, [&](const WordRange& range) {
+    if (range.role != WordRole::coordinate) return true;
+    const std::string_view word = line.word(range);
+    const std::size_t axis = std::string_view("XYZ").find(upper(word.front()));
+    if (axis == std::string_view::npos) return false;
+    double value = 0;
+    bool whole = false;
+    const std::string_view number = without_blanks_in_front(word.substr(1));
+    return read_number(number, value, whole) == number.size() &&
+           std::abs(value * (line.inch ? mm_per_inch : 1) - end.at(axis)) <= same_start;
+  });
+}
+
+// Of Klartext a block may end where the next line rounds its corner, and arcs and polar words count
+// on lines that are written anew: a straight line to a place that it names itself.
+bool stands_for_itself(const ProgramLine& line, const CompensatedBlock& block) {
   if (!line.klartext) return true;
   const auto name = std::ranges::find(line.words, WordRole::motion, &WordRange::role);
   return name != line.words.end() && in_upper_case(line.word(*name)) == "L" &&
-         line.klartext->increments == 0 && !line.klartext->counts_from_start;
+         line.klartext->increments == 0 && names_end(line, block);
 }
 
 }  // namespace
@@ -39,7 +57,7 @@ bool NcWriter::copy_motion(const Waiting& own, const CompensatedBlock& block, st
     return word.role == WordRole::coordinate && is_polar(line, word);
   });
   const bool stays_in_contour =
-      stands_for_itself(line) && !has_polar_words && is_programmed_path(own.meaning, block);
+      !has_polar_words && is_programmed_path(own.meaning, block) && stands_for_itself(line, block);
   if (block.origin != Origin::uncompensated && !stays_in_contour) return false;
   if (line.has_trc_words || !line.is_motion) return false;
   if (line.motion != kind_of(block)) return false;
