@@ -53,7 +53,7 @@ TEST(BadPrograms, EveryCodeOfTextAndProgramIsRaisedByOne) {
     if (text.find("; setup: dialect fanuc\n") != std::string::npos)
       setup.dialect = DialectName::fanuc;
     // One radius would stand for the one D word.
-    if (expected.code == static_cast<int>(Code::tool_unknown)) setup.tools[1] = 5;
+    setup.tool_radius_given = expected.code == static_cast<int>(Code::tool_unknown);
     for (const Diagnostic& reported : read(text, setup).diagnostics)
       if (static_cast<int>(reported.code) == expected.code && reported.source.line == expected.line)
         raised.insert(expected.code);
