@@ -62,6 +62,8 @@ class ViewFormat final : public Format, public std::enable_shared_from_this<View
   }
 
   void refuse(const ExchangePointer& exchange, const grpc::Status& status) override {
+    // Then its stream was ended for that.
+    if (!builder_->has_memory()) return answer_problem(*exchange, no_memory());
     const v1::Problem problem = problem_of(status);
     constexpr unsigned refused_program = 422;
     if (problem.status() != refused_program) return answer_problem(*exchange, problem);

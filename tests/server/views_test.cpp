@@ -147,19 +147,20 @@ std::optional<v1::View> view_in(const Reply& reply) {
   return std::nullopt;
 }
 
+Config loopback_views() {
+  Config config;
+  config.listen = {"127.0.0.1:0"};
+  config.http_listen = "127.0.0.1:0";
+  config.log_level = "off";
+  config.worker_threads = 2;
+  // So that views are given up while somebody looks at them.
+  config.http_max_views = 4;
+  return config;
+}
+
 class Views : public testing::Test {
  protected:
-  Views() {
-    Config config;
-    config.http_listen = "127.0.0.1:0";
-    config.listen = {"127.0.0.1:0"};
-    config.log_level = "off";
-    config.worker_threads = 2;
-    // So that views are given up while somebody looks at them.
-    config.http_max_views = 4;
-    server_ = Server::start(config).server;
-    port_ = server_->http_port();
-  }
+  Views() : server_(Server::start(loopback_views()).server), port_(server_->http_port()) {}
 
   void expect_blocks(std::vector<Upload>& uploads) const {
     for (Upload& upload : uploads) {
@@ -175,7 +176,7 @@ class Views : public testing::Test {
   }
 
   std::unique_ptr<Server> server_;
-  int port_ = 0;
+  const int port_;
 };
 
 // Somebody who makes one view after the other. Each client has its own random numbers.
@@ -266,6 +267,18 @@ TEST_F(Views, AreWholeHoweverManyComeAndGoUntilTheServerEnds) {
   int seen = 0;
   for (const Visitor& visitor : all) seen += visitor.seen();
   EXPECT_GT(seen, 0);
+}
+
+// Not as an answer that another format would fit.
+TEST(ViewsWithoutMemory, AreRefusedForThat) {
+  Config config = loopback_views();
+  config.http_max_memory_mib = 1;
+  const auto server = Server::start(config).server;
+  Client client(server->http_port());
+  const auto reply = client.ask("POST", views_path(), stairs(10'000, false).text);
+  ASSERT_TRUE(reply);
+  EXPECT_EQ(reply->status, 503);
+  EXPECT_NE(reply->body.find("HTTP_MEMORY_LIMIT"), std::string::npos) << reply->body;
 }
 
 }  // namespace
