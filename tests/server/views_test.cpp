@@ -182,8 +182,8 @@ class Views : public testing::Test {
 // Somebody who makes one view after the other. Each client has its own random numbers.
 class Visitor {
  public:
-  Visitor(int port, const std::vector<Upload>& uploads, unsigned seed)
-      : port_(port), uploads_(uploads), random_(seed) {}
+  Visitor(int port, const std::vector<Upload>& uploads, unsigned seed, std::atomic<int>& seen)
+      : port_(port), uploads_(uploads), random_(seed), seen_(seen) {}
 
   // Until the server has gone.
   void visit() {
@@ -203,7 +203,6 @@ class Visitor {
       }
     }
   }
-  [[nodiscard]] int seen() const { return seen_; }
 
  private:
   [[nodiscard]] unsigned below(int end) {
@@ -246,7 +245,7 @@ class Visitor {
   const int port_;
   const std::vector<Upload>& uploads_;
   std::mt19937 random_;
-  int seen_ = 0;
+  std::atomic<int>& seen_;  // views, by all visitors
 };
 
 TEST_F(Views, AreWholeHoweverManyComeAndGoUntilTheServerEnds) {
@@ -257,16 +256,15 @@ TEST_F(Views, AreWholeHoweverManyComeAndGoUntilTheServerEnds) {
   expect_blocks(uploads);
   if (HasFatalFailure()) return;
   constexpr unsigned visitors = 6;
+  constexpr int enough = 30;
+  std::atomic<int> seen = 0;
   std::vector<Visitor> all;
-  for (unsigned i = 0; i < visitors; ++i) all.emplace_back(port_, uploads, i);
+  for (unsigned i = 0; i < visitors; ++i) all.emplace_back(port_, uploads, i, seen);
   std::vector<std::thread> threads;
   for (Visitor& visitor : all) threads.emplace_back([&visitor] { visitor.visit(); });
-  std::this_thread::sleep_for(milliseconds(1500 * (times_slower > 1 ? 4 : 1)));
+  EXPECT_TRUE(eventually([&] { return seen >= enough; }, 30.0 * times_slower)) << seen;
   server_.reset();
   for (std::thread& thread : threads) thread.join();
-  int seen = 0;
-  for (const Visitor& visitor : all) seen += visitor.seen();
-  EXPECT_GT(seen, 0);
 }
 
 // Not as an answer that another format would fit.
