@@ -27,16 +27,6 @@ TEST(KeptLines, OfAContourWithoutARadius) {
             before + "G01 X0. Y0. F300\n" + contour + "G01 X-20. Y-20.\nM30\n");
 }
 
-// A centre path with D, whose wear is 0.
-TEST(KeptLines, OfAContourWhoseRadiusIsGivenAsZero) {
-  ProgramSessionSetup setup = computing_setup(fanuc, 0);
-  setup.session.program.tool_radius_given = true;
-  EXPECT_EQ(text_of("G21 G90 G17\nT1 M6\nG0 X-20. Y-20.\nG41 D1 G1 X0. Y0. F300\nY30.\n"
-                    "G40 X-20.\nM30\n",
-                    setup),
-            "G21 G90 G17\nT1 M6\nG0 X-20. Y-20.\nG01 X0. Y0. F300\nY30.\nG01 X-20. Y30.\nM30\n");
-}
-
 TEST(KeptLines, OfAContourOfKlartextWithoutARadius) {
   ProgramSessionSetup setup = computing_setup(heidenhain, 0);
   setup.session.program.tool_radius_given = true;

@@ -351,8 +351,7 @@ class Interpreter {
   bool take_tangent(ProgramLine& line, BlockWords& block);
   bool take_angle(ProgramLine& line, BlockWords& block);
   [[nodiscard]] bool has_one_radius() const {
-    const ProgramSetup& setup = state_.setup();
-    return setup.tools.empty() && (setup.mode.tool_radius != 0 || setup.tool_radius_given);
+    return state_.setup().tools.empty() && state_.setup().mode.tool_radius != 0;
   }
   // A table, or one radius for all.
   [[nodiscard]] bool gives_radii() const {
