@@ -10,6 +10,7 @@
 #include <new>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 #include "server/resources/thread_reserve.h"
 
@@ -33,7 +34,7 @@ thread_local WorkerPool::Group* group_of_turn = nullptr;
 // Of this thread alone, on Linux: ten steps below the process, wherever that stands. Where that is
 // refused its work takes what it would have taken. A tenth of a core is left where all are wanted:
 // a process ends only when its last thread has had its turn, and at the lowest priority that takes
-// seconds.
+// seconds. For that reason threads that have had no work yet stay as they are.
 void leave_the_cores_to_others() {
   constexpr int steps_below = 10;
   (void)setpriority(PRIO_PROCESS, 0, getpriority(PRIO_PROCESS, 0) + steps_below);
@@ -140,7 +141,7 @@ std::uint64_t WorkerPool::threads_missed() const {
 }
 
 void WorkerPool::run() {
-  if (priority_ == Priority::low) leave_the_cores_to_others();
+  bool has_its_priority = priority_ != Priority::low;
   std::unique_lock lock(mutex_);
   while (true) {
     ++idle_;
@@ -159,6 +160,7 @@ void WorkerPool::run() {
       continue;
     }
     lock.unlock();
+    if (!std::exchange(has_its_priority, true)) leave_the_cores_to_others();
     began = time_computed();
     group_of_turn = next.group;
     next.job->turn();

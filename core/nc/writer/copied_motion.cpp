@@ -23,6 +23,13 @@ bool is_programmed_path(const NcWriter::Meaning& meaning, const CompensatedBlock
          (end_of(block.path) - to_plane(block.plane, meaning.end)).norm() <= same_start;
 }
 
+// Angles may count from one of a line that is written anew.
+bool has_polar_words(const ProgramLine& line) {
+  return std::ranges::any_of(line.words, [&](const WordRange& word) {
+    return word.role == WordRole::coordinate && is_polar(line, word);
+  });
+}
+
 // Whether X, Y and Z of the line are numbers, and those of where the block ends.
 bool names_end(const ProgramLine& line, const CompensatedBlock& block) {
   const Position end = from_plane(block.plane, end_of(block.path), block.normal.to);
@@ -52,12 +59,8 @@ bool stands_for_itself(const ProgramLine& line, const CompensatedBlock& block) {
 
 bool NcWriter::copy_motion(const Waiting& own, const CompensatedBlock& block, std::string& out) {
   const ProgramLine& line = *own.line;
-  // Angles may count from one of a line that is written anew.
-  const bool has_polar_words = std::ranges::any_of(line.words, [&](const WordRange& word) {
-    return word.role == WordRole::coordinate && is_polar(line, word);
-  });
-  const bool stays_in_contour =
-      !has_polar_words && is_programmed_path(own.meaning, block) && stands_for_itself(line, block);
+  const bool stays_in_contour = is_programmed_path(own.meaning, block) && !has_polar_words(line) &&
+                                stands_for_itself(line, block);
   if (block.origin != Origin::uncompensated && !stays_in_contour) return false;
   if (line.has_trc_words || !line.is_motion) return false;
   if (line.motion != kind_of(block)) return false;

@@ -54,6 +54,7 @@ bool stands_alone(std::string_view word) {
 }  // namespace
 
 void NcWriter::keep_removed_words(const ProgramLine& line) {
+  if (!line.has(WordRole::technology) && !line.has(WordRole::trc)) return;
   const auto forget = [&](char group) {
     std::erase_if(removed_, [&](const RemovedWord& word) { return word.group == group; });
   };
