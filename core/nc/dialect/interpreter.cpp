@@ -280,7 +280,7 @@ bool Interpreter::read_block(ProgramLine& line) {
 void Interpreter::copy_plunge_from_nowhere(ProgramLine& line, BlockWords& block) const {
   using enum GGroup;
   const std::size_t third = axes_of(state_.programmed_plane()).third;
-  const int reference = block.end_reference[third];  // IC(…)
+  const auto reference = block.end_reference[third];  // IC(…)
   const bool incremental = reference != 0         ? reference < 0
                            : block.has(dimension) ? block.of(dimension).is(91)
                                                   : incremental_;
@@ -324,7 +324,7 @@ bool Interpreter::apply(ProgramLine& line, const PlainMotion& plain) {
   if (plain.has_function()) motion_ = plain.motion();
   motion_given_ = true;
   if (plain.has_feed()) feed_ = plain.feed() * feed_unit(inch_);
-  state_.place(plain.first_coordinate() + 1, column_of_center(line));
+  state_.place(plain.first_coordinate() + 1, plain.has_circle_words() ? column_of_center(line) : 0);
   return move(line, request);
 }
 

@@ -203,7 +203,7 @@ Value FanucFlow::read(ExpressionReader& expression) {
   const std::int64_t number = number_of_variable(expression);
   kept_text_.go_on(reads);
   if (expression.failed() || number == 0) return {.vacant = true};
-  const Value value = value_of(expression, number, begin);
+  Value value = value_of(expression, number, begin);
   std::string text;
   if (value.vacant)
     text = "#0";

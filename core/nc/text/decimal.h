@@ -82,7 +82,8 @@ struct AnyNumber {
 // digits as a whole number and the power of ten that they are divided by are exact as doubles, one
 // division rounds once, and it does not matter which of the powers that leave a whole number is
 // taken. All others are left to the standard library.
-[[gnu::always_inline]] inline bool take_number(std::string_view line, const char*& at, double& value, bool& whole) {
+[[gnu::always_inline]] inline bool take_number(std::string_view line, const char*& at,
+                                               double& value, bool& whole) {
   const char* const end = line.data() + line.size();
   const char* here = at;
   const bool negative = here != end && *here == '-';
