@@ -53,13 +53,6 @@ TEST(KeptVariables, OfTheControlAreRaisedByIt) {
             "G90 G0 X0 Y0\n$AC_PARAM[2]=$AC_PARAM[2]*2\nM30\n");
 }
 
-// What is a variable of Haas there and the length of a tool of Fanuc.
-TEST(KeptVariables, OfEitherControlComeOutInTheirPlace) {
-  EXPECT_EQ(
-      flat("G90 G0 X0 Y0\nN5 #10100=5. (A)\n#10101=[#10100*2]\nX#10101\n#11001=#0\nM30\n", fanuc),
-      "G90 G0 X0 Y0\nN5 #10100=5. (A)\n#10101=10.\nX10.\n#11001=#0\nM30\n");
-}
-
 TEST(KeptVariables, ComeOutAtTheEnd) {
   EXPECT_EQ(flat("G90 G0 X0 Y0\n#1=5\n#100=1\n#501=#1*2\nX#501\n#501=12\nM30\n", fanuc),
             "G90 G0 X0 Y0\nX10.\n#501=12.\nM30\n");

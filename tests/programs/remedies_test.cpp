@@ -56,7 +56,7 @@ INSTANTIATE_TEST_SUITE_P(
              "O, a second program in one text", "as a text of its own"},
         Told{fanuc, at_start + "G93\nG1 G41 X0. Y0. F10.\nX10. F20.\nG40 X20.\nM30\n", "4:8 900003",
              "G93, the time of a block, in force since line 3", "Write G94"},
-        Told{fanuc, "G20 G90\nG0 X[1+#10100]\nM30\n", "2:8 900307",
+        Told{fanuc, "G20 G90\n#10100 = 0.0\nG0 X[1+#10100]\nM30\n", "2:1 900307",
              "a variable of Haas or a tool offset of Fanuc", "#100 for #10100"},
         Told{fanuc, "G21 G90\n#1=2\nWHILE [#1 GT 0] DO1 #1=#1-1\nG0 X#1\nEND1\nM30\n",
              "3:21 900308", "#, words behind a statement", "into a line of its own"},

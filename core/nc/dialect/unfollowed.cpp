@@ -113,7 +113,7 @@ void Interpreter::take_modal_motion(const ProgramLine& line, const BlockWords& b
 }
 
 // Threads of ISG, with the lines that go on under them: they come out as they stand, and only the
-// control knows where their axes stop (D-117).
+// control knows where their axes stop (D-117, D-120).
 bool Interpreter::copy_thread(ProgramLine& line, BlockWords& block) {
   const bool was_under_thread = !code_.unfollowed.empty();
   take_modal_motion(line, block);

@@ -13,10 +13,6 @@ bool is_machine_switch(std::int64_t variable) {
   return (variable >= 3001 && variable <= 3004) || variable == 3901 || variable == 3902;
 }
 
-// Lengths of tools of Fanuc, variables of Haas: what a program sets in them comes out in its place,
-// and is what it reads back (D-120).
-bool is_kept_in_place(std::int64_t variable) { return variable > 10'000 && variable < 12'000; }
-
 }  // namespace
 
 bool FanucFlow::assign(std::string& flat, std::size_t at) {
@@ -55,17 +51,6 @@ bool FanucFlow::assign(std::string& flat, std::size_t at) {
     common_[number] = value.number;
     const std::string comments = comments_of(line_, behind);
     write_behind_number(flat, comments.empty() ? data : data + " " + comments);
-    return true;
-  }
-  if (is_kept_in_place(number)) {
-    common_[number] = value.vacant ? std::nullopt : std::optional(value.number);
-    std::string text = "#" + std::to_string(number) + "=";
-    if (value.vacant)
-      text += "#0";
-    else
-      append_value(text, value.number, PointStyle::with_point);
-    const std::string comments = comments_of(line_, behind);
-    write_behind_number(flat, comments.empty() ? text : text + " " + comments);
     return true;
   }
   if (!set(number, value, at)) return false;
