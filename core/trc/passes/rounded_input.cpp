@@ -40,12 +40,12 @@ bool only_moves_in_plane(const MotionBlock& motion) {
 // mm². A coordinate that is off turns two lines of the length l so that R·tan(β/2) is more than
 // half of l.
 double squared_length_of_short(const TrcMode& mode, double input_resolution) {
-  const double most = most_aside(mode, input_resolution);
   // Only what leaves no loops in keeps to every digit of a contour.
-  if (mode.removes_loops()) return most * most;
-  const double of_fine_steps =
-      2.5 * std::abs(mode.tool_radius) * resolution_for(mode, input_resolution);
-  return std::max(most * most, of_fine_steps);
+  if (mode.removes_loops()) {
+    const double most = most_aside(mode, input_resolution);
+    return most * most;
+  }
+  return 2.5 * std::abs(mode.tool_radius) * resolution_for(mode, input_resolution);
 }
 
 // What corners may take of lines that are joined: each block of them keeps something.

@@ -32,7 +32,7 @@ class RoundedInput {
   bool drain(PathBlocks& out);
   [[nodiscard]] bool ignores(const PathBlock& block) const {
     return held_.empty() && !block.before_short &&
-           !(is_contour_line(block) && is_short(block.programmed, input_resolution_));
+           !(is_short(block.programmed, input_resolution_) && is_contour_line(block));
   }
   [[nodiscard]] std::size_t look_ahead() const { return most_held + 1; }
 

@@ -111,7 +111,7 @@ bool Transitions::feed(PathBlockPtr&& block, PathBlocks& out) {
 }
 
 bool Transitions::may_be_tied(const PathBlock& block) const {
-  if (!held_ || !is_contour(*held_) || !is_contour(block) || !block.removes_loops() ||
+  if (!block.removes_loops() || !held_ || !is_contour(*held_) || !is_contour(block) ||
       block.masked || block.rejoin || !continues(block) || !masked_.empty() ||
       held_->at_end != block.at_start || block.at_start != block.at_end)
     return false;
@@ -259,7 +259,7 @@ bool Transitions::join(PathBlock& after, PathBlocks& out) {
   const bool radius_changes = is_contour(before) && is_contour(after) &&
                               after.at_start != after.at_end &&
                               after.mode().options.perpendicular_radius_change;
-  if (!tell_depth(before, after, joint)) return false;
+  if (before.mode().below_nominal && !tell_depth(before, after, joint)) return false;
   const Point contour_start = joint.start;
   if (radius_changes) change_radius_at_once(corner, after, joint);
   open(after, joint.start, joint.cut_after, tolerances_);
@@ -298,10 +298,11 @@ void Transitions::measure_room(const PathBlock& after) {
   block.largest_radius = largest_radius_for(before, block, after, tolerances_);
 }
 
-// Wear mode: a smaller tool turns about the corner of the centre path, where it could go deeper.
+// Wear mode, behind a block of it: a smaller tool turns about the corner of the centre path, where
+// it could go deeper.
 bool Transitions::tell_depth(const PathBlock& before, const PathBlock& after, const Joint& joint) {
-  if (!is_contour(before) || !is_contour(after) || !before.mode().below_nominal ||
-      !after.mode().below_nominal || joint.inserted().empty())
+  if (!is_contour(before) || !is_contour(after) || !after.mode().below_nominal ||
+      joint.inserted().empty())
     return true;
   const Point& corner = start_of(after.programmed.path);
   const Vector across = left_of(tangent_at_end(before.programmed.path)) +
