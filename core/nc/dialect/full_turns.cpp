@@ -1,8 +1,8 @@
 #include <cmath>
-#include <numbers>
 #include <string>
 
 #include "core/geometry/segment.h"
+#include "core/geometry/turn.h"
 #include "core/nc/dialect/block_words.h"
 
 // A helix of several turns in one line: TURN= of Sinumerik, P of LinuxCNC.
@@ -10,7 +10,6 @@
 namespace trc {
 namespace {
 
-constexpr double full_turn = 2 * std::numbers::pi;
 constexpr double most_turns = 1000;
 
 // From one arm of a circle to the other, more than 0, at most a full turn.

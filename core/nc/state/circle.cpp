@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/geometry/turn.h"
+
 namespace trc {
 namespace {
-
-constexpr double full_turn = 2 * std::numbers::pi;
 
 // mm; on smaller arcs the share of the radius limits the shift of a centre alone (D-41).
 constexpr double small_radius = 20;

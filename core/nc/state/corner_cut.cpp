@@ -7,11 +7,11 @@
 
 #include "core/geometry/intersect.h"
 #include "core/geometry/parallel.h"
+#include "core/geometry/turn.h"
 
 namespace trc {
 namespace {
 
-constexpr double full_turn = 2 * std::numbers::pi;
 constexpr double nearly_back = std::numbers::pi - 1e-3;
 
 // How far along the segment the point lies, mm; it lies on the line or circle of it.

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/geometry/parallel.h"
+#include "core/geometry/turn.h"
 
 namespace trc {
 namespace {
-
-constexpr double full_turn = 2 * std::numbers::pi;
 
 Vector turned(const Vector& v, double angle) {
   return std::cos(angle) * v + std::sin(angle) * left_of(v);

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/geometry/turn.h"
 #include "core/nc/state/circle.h"
 #include "core/nc/text/characters.h"
 #include "core/nc/text/number_format.h"
@@ -84,7 +85,6 @@ bool is_surely_read_alike(const ReadArc& read, const Arc& arc, double unit) {
   constexpr CircleCheck check;
   constexpr Tolerances tolerances;
   const double sweep = std::abs(arc.sweep);
-  constexpr double full_turn = 2 * std::numbers::pi;
   if (sweep < 2 * sweep_change || sweep > full_turn - 2 * sweep_change) return false;
 
   // As arc_about does it: the centre goes to the perpendicular bisector of start and end.
