@@ -15,6 +15,7 @@ loops=(
   "core: blocks to blocks"
   "core: blocks through all passes"
   "nc: reading"
+  "nc: reading, heidenhain"
   "nc: writing"
   "nc: text to text"
   "wire: read request columns"

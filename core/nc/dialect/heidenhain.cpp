@@ -187,7 +187,15 @@ bool Interpreter::read_klartext(ProgramLine& line) {
     block.name = motion->name;
   }
   block.begin = static_cast<std::uint32_t>(at);
-  const bool readable = read_klartext_words(line, block) && check_klartext(line, block);
+  const bool has_words = read_klartext_words(line, block);
+  line.sum_up_roles();
+  const bool readable = has_words && check_klartext(line, block) &&
+                        (block.unfollowed || check_words_together(line, block));
+  return take_klartext(line, block, readable);
+}
+
+// What the words of the block say takes effect, unless something is wrong with them.
+bool Interpreter::take_klartext(ProgramLine& line, KlartextBlock& block, bool readable) {
   if (!faults_.empty()) {
     if (block.side) scanned_trc_ = *block.side != Side::off;
     if (block.is(KlartextStatement::departure)) scanned_trc_ = false;
@@ -196,8 +204,6 @@ bool Interpreter::read_klartext(ProgramLine& line) {
   line.has_words = true;
   ++blocks_read_;
   const bool goes_on = apply_klartext(line, block);
-  line.roles = 0;
-  for (const WordRange& word : line.words) line.roles |= bit(word.role);
   line.has_trc_words = line.has(WordRole::trc);
   return goes_on;
 }
@@ -271,8 +277,7 @@ bool Interpreter::read_klartext_parameter(const KlartextWord& word, ProgramLine&
   std::string_view name = word.name;
   if (const std::size_t parameter = name.find('Q', 1); parameter != std::string_view::npos)
     name = name.substr(0, parameter);
-  const bool of_the_corner =
-      block.is(KlartextStatement::rounding) || block.is(KlartextStatement::chamfer);
+  const bool of_the_corner = block.is_corner();
   if (name == "F" && !(of_the_corner && contour_open())) {
     if (block.feed || block.open_feed)
       return refuse_klartext(line, word.begin, text, Code::nc_word_twice);
@@ -344,7 +349,7 @@ bool Interpreter::read_klartext_name(const KlartextWord& word, ProgramLine& line
     if (form != forms.end()) {
       block.lead.form = form->second;
       block.polar_lead = polar;
-      block.name.append(" ").append(name);
+      block.form = form->first;
       add(line, word, WordRole::coordinate);
       return true;
     }
@@ -418,8 +423,7 @@ bool Interpreter::read_klartext_feed(const KlartextWord& word, ProgramLine& line
   if (word.name != "F") {
     if (word.name != "FU" && word.name != "FZ" && word.name != "FT" && word.name != "FMAXT")
       return refuse_klartext(line, word.begin, text);
-    const bool of_a_motion =
-        !block.is(KlartextStatement::rounding) && !block.is(KlartextStatement::chamfer);
+    const bool of_a_motion = !block.is_corner();
     if (of_a_motion && (word.name == "FU" || word.name == "FZ")) {
       if (block.feed || block.open_feed)
         return refuse_klartext(line, word.begin, text, Code::nc_word_twice);
@@ -436,8 +440,7 @@ bool Interpreter::read_klartext_feed(const KlartextWord& word, ProgramLine& line
   if (block.feed || block.open_feed)
     return refuse_klartext(line, word.begin, text, Code::nc_word_twice);
   block.feed = {.value = word.value, .begin = word.begin};
-  const bool of_the_corner =
-      block.is(KlartextStatement::rounding) || block.is(KlartextStatement::chamfer);
+  const bool of_the_corner = block.is_corner();
   add(line, word,
       klartext_.feed_per_turn           ? WordRole::technology
       : of_the_corner && contour_open() ? WordRole::trc

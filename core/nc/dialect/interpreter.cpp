@@ -11,7 +11,9 @@
 namespace trc {
 namespace {
 
-constexpr std::string_view center_letters = "IJKR";
+constexpr bool is_of_center(char letter) {
+  return (letter >= 'I' && letter <= 'K') || letter == 'R';
+}
 
 // Enters which roles and axes there are.
 void sum_up_words(ProgramLine& line) {
@@ -29,7 +31,7 @@ void sum_up_words(ProgramLine& line) {
     const char letter = upper(line.text[word.begin]);
     if (letter >= 'X' && letter <= 'Z') {
       line.main_axes |= static_cast<std::uint8_t>(1U << (letter - 'X'));
-    } else if (center_letters.find(letter) == std::string_view::npos) {
+    } else if (!is_of_center(letter)) {
       line.names_other_axes = true;
     }
   }
@@ -38,8 +40,7 @@ void sum_up_words(ProgramLine& line) {
 // 1-based, of the first I, J, K or R of a plain motion; 0: none.
 std::uint32_t column_of_center(const ProgramLine& line) {
   for (const WordRange& word : line.words)
-    if (word.role == WordRole::coordinate &&
-        center_letters.find(upper(line.text[word.begin])) != std::string_view::npos)
+    if (word.role == WordRole::coordinate && is_of_center(upper(line.text[word.begin])))
       return word.begin + 1;
   return 0;
 }
@@ -115,13 +116,11 @@ void Interpreter::count_in(const ProgramLine& line, bool inch) {
 
 // Diagnostics of the state name the column too, where the block is one line.
 void Interpreter::place(const ProgramLine& line, std::uint32_t begin) {
-  state_.place(place_of_word(line, begin).column);
+  state_.place(column_in(line, begin));
 }
 
 WordPlace Interpreter::place_of_word(const ProgramLine& line, std::uint32_t begin) const {
-  const bool one_line = line.source.line == lines_read_;
-  const bool in_first_line = one_line || line.text.find_first_of("\r\n") >= begin;
-  return {.source = line.source, .column = in_first_line && knows_columns_ ? column_of(begin) : 0};
+  return {.source = line.source, .column = column_in(line, begin)};
 }
 
 // Where the setup says how the switch of the machine stands: on, nothing of the line remains; off,
@@ -151,7 +150,11 @@ bool Interpreter::read_line(ProgramLine& line) {
   const bool may_be_skipped = state_.setup().block_skip != BlockSkip::refuse && !ended_ &&
                               comment_block_ == 0 && !in_subprogram_;
   if (may_be_skipped && is_left_out(line)) return true;
-  if (PlainMotion plain; is_plain(line, plain)) return apply(line, plain);
+  if (dialect_.name == DialectName::heidenhain) {
+    if (const auto goes_on = take_plain_klartext(line)) return *goes_on;
+  } else if (PlainMotion plain; is_plain(line, plain)) {
+    return apply(line, plain);
+  }
   line.words.clear();
   if (state_.setup().encoding == Encoding::utf8)
     if (const std::size_t bad = first_byte_that_is_no_utf8(line.text);

@@ -258,6 +258,10 @@ class Interpreter {
   // Of Heidenhain: heidenhain.cpp.
   struct KlartextBlock;
   bool read_klartext(ProgramLine& line);
+  bool read_plain_klartext(ProgramLine& line, KlartextBlock& block) const;
+  // Whether the program goes on behind the block; nothing where it is not plain.
+  std::optional<bool> take_plain_klartext(ProgramLine& line);
+  bool take_klartext(ProgramLine& line, KlartextBlock& block, bool readable);
   bool read_klartext_words(ProgramLine& line, KlartextBlock& block);
   bool read_klartext_word(const KlartextWord& word, ProgramLine& line, KlartextBlock& block);
   bool read_klartext_value(const KlartextWord& word, ProgramLine& line, KlartextBlock& block);
@@ -304,6 +308,8 @@ class Interpreter {
   bool select_in_klartext(const ProgramLine& line, Side side, std::size_t begin);
   bool choose_called_tool(const ProgramLine& line, std::size_t begin);
   bool check_corner_before(const ProgramLine& line, const KlartextBlock& block, bool selects);
+  // Of a block that is followed.
+  bool check_words_together(const ProgramLine& line, const KlartextBlock& block);
   bool check_klartext_form(const ProgramLine& line, const KlartextBlock& block);
   bool check_words_of_form(const ProgramLine& line, const KlartextBlock& block);
   void leave_plane_by_arc(KlartextBlock& block) const;
@@ -311,9 +317,9 @@ class Interpreter {
   bool take_klartext_pole(ProgramLine& line, KlartextBlock& block);
   bool find_klartext_end(ProgramLine& line, KlartextBlock& block);
   bool find_polar_end(ProgramLine& line, KlartextBlock& block, const Point& start, Point& end);
-  bool move_on_klartext_arc(ProgramLine& line, KlartextBlock& block);
-  bool move_on_tangent_arc(ProgramLine& line, KlartextBlock& block);
-  bool move_in_turns(ProgramLine& line, KlartextBlock& block);
+  bool move_on_klartext_arc(ProgramLine& line, KlartextBlock& block, MoveRequest& request);
+  bool move_on_tangent_arc(ProgramLine& line, KlartextBlock& block, MoveRequest& request);
+  bool move_in_turns(ProgramLine& line, KlartextBlock& block, MoveRequest& request);
   bool move_in_klartext(ProgramLine& line, MoveRequest& request);
   bool lead_in_klartext(ProgramLine& line, KlartextBlock& block);
   void hand_on_klartext_pole(ProgramLine& line) const;
@@ -408,6 +414,12 @@ class Interpreter {
   bool refuse(const ProgramLine& line, const TextFault& given);
   bool refuse_at(const WordPlace& place, Code code, std::string detail);
   [[nodiscard]] WordPlace place_of_word(const ProgramLine& line, std::uint32_t begin) const;
+  // 0 behind the first of the lines that the block has.
+  [[nodiscard]] std::uint32_t column_in(const ProgramLine& line, std::uint32_t begin) const {
+    const bool one_line = line.source.line == lines_read_;
+    const bool in_first_line = one_line || line.text.find_first_of("\r\n") >= begin;
+    return in_first_line && knows_columns_ ? column_of(begin) : 0;
+  }
   [[nodiscard]] static TextFault with_slip(const ProgramLine& line, TextFault fault);
   [[nodiscard]] bool is_within_slip(const Diagnostic& found) const;
   bool refuse(const ProgramLine& line, const Word& word, Code code, std::string detail = {});

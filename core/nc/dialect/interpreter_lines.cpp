@@ -25,7 +25,8 @@ void forget_words(ProgramLine& line) {
 
 // Few lines get past this.
 bool may_be_continued(std::string_view line) {
-  return !line.empty() && std::string_view("\\ \t\xA0").find(line.back()) != std::string_view::npos;
+  const char last = line.empty() ? '\0' : line.back();
+  return last == '\\' || last == ' ' || last == '\t' || last == '\xA0';
 }
 
 std::string_view last_line_of(std::string_view text) {

@@ -6,29 +6,29 @@
 
 namespace trc {
 
-bool Interpreter::move_on_klartext_arc(ProgramLine& line, KlartextBlock& block) {
+bool Interpreter::move_on_klartext_arc(ProgramLine& line, KlartextBlock& block,
+                                       MoveRequest& request) {
   const PlaneAxes axes = axes_of(state_.mode().plane);
-  MoveRequest& request = block.move;
   motion_ = *block.clockwise ? MotionKind::clockwise : MotionKind::counter_clockwise;
   if (block.is(KlartextStatement::radius_arc)) {
     request.radius = block.radius->value * length_unit();
     return move_in_klartext(line, request);
   }
   if (!klartext_.pole)
-    return refuse_klartext(line, block.begin, block.name + " without CC, or behind what moves it");
+    return refuse_klartext(line, block.begin,
+                           block.title() + " without CC, or behind what moves it");
   line.klartext->needs_pole = true;
   request.center[axes.first] = klartext_.pole->x();
   request.center[axes.second] = klartext_.pole->y();
-  if (block.is(KlartextStatement::polar_circle)) return move_in_turns(line, block);
+  if (block.is(KlartextStatement::polar_circle)) return move_in_turns(line, block, request);
   return move_in_klartext(line, request);
 }
 
 // CP: IPA may be several turns, each a block.
-bool Interpreter::move_in_turns(ProgramLine& line, KlartextBlock& block) {
-  MoveRequest& request = block.move;
+bool Interpreter::move_in_turns(ProgramLine& line, KlartextBlock& block, MoveRequest& request) {
   const PlaneAxes axes = axes_of(state_.mode().plane);
   const auto wrong = [&](const char* why) {
-    return refuse_klartext(line, block.begin, block.name + why, Code::circle_incomplete);
+    return refuse_klartext(line, block.begin, block.title() + why, Code::circle_incomplete);
   };
   if (!block.polar_angle) return wrong(" without PA");
   if (block.polar_radius) return wrong(" with PR");
@@ -64,11 +64,11 @@ bool Interpreter::move_in_turns(ProgramLine& line, KlartextBlock& block) {
 }
 
 // CT, CTP: the arc goes on where the motion before it has led.
-bool Interpreter::move_on_tangent_arc(ProgramLine& line, KlartextBlock& block) {
+bool Interpreter::move_on_tangent_arc(ProgramLine& line, KlartextBlock& block,
+                                      MoveRequest& request) {
   const PlaneAxes axes = axes_of(state_.mode().plane);
-  MoveRequest& request = block.move;
   const auto wrong = [&](const char* why) {
-    return refuse_klartext(line, block.begin, block.name + why);
+    return refuse_klartext(line, block.begin, block.title() + why);
   };
   if (!klartext_.tangent) return wrong(" without a motion in the plane before it");
   const Point start = to_plane(state_.mode().plane, state_.position());
@@ -77,14 +77,15 @@ bool Interpreter::move_on_tangent_arc(ProgramLine& line, KlartextBlock& block) {
   const Vector chord = end - start;
   line.klartext->needs_tangent = true;
   line.klartext->counts_from_start = true;
-  const double across = cross(*klartext_.tangent, chord);
+  const Vector tangent = klartext_.tangent->normalized();
+  const double across = cross(tangent, chord);
   if (std::abs(across) <= 1e-6) {
-    if (chord.dot(*klartext_.tangent) <= 0) return wrong(" straight back");
+    if (chord.dot(tangent) <= 0) return wrong(" straight back");
     motion_ = MotionKind::linear;
     return move_in_klartext(line, request);
   }
   const double radius = chord.squaredNorm() / (2 * across);  // positive: counter-clockwise
-  const Point center = start + radius * left_of(*klartext_.tangent);
+  const Point center = start + radius * left_of(tangent);
   request.center[axes.first] = center.x();
   request.center[axes.second] = center.y();
   motion_ = across > 0 ? MotionKind::counter_clockwise : MotionKind::clockwise;

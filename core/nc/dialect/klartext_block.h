@@ -53,8 +53,15 @@ struct Interpreter::KlartextBlock {
     return statement != KlartextStatement::none && statement != KlartextStatement::center &&
            statement < KlartextStatement::rounding;
   }
-  // For messages.
-  [[nodiscard]] std::string title() const { return name.empty() ? "M" : name; }
+  [[nodiscard]] bool is_corner() const {
+    return statement == KlartextStatement::rounding || statement == KlartextStatement::chamfer;
+  }
+  // For messages: CR, APPR PLT, M.
+  [[nodiscard]] std::string title() const {
+    std::string title(name.empty() ? "M" : name);
+    if (!form.empty()) title.append(polar_lead ? " P" : " ").append(form);
+    return title;
+  }
   [[nodiscard]] bool is_lead() const { return statement >= KlartextStatement::approach; }
   [[nodiscard]] bool is_polar() const {
     return statement == KlartextStatement::polar_line ||
@@ -67,7 +74,8 @@ struct Interpreter::KlartextBlock {
   }
 
   KlartextStatement statement = KlartextStatement::none;
-  std::string name{};  // of the statement, for messages
+  std::string_view name{};  // of the statement; M words alone have none
+  std::string_view form{};  // LT LN CT LCT of a lead
   std::uint32_t begin = 0;
   std::array<std::optional<Value>, 3> end{};
   std::vector<std::optional<double>> tracking{};
@@ -99,7 +107,6 @@ struct Interpreter::KlartextBlock {
   bool feed_per_minute = false;
   std::optional<bool> masks{};                  // M120
   std::optional<FeedAdaptation> adapts_feed{};  // M109 M110 M111
-  MoveRequest move{};                           // where it leads to
   AxisBits leaves_on = 0;                       // an arc across the plane, which moves these
   // What keeps the block from being followed: a parameter, M91 … It is copied while TRC is off.
   std::optional<std::uint32_t> unfollowed{};

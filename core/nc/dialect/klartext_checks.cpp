@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <initializer_list>
 #include <string>
 
 #include "core/nc/dialect/klartext_block.h"
@@ -17,10 +16,10 @@ std::string word_at(const ProgramLine& line, std::size_t begin) {
 
 }  // namespace
 
-// What the words must be together, and whether the block is followed.
+// What the words must be as the program stands, and whether the block is followed.
 bool Interpreter::check_klartext(ProgramLine& line, KlartextBlock& block) {
   const auto wrong = [&](std::string detail, Code code) {
-    return refuse_klartext(line, block.begin, block.name + std::move(detail), code);
+    return refuse_klartext(line, block.begin, block.title() + std::move(detail), code);
   };
   if (block.feed && block.feed->begin == ~0U) return wrong(" with F alone", Code::nc_number);
   const double unit = inch_ ? mm_per_inch / 10 : 1;
@@ -31,20 +30,23 @@ bool Interpreter::check_klartext(ProgramLine& line, KlartextBlock& block) {
         Code::nc_number);
   const bool active = trc_active();
   const bool selects = block.side && *block.side != Side::off;
-  const bool moves = block.is_motion() || block.is_lead() ||
-                     block.is(KlartextStatement::rounding) || block.is(KlartextStatement::chamfer);
-  const FeedAdaptation adaptation = block.adapts_feed.value_or(state_.mode().feed_adaptation);
-  if (block.open_feed && active && adaptation != FeedAdaptation::off)
+  const bool moves = block.is_motion() || block.is_lead() || block.is_corner();
+  const auto adapts_feed = [&] {
+    return block.adapts_feed.value_or(state_.mode().feed_adaptation) != FeedAdaptation::off;
+  };
+  if (block.open_feed && active && adapts_feed())
     return refuse_klartext(
         line, *block.open_feed,
         word_at(line, *block.open_feed) + ", no feed per minute, while TRC is active");
   // `/ L M8` moves nothing.
-  const bool moves_nothing = block.is(KlartextStatement::straight) && !block.names_axes() &&
-                             !block.side && !block.feed && !block.open_feed;
+  const auto moves_nothing = [&] {
+    return block.is(KlartextStatement::straight) && !block.names_axes() && !block.side &&
+           !block.feed && !block.open_feed;
+  };
   if (block.to_skip && (moves || block.is(KlartextStatement::center)) && !block.unfollowed &&
-      !moves_nothing) {
+      !moves_nothing()) {
     block.unfollowed = block.begin;
-    block.unfollowed_why = block.name + ", a motion that may be skipped";
+    block.unfollowed_why = block.title() + ", a motion that may be skipped";
     block.unfollowed_code = Code::block_skip_undecided;
   }
   if (klartext_.unfollowed != 0 && moves && !block.unfollowed) {
@@ -52,11 +54,11 @@ bool Interpreter::check_klartext(ProgramLine& line, KlartextBlock& block) {
     const bool other_radius =
         (klartext_.unfollowed & (KlartextLead::correction | KlartextLead::tool_data)) != 0;
     block.unfollowed_why =
-        block.name + (other_radius ? ", with a radius that the program has changed"
-                                   : ", in coordinates that are scaled or led by the "
-                                     "tool tip");
+        block.title() + (other_radius ? ", with a radius that the program has changed"
+                                      : ", in coordinates that are scaled or led by the "
+                                        "tool tip");
   }
-  leave_plane_by_arc(block);
+  if (!block.is(KlartextStatement::straight)) leave_plane_by_arc(block);
   // R0 beside M91 ends TRC first.
   const bool in_contour = (active && block.side != Side::off) || selects;
   // RL under scaling or M128 has been told: what follows hangs on that.
@@ -66,21 +68,25 @@ bool Interpreter::check_klartext(ProgramLine& line, KlartextBlock& block) {
     return refuse_klartext(line, *block.unfollowed,
                            block.unfollowed_why + (active ? ", while TRC is active" : ""),
                            block.unfollowed_code);
-  if (block.unfollowed) return true;
+  return true;
+}
+
+bool Interpreter::check_words_together(const ProgramLine& line, const KlartextBlock& block) {
   return check_klartext_form(line, block) && check_words_of_form(line, block);
 }
 
 // Arcs across the plane, as vertical leads are: only the control follows them (D-91).
 void Interpreter::leave_plane_by_arc(KlartextBlock& block) const {
   using enum KlartextStatement;
+  if (block.unfollowed) return;
   const std::size_t third = axes_of(state_.mode().plane).third;
   const bool by_pole = block.is(circle) || (block.is_polar() && !block.is_lead());  // C CP LP CTP
   const bool pole_across = by_pole && klartext_.pole_across != 0;
   const bool end_across =
       (block.is(radius_arc) || block.is(tangent_arc)) && block.end[third].has_value();
-  if (block.unfollowed || !(pole_across || end_across)) return;
+  if (!(pole_across || end_across)) return;
   block.unfollowed = block.begin;
-  block.unfollowed_why = block.name + ", an arc or a pole across the plane";
+  block.unfollowed_why = block.title() + ", an arc or a pole across the plane";
   if (pole_across) block.leaves_on = klartext_.pole_across;
   for (std::size_t axis = 0; axis < block.end.size(); ++axis)
     if (block.end[axis]) block.leaves_on |= static_cast<AxisBits>(1U << axis);
@@ -89,18 +95,17 @@ void Interpreter::leave_plane_by_arc(KlartextBlock& block) const {
 // What the words must be together.
 bool Interpreter::check_klartext_form(const ProgramLine& line, const KlartextBlock& block) {
   const auto wrong = [&](std::string detail, Code code) {
-    return refuse_klartext(line, block.begin, block.name + std::move(detail), code);
+    return refuse_klartext(line, block.begin, block.title() + std::move(detail), code);
   };
   if ((is_arc_of(block.statement)) && !block.clockwise)
     return wrong(" without DR", Code::circle_incomplete);
   if (block.is(KlartextStatement::radius_arc) && !block.radius)
     return wrong(" without R", Code::circle_incomplete);
-  const bool corner = block.is(KlartextStatement::rounding) || block.is(KlartextStatement::chamfer);
+  const bool corner = block.is_corner();
   const auto& size = block.is(KlartextStatement::rounding) ? block.radius : block.length;
   if (corner && (!size || size->value < 0)) return wrong(" without its size", Code::nc_number);
   if (!block.is_lead()) return true;
-  if (block.name.find(' ') == std::string::npos)
-    return wrong(" without LT, LN, CT or LCT", Code::nc_syntax);
+  if (block.form.empty()) return wrong(" without LT, LN, CT or LCT", Code::nc_syntax);
   const bool straight =
       block.lead.form == Lead::Form::tangent || block.lead.form == Lead::Form::normal;
   if (straight && !(block.length && block.length->value > 0))
@@ -126,25 +131,20 @@ bool Interpreter::check_words_of_form(const ProgramLine& line, const KlartextBlo
   const bool to_a_point =
       block.is(approach) || (lead && block.lead.form == Lead::Form::arc_and_line);
   const bool polar = lead ? block.polar_lead && to_a_point : block.is_polar();
-  const bool corner = block.is(rounding) || block.is(chamfer);
-  struct Given {
-    const std::optional<KlartextBlock::Value>& value;
-    const char* name;
-    bool counts;
-  };
+  const bool corner = block.is_corner();
   const bool has_place = !corner && !block.is(none);
-  for (const Given& word : std::initializer_list<Given>{
-           {block.polar_radius, "PR", polar},
-           {block.polar_angle, "PA", polar},
-           {block.length, "LEN", block.is(chamfer) || by_line},
-           {block.center_angle, "CCA", by_arc},
-           {block.radius, "R", block.is(radius_arc) || block.is(rounding) || (lead && !by_line)},
-           {block.end[0], "X", has_place},
-           {block.end[1], "Y", has_place},
-           {block.end[2], "Z", has_place}})
-    if (word.value && !word.counts)
-      return refuse_klartext(line, word.value->begin,
-                             std::string(word.name) + " beside " + block.title());
+  const bool has_radius = block.is(radius_arc) || block.is(rounding) || (lead && !by_line);
+  const auto counts = [&](const std::optional<KlartextBlock::Value>& word, const char* name,
+                          bool is_asked_for) {
+    return !word || is_asked_for ||
+           refuse_klartext(line, word->begin, std::string(name) + " beside " + block.title());
+  };
+  if (!counts(block.polar_radius, "PR", polar) || !counts(block.polar_angle, "PA", polar) ||
+      !counts(block.length, "LEN", block.is(chamfer) || by_line) ||
+      !counts(block.center_angle, "CCA", by_arc) || !counts(block.radius, "R", has_radius) ||
+      !counts(block.end[0], "X", has_place) || !counts(block.end[1], "Y", has_place) ||
+      !counts(block.end[2], "Z", has_place))
+    return false;
   for (std::size_t axis = 0; axis < block.tracking.size(); ++axis)
     if (block.tracking[axis] && !block.is_motion() && !block.is(center))
       return refuse_klartext(line, block.begin,
@@ -161,7 +161,7 @@ bool Interpreter::check_corner_before(const ProgramLine& line, const KlartextBlo
   if (selects && open.source.line > 0)
     return refuse_at(open, Code::nc_unsupported,
                      "RND or CHF in front of the motion that selects TRC");
-  const bool corner = block.is(KlartextStatement::rounding) || block.is(KlartextStatement::chamfer);
+  const bool corner = block.is_corner();
   if (corner && !contour_open())
     open = place_of_word(line, block.begin);
   else if (block.is_motion() && block.names_axes())

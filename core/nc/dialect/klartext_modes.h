@@ -29,7 +29,7 @@ struct KlartextModes {
   std::optional<Point> pole{};           // CC, mm, in the plane
   AxisBits pole_across = 0;              // of a CC across the plane: its axes
   std::optional<double> polar_radius{};  // PR, mm
-  std::optional<Vector> tangent{};       // behind the last motion in the plane
+  std::optional<Vector> tangent{};       // behind the last motion in the plane, of any length
   bool rapid = false;                    // the last motion was one with FMAX
   double feed_before = 0;                // in force before the block
   double called_feed = 0;                // F AUTO, mm/min

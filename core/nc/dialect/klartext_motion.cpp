@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <initializer_list>
 #include <numbers>
 #include <string>
 
+#include "core/geometry/turn.h"
 #include "core/nc/dialect/klartext_block.h"
 
 // What a block of Klartext that may move does.
@@ -13,7 +13,13 @@ namespace trc {
 namespace {
 
 constexpr double radians = std::numbers::pi / 180;
-constexpr double full_turn = 2 * std::numbers::pi;
+
+// Of an arc by its radius: half its sweep beside the chord.
+Vector tangent_behind_arc(double radius, const Vector& chord, double turn) {
+  const double sine = std::min(chord.norm() / (2 * std::abs(radius)), 1.0);
+  const double cosine = std::copysign(std::sqrt(1 - sine * sine), radius);
+  return cosine * chord + turn * sine * left_of(chord);
+}
 
 }  // namespace
 
@@ -21,11 +27,10 @@ bool Interpreter::apply_klartext(ProgramLine& line, KlartextBlock& block) {
   line.klartext.emplace();
   const bool is_lead = block.is_lead();
   const bool selects = block.side && *block.side != Side::off;
-  if (!check_corner_before(line, block, selects)) return false;
+  const bool corner = block.is_corner();
+  const bool beside_corner = corner || klartext_.open_corner.source.line > 0;
+  if (beside_corner && !check_corner_before(line, block, selects)) return false;
   if (!apply_klartext_modes(line, block)) return false;
-  const auto has = [&](WordRole role) {
-    return std::ranges::find(line.words, role, &WordRange::role) != line.words.end();
-  };
   const bool approaches = block.is(KlartextStatement::approach) && selects;
   const bool departs = block.is(KlartextStatement::departure) && trc_active();
   // IZ-3 from a height that is not known: outside of contours nothing hangs on it.
@@ -34,20 +39,21 @@ bool Interpreter::apply_klartext(ProgramLine& line, KlartextBlock& block) {
                        block.end[plane.third] && block.end[plane.third]->increment &&
                        !block.end[plane.first] && !block.end[plane.second] &&
                        !state_.is_known(plane.third);
-  const bool alone = leaves_from_lost_place(block) || (plunges && !block.unfollowed);
+  const bool is_lost = state_.retract_is_lost();
+  const bool alone = (is_lost && leaves_from_lost_place(block)) || (plunges && !block.unfollowed);
   const bool copied = block.unfollowed.has_value() || alone || (is_lead && !approaches && !departs);
-  const bool corner = block.is(KlartextStatement::rounding) || block.is(KlartextStatement::chamfer);
-  if (corner && contour_open() && has(WordRole::stop))
-    return refuse_klartext(line, block.begin, "a stop beside " + block.name);
-  if (!leave_contour_by_copy(line, block, copied)) return false;
+  if (corner && contour_open() && line.has(WordRole::stop))
+    return refuse_klartext(line, block.begin, "a stop beside " + block.title());
+  if ((copied || is_lost) && !leave_contour_by_copy(line, block, copied)) return false;
   if (copied || ((corner || block.is(KlartextStatement::center)) && !contour_open())) {
     // As it stands: nothing of it is written anew.
     for (WordRange& word : line.words)
       if (word.role == WordRole::coordinate || word.role == WordRole::trc ||
           word.role == WordRole::motion)
         word.role = WordRole::technology;
+    line.sum_up_roles();
   }
-  if (has(WordRole::technology) && !pass_words(line, WordRole::technology)) return false;
+  if (line.has(WordRole::technology) && !pass_words(line, WordRole::technology)) return false;
   if (copied) {
     const bool has_own_feed = block.rapid || block.open_feed || block.called_feed;
     if (block.is_motion() && !has_own_feed) line.feed_it_takes = klartext_.feed_before;
@@ -73,21 +79,22 @@ bool Interpreter::apply_klartext(ProgramLine& line, KlartextBlock& block) {
   }
   if (block.calls_cycle || (klartext_.modal_cycle && block.is_motion()))
     forget_klartext_position(line);
-  if (has(WordRole::stop) && !pass_words(line, WordRole::stop)) return false;
+  if (line.has(WordRole::stop) && !pass_words(line, WordRole::stop)) return false;
   if (!line.ends_program) return true;
   ended_ = true;
   state_.place(0);
   return state_.end(line.source);
 }
 
-// As for the dialects of G code: its other axis stands beside the contour, or nobody knows where.
+// Behind a retract that is lost, as for the dialects of G code: its other axis stands beside the
+// contour, or nobody knows where.
 bool Interpreter::leaves_from_lost_place(const KlartextBlock& block) const {
   if (!block.is(KlartextStatement::straight) || block.unfollowed || trc_active()) return false;
   const PlaneAxes axes = axes_of(state_.mode().plane);
   const auto& first = block.end[axes.first];
   const auto& second = block.end[axes.second];
   const bool one_alone = first.has_value() != second.has_value();
-  return state_.retract_is_lost() && one_alone && !(first ? first : second)->increment;
+  return one_alone && !(first ? first : second)->increment;
 }
 
 // What a block of Klartext does behind R0 without motion, as copied lines of G code do.
@@ -107,12 +114,12 @@ bool Interpreter::leave_contour_by_copy(ProgramLine& line, const KlartextBlock& 
 
 // Feed and side before the motion, as in every other dialect.
 bool Interpreter::apply_klartext_modes(ProgramLine& line, KlartextBlock& block) {
-  const bool corner = block.is(KlartextStatement::rounding) || block.is(KlartextStatement::chamfer);
   klartext_.feed_before = feed_;
-  if (block.feed && !corner) feed_ = block.feed->value * (inch_ ? mm_per_inch / 10 : 1);
+  if (block.feed && !block.is_corner()) feed_ = block.feed->value * (inch_ ? mm_per_inch / 10 : 1);
   if (block.called_feed) feed_ = klartext_.called_feed;
   if (block.feed_per_turn || block.open_feed) feed_ = 0;
-  place(line, block.side ? block.side_begin : block.begin);
+  if (block.side || block.adapts_feed || block.masks)
+    place(line, block.side ? block.side_begin : block.begin);
   if (block.adapts_feed && !state_.set_feed_adaptation(*block.adapts_feed, line.source))
     return false;
   const bool ends = block.side == Side::off || block.is(KlartextStatement::departure);
@@ -131,10 +138,12 @@ bool Interpreter::apply_klartext_motion(ProgramLine& line, KlartextBlock& block)
     case none:
       return true;
     case center:
-      if (open)
+      if (open) {
         for (WordRange& word : line.words)
           if (word.role == WordRole::coordinate || word.role == WordRole::motion)
             word.role = WordRole::trc;
+        line.sum_up_roles();
+      }
       return take_klartext_pole(line, block);
     case rounding:
     case chamfer: {
@@ -204,7 +213,7 @@ bool Interpreter::find_polar_end(ProgramLine& line, KlartextBlock& block, const 
                                  Point& end) {
   KlartextLine& says = *line.klartext;
   const auto wrong = [&](const char* why, Code code = Code::nc_unsupported) {
-    return refuse_klartext(line, block.begin, block.name + why, code);
+    return refuse_klartext(line, block.begin, block.title() + why, code);
   };
   if (!klartext_.pole) return wrong(" without CC, or behind what moves it");
   const PlaneAxes axes = axes_of(state_.mode().plane);
@@ -262,16 +271,19 @@ bool Interpreter::find_klartext_end(ProgramLine& line, KlartextBlock& block) {
                    block.is(KlartextStatement::polar_tangent_arc);
   if (arc && block.end[axes.third] && !block.is(KlartextStatement::polar_circle))
     return refuse_klartext(line, block.end[axes.third]->begin,
-                           block.name + " with a coordinate across the plane");
-  request.tracking = block.tracking;
+                           block.title() + " with a coordinate across the plane");
   if (block.tracking_increments != 0)
-    return refuse_klartext(line, block.begin, block.name + " with an increment of a turning axis");
-  for (std::size_t axis = 0; axis < request.tracking.size(); ++axis)
-    if (request.tracking[axis]) says.axes |= std::uint64_t{1} << (axis + 3);
+    return refuse_klartext(line, block.begin,
+                           block.title() + " with an increment of a turning axis");
+  if (!block.tracking.empty()) {
+    request.tracking = std::move(block.tracking);
+    for (std::size_t axis = 0; axis < request.tracking.size(); ++axis)
+      if (request.tracking[axis]) says.axes |= std::uint64_t{1} << (axis + 3);
+  }
   const Point start = to_plane(state_.mode().plane, state_.position());
   if (block.is_polar()) {
     if (block.end[axes.first] || block.end[axes.second])
-      return refuse_klartext(line, block.begin, block.name + " with X, Y or Z of its plane");
+      return refuse_klartext(line, block.begin, block.title() + " with X, Y or Z of its plane");
     Point end = start;
     if (!find_polar_end(line, block, start, end)) return false;
     request.end[axes.first] = end.x();
@@ -282,11 +294,9 @@ bool Interpreter::find_klartext_end(ProgramLine& line, KlartextBlock& block) {
     motion_ = block.rapid ? MotionKind::rapid : MotionKind::linear;
     return move_in_klartext(line, request);
   }
-  if (block.rapid) return refuse_klartext(line, block.begin, block.name + " with FMAX");
-  block.move = request;
-  return block.is(KlartextStatement::tangent_arc) || block.is(KlartextStatement::polar_tangent_arc)
-             ? move_on_tangent_arc(line, block)
-             : move_on_klartext_arc(line, block);
+  if (block.rapid) return refuse_klartext(line, block.begin, block.title() + " with FMAX");
+  return is_arc_of(block.statement) ? move_on_klartext_arc(line, block, request)
+                                    : move_on_tangent_arc(line, block, request);
 }
 
 // Moves, and keeps where the motion has led.
@@ -303,23 +313,15 @@ bool Interpreter::move_in_klartext(ProgramLine& line, MoveRequest& request) {
   const bool known = state_.is_known(axes.first) && state_.is_known(axes.second);
   if (!known) klartext_.tangent.reset();
   if (!known || ((end - start).norm() <= 1e-6 && !request.center[axes.first])) return true;
+  const double turn = motion_ == MotionKind::clockwise ? -1 : 1;
   if (motion_ == MotionKind::rapid || motion_ == MotionKind::linear) {
-    klartext_.tangent = (end - start).normalized();
-    return true;
-  }
-  const bool clockwise = motion_ == MotionKind::clockwise;
-  std::optional<Point> center;
-  if (request.radius) {
-    const CircleResult arc = arc_of_radius(
-        *request.radius, {.start = start, .end = end, .clockwise = clockwise}, {}, {});
-    if (const Arc* found = std::get_if<Arc>(&arc)) center = found->center;
+    klartext_.tangent = end - start;
+  } else if (request.radius) {
+    klartext_.tangent = tangent_behind_arc(*request.radius, end - start, turn);
   } else {
-    center = Point(*request.center[axes.first], *request.center[axes.second]);
+    const Point center(*request.center[axes.first], *request.center[axes.second]);
+    klartext_.tangent = turn * left_of(end - center);
   }
-  klartext_.tangent.reset();
-  if (!center) return true;
-  const Vector arm = (end - *center).normalized();
-  klartext_.tangent = clockwise ? Vector(-left_of(arm)) : left_of(arm);
   return true;
 }
 
@@ -342,7 +344,7 @@ bool Interpreter::lead_in_klartext(ProgramLine& line, KlartextBlock& block) {
   }
   const bool to_a_point = approaches || block.lead.form == Lead::Form::arc_and_line;
   if (!to_a_point && (request.end[axes.first] || request.end[axes.second]))
-    return refuse_klartext(line, block.begin, block.name + " with a place in the plane");
+    return refuse_klartext(line, block.begin, block.title() + " with a place in the plane");
   if (block.polar_lead) {
     Point end = Point::Zero();
     if (!find_polar_end(line, block, to_plane(state_.mode().plane, state_.position()), end))

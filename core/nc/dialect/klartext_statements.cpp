@@ -158,8 +158,7 @@ bool Interpreter::copy_klartext(ProgramLine& line, std::size_t begin, WordRole r
   line.words.push_back({.begin = static_cast<std::uint32_t>(begin),
                         .end = static_cast<std::uint32_t>(without_blanks_behind(line.text).size()),
                         .role = role});
-  line.roles = 0;
-  for (const WordRange& word : line.words) line.roles |= bit(word.role);
+  line.sum_up_roles();
   if (!faults_.empty()) return false;
   line.has_words = true;
   ++blocks_read_;

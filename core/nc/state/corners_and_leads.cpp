@@ -44,8 +44,7 @@ bool ProgramState::refuse_open_lead() {
 
 // Only between motions of the contour itself, along which nothing else moves.
 bool ProgramState::check_corner(const MoveRequest& request, bool alone) {
-  const bool in_contour = mode_.active() && in_plane_blocks_ > 0;
-  return !request.corner || request.corner->modal || (alone && in_contour) ||
+  return !request.corner || request.corner->modal || (alone && is_in_contour()) ||
          refuse_corner(request.source);
 }
 
@@ -112,15 +111,12 @@ void ProgramState::put_in_front(const CutCorner& corner, bool takes_all_behind) 
   held_.insert(place, std::move(between));
 }
 
-// In Klartext the corner stands in the next line.
 void ProgramState::hold_for_corner(const MoveRequest& request) {
   if (!request.corner || !request.corner->modal || in_plane_blocks_ > 1) corner_ = request.corner;
   const auto* last = std::get_if<MotionBlock>(&blocks_.back());
   if (corner_ && corner_->modal &&
       (last == nullptr || last->rapid || last->normal.moves() || !mode_.active()))
     corner_.reset();
-  if (setup_.dialect == DialectName::heidenhain && mode_.active() && in_plane_blocks_ > 1)
-    corner_ = CornerCut{.form = CornerCut::Form::open};
   if (!corner_) return;
   corner_feed_ = request.corner ? request.corner_feed : 0;
   held_.push_back(std::move(blocks_.back()));
@@ -140,7 +136,8 @@ bool ProgramState::cut_corner_behind(const CornerCut& cut, double feed, const So
 }
 
 void ProgramState::release_held() {
-  std::ranges::move(held_, std::back_inserter(blocks_));
+  // Nearly always one.
+  for (Block& block : held_) blocks_.push_back(std::move(block));
   held_.clear();
   corner_.reset();
   corner_source_.reset();
@@ -215,7 +212,7 @@ bool ProgramState::approach_contour(const Segment& contour) {
     if (length_of(shape) <= tolerances_.same_point) return;
     Position end = position_;
     if (climbs) end[third] = request.end[third].value_or(end[third]);
-    append_motion(request, shape, end, standing_tracking());
+    append_motion(request, shape, end, standing_tracking(), blocks_);
     std::get<MotionBlock>(blocks_.back()).role = ContourRole::lead;
   };
   if (path->contour) {
@@ -288,7 +285,7 @@ bool ProgramState::depart_by(const Lead& lead, const MoveRequest& request, bool 
   if (arc != nullptr) {
     Position height = position_;
     if (climbs) height[third] = end[third];
-    append_motion(request, *arc, height, standing_tracking());
+    append_motion(request, *arc, height, standing_tracking(), blocks_);
     std::get<MotionBlock>(blocks_.back()).role = ContourRole::lead;
   }
   if (!deselect(request.source)) return false;

@@ -61,6 +61,7 @@ struct KlartextLine {
   double pole_x = 0;                // in force behind the line, in the axes of the plane, mm
   double pole_y = 0;
 
+  bool operator==(const KlartextLine&) const = default;
   template <class Archive>
   void serialize(Archive& archive) {
     archive(axes, increments, sets_pole, needs_pole, loses_pole, hands_pole_on, sets_polar_radius,
@@ -110,6 +111,11 @@ struct ProgramLine {
   double feed = 0;  // mm/min; 0: none programmed yet, or not per minute (G93, G95)
   std::optional<KlartextLine> klartext{};
 
+  // Enters which roles there are among the words.
+  void sum_up_roles() {
+    roles = 0;
+    for (const WordRange& range : words) roles |= bit(range.role);
+  }
   [[nodiscard]] bool has(WordRole role) const { return (roles & bit(role)) != 0; }
   [[nodiscard]] std::string_view word(const WordRange& range) const {
     return std::string_view(text).substr(range.begin, range.end - range.begin);

@@ -307,7 +307,7 @@ bool ProgramState::append_between_corners(const MoveRequest& request, const Shap
   const bool is_plain =
       !request.corner && !corner_ && !lead_ && setup_.dialect != DialectName::heidenhain;
   if (is_plain) {
-    append_motion(request, shape, end, std::move(tracking));
+    append_motion(request, shape, end, std::move(tracking), blocks_);
     return true;
   }
   const bool alone = moves_in_plane_alone(request, end, tracking);
@@ -315,8 +315,17 @@ bool ProgramState::append_between_corners(const MoveRequest& request, const Shap
   if (!check_corner(request, alone) || !cut_corner_before(request, path, alone)) return false;
   if (lead_ && !approach_contour(path)) return false;
   // An arc that rounds a corner may have taken the place of the motion.
-  std::visit([&](const auto& way) { append_motion(request, way, end, std::move(tracking)); }, path);
-  hold_for_corner(request);
+  // In Klartext the corner behind it stands in the next line.
+  const bool may_be_followed = setup_.dialect == DialectName::heidenhain && is_in_contour();
+  std::visit(
+      [&](const auto& way) {
+        append_motion(request, way, end, std::move(tracking), may_be_followed ? held_ : blocks_);
+      },
+      path);
+  if (may_be_followed)
+    corner_ = CornerCut{.form = CornerCut::Form::open};
+  else
+    hold_for_corner(request);
   return true;
 }
 
@@ -339,11 +348,11 @@ void ProgramState::enter_target(const MoveRequest& request, const Position& end)
 
 template <class Shape>
 void ProgramState::append_motion(const MoveRequest& request, const Shape& path, const Position& end,
-                                 TrackingTravel&& tracking) {
+                                 TrackingTravel&& tracking, std::vector<Block>& to) {
   const std::size_t third = axes_of(mode_.plane).third;
   const std::shared_ptr<const TrcMode>& mode = shared_mode();
   // Filled in where it lies: it is large.
-  auto& block = *std::get_if<MotionBlock>(&blocks_.emplace_back(std::in_place_type<MotionBlock>));
+  auto& block = *std::get_if<MotionBlock>(&to.emplace_back(std::in_place_type<MotionBlock>));
   block.source = request.source;
   block.source.part = part_of(request.source.index);
   block.path.template emplace<Shape>(path);
@@ -367,9 +376,9 @@ void ProgramState::append_motion(const MoveRequest& request, const Shape& path, 
 }
 
 template void ProgramState::append_motion<Line>(const MoveRequest&, const Line&, const Position&,
-                                                TrackingTravel&&);
+                                                TrackingTravel&&, std::vector<Block>&);
 template void ProgramState::append_motion<Arc>(const MoveRequest&, const Arc&, const Position&,
-                                               TrackingTravel&&);
+                                               TrackingTravel&&, std::vector<Block>&);
 
 void ProgramState::append_passive(const MoveRequest& request, const Position& end,
                                   TrackingTravel tracking, bool tracking_moves) {

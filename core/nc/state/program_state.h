@@ -323,12 +323,14 @@ class ProgramState {
     last_index_ = index;
     return last_part_;
   }
+  // Behind the first motion of the contour.
+  [[nodiscard]] bool is_in_contour() const { return mode_.active() && in_plane_blocks_ > 0; }
   template <class Shape>
   bool append_between_corners(const MoveRequest& request, const Shape& shape, const Position& end,
                               TrackingTravel&& tracking);
   template <class Shape>
   void append_motion(const MoveRequest& request, const Shape& path, const Position& end,
-                     TrackingTravel&& tracking);
+                     TrackingTravel&& tracking, std::vector<Block>& to);
   void append_passive(const MoveRequest& request, const Position& end, TrackingTravel tracking,
                       bool tracking_moves);
   [[nodiscard]] Point last_equidistant_point() const;

@@ -38,6 +38,8 @@ bool begins_parameter(std::string_view text) {
 }  // namespace
 
 bool is_continued_klartext(std::string_view line) {
+  // Nearly all lines end in a digit or a sign.
+  if (line.empty() || is_digit(line.back()) || is_sign(line.back())) return false;
   std::string_view block = without_blanks_behind(line);
   if (!block.ends_with('~')) return false;
   // A structure block is a title; a comment goes on as blocks do.
