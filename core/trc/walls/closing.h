@@ -2,9 +2,7 @@
 
 #include <cstddef>
 #include <functional>
-#include <memory_resource>
 #include <optional>
-#include <vector>
 
 #include "core/base/checkpoint.h"
 #include "core/geometry/segment.h"
@@ -34,6 +32,9 @@ struct ContourView {
   }
 };
 
+// Up to here two places on a contour are one, mm.
+inline constexpr double same_place = 1e-7;
+
 // A place on a contour block.
 struct ContourPlace {
   std::size_t number = 0;
@@ -53,13 +54,6 @@ struct EndsMeeting {
 
   bool operator==(const EndsMeeting&) const = default;
 };
-
-// All of them among the first blocks – five, and all that begin within 10 · R of the start – and
-// the last ones, likewise, from the outermost one inward.
-[[nodiscard]] std::pmr::vector<EndsMeeting> meetings_of_ends(const ContourView& contour,
-                                                             double closing_tolerance,
-                                                             double tool_radius,
-                                                             std::pmr::memory_resource* memory);
 
 // Where a contour comes back to its begin (D-38).
 struct Closing {

@@ -17,8 +17,6 @@
 namespace trc {
 namespace {
 
-constexpr double same_place = 1e-7;  // mm
-
 // Whether a block goes along the first few walls again, as exactly as both were programmed.
 bool is_overrun(const ContourView& contour, std::size_t number, std::size_t first_wall) {
   constexpr std::size_t few = 5;

@@ -18,8 +18,6 @@ namespace {
 constexpr std::size_t most_lead_blocks = 4;
 // Of a contour of so few blocks any number may be leads: they are chords of arcs.
 constexpr std::size_t few_blocks = 400;
-// Up to here two places on a contour are one, mm.
-constexpr double same_place = 1e-7;
 // Cosine of the turn between a line and what it goes straight on into, 1 degree.
 constexpr double straight_on = 0.99984;
 // Up to here two directions are one, rad: 1 degree.

@@ -5,6 +5,7 @@
 
 #include "core/geometry/along.h"
 #include "core/trc/corner/bow_tie.h"
+#include "core/trc/walls/end_meetings.h"
 #include "core/trc/walls/scratch.h"
 
 namespace trc {
@@ -78,8 +79,9 @@ WallsByRadius walls_by_radius(const ContourView& contour, const std::vector<std:
   if (settings.find != LeadSettings::Find::automatic) return result;
   Scratch scratch;
   for (std::size_t side = 0; side <= changes.size(); ++side) {
-    const auto meetings = meetings_of_ends(
-        side_of(contour, changes, side), settings.closing_tolerance, tool_radius, scratch.memory());
+    const ContourView of_side = side_of(contour, changes, side);
+    const auto meetings = meetings_of_ends(of_side, settings.closing_tolerance, tool_radius,
+                                           length_of_all(of_side), scratch.memory());
     result.meetings.emplace_back(meetings.begin(), meetings.end());
   }
   return result;

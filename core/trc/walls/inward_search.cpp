@@ -1,0 +1,281 @@
+#include "core/trc/walls/inward_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "core/base/tolerances.h"
+#include "core/geometry/along.h"
+#include "core/trc/walls/outline.h"
+#include "core/trc/walls/rings.h"
+#include "core/trc/walls/scratch.h"
+
+namespace trc {
+namespace {
+
+// Where the end of the contour comes onto its begin, if it goes on along it up to `closing`: from
+// there on both are as long. That is where a block begins: a lead along the contour crosses it
+// beside that by its rounding.
+std::optional<Closing::Overrun> overrun_to(const ContourView& contour, const EndsMeeting& closing,
+                                           std::span<const EndsMeeting> candidates,
+                                           double tolerance) {
+  std::optional<Closing::Overrun> overrun;
+  double longest = tolerance;
+  for (const EndsMeeting& begin : candidates) {
+    contour.pass();
+    const double length = closing.before - begin.before;
+    const auto& [number, along] = begin.first;
+    if (along > same_place && along < length_of(contour.segment(number)) - same_place) continue;
+    if (length <= longest || std::abs(begin.behind - closing.behind - length) > tolerance) continue;
+    longest = length;
+    overrun = Closing::Overrun{begin.first, begin.second, begin.point};
+  }
+  return overrun;
+}
+
+// Goes from the outermost meeting inward.
+class InwardSearch {
+ public:
+  InwardSearch(const ContourView& contour, double tolerance, Overruns overruns,
+               std::pmr::memory_resource* memory)
+      : contour_(contour),
+        tolerance_(tolerance),
+        overruns_(overruns),
+        memory_(memory),
+        overrun_(memory) {}
+
+  void consider(const EndsMeeting& next) {
+    if (!best_) return take(next);
+    const double later = next.before - best_->before;
+    const double earlier = next.behind - best_->behind;
+    if (std::abs(later) <= same_place && std::abs(earlier) <= same_place) return note(next);
+    // What is before the one and behind the other is a loop of the leads, or a whole lap.
+    const double between = later + earlier;
+    if (between > tolerance_ && between >= 0.5 * longest_ring()) return;
+    if (earlier < 0) {
+      // The end goes on along the begin: an overrun, or both part in an acute angle.
+      if (next.gap > std::max(best_->gap, Tolerances{}.on_top)) return;
+      // Where leads between laps begin in one point, the laps close inside of that.
+      const bool is_lap =
+          overruns_ == Overruns::along_the_last_lap && -earlier >= 0.5 * longest_ring();
+      if (is_lap) return take(next);
+      if (-earlier > tolerance_ && !runs_along(next)) {
+        // A lead-in that crosses the last walls, or comes near them, does not hide the start of the
+        // contour.
+        const bool is_beside = !is_junction(*best_) && best_->gap > next.gap + same_place;
+        if ((is_crossing(*best_) || is_beside) && is_junction(next)) take(next);
+        return;
+      }
+      best_ = next;
+      overrun_.push_back(next);
+      return note(next);
+    }
+    if (goes_round_a_part(next)) return;
+    // The same end of an overrun, met by the lead-out too.
+    const bool is_same_end = later <= tolerance_ && earlier <= tolerance_;
+    if (overrun_.size() > 1 && is_same_end) {
+      best_ = overrun_.back() = next;
+      return note(next);
+    }
+    take(next);
+  }
+
+  [[nodiscard]] std::optional<Closing> result(std::span<const EndsMeeting> candidates) {
+    if (!best_) return std::nullopt;
+    end_before_lead_out();
+    stay_with_all_laps();
+    Closing found = closing();
+    found.overrun = overrun_to(contour_, *best_, candidates, tolerance_);
+    return found;
+  }
+
+ private:
+  [[nodiscard]] bool is_block_end(const ContourPlace& place) const {
+    return place.along <= same_place ||
+           place.along >= length_of(contour_.segment(place.number)) - same_place;
+  }
+  // In the middle of a last block, and of a first one or where the contour begins.
+  [[nodiscard]] bool is_crossing(const EndsMeeting& candidate) const {
+    const ContourPlace& first = candidate.first;
+    const bool is_begin = first.number == 0 && first.along <= same_place;
+    return (is_begin || !is_block_end(first)) && !is_block_end(candidate.second);
+  }
+  [[nodiscard]] bool is_junction(const EndsMeeting& candidate) const {
+    return is_block_end(candidate.first) && is_block_end(candidate.second);
+  }
+  // Whether the contour goes round a part of its own between the best one and the next, in which it
+  // only touches itself. Leads go round nothing, or round what lies on the side of the tool (D-57).
+  [[nodiscard]] bool goes_round_a_part(const EndsMeeting& next) const {
+    if (contour_.tool_side == Side::off || !is_junction(*best_)) return false;
+    Scratch scratch;
+    Outline between(scratch.memory());
+    between.append(contour_, best_->first, next.first);
+    between.append(contour_, next.second, best_->second);
+    const double length = next.before - best_->before + next.behind - best_->behind;
+    if (between.is_slender(length)) return false;
+    if ((between.area() > 0) != (contour_.tool_side == Side::left)) return true;
+    const Closing inner{.first = next.first, .second = next.second, .point = next.point};
+    const Visits visits = visits_of(contour_, inner, tolerance_, scratch.memory());
+    Outline lap(scratch.memory());
+    lap.append(contour_, visits[0].place, visits[1].place);
+    return !lap.has_on(contour_.tool_side, start_of(contour_.segment(0)));
+  }
+  // From the best one to the next, begin and end are in one place all the way: a lead that leaves
+  // through the first walls meets them again too. Of several laps the end lies on the last one.
+  [[nodiscard]] bool runs_along(const EndsMeeting& next) {
+    const double on = best_->behind - next.behind;
+    if (overruns_ == Overruns::along_the_last_lap) {
+      const double way = overrun_.front().behind - best_->behind;
+      return stay_together(behind_by(begin_of_last_lap(), way), on,
+                           behind_by(overrun_.front().second, way), on, 2 * tolerance_);
+    }
+    const double later = next.before - best_->before;
+    // Of that way, where begin and end part in an acute angle and an overrun ends on the begin.
+    const double share = is_crossing(*best_) || !is_block_end(next.second) ? 0 : 0.02;
+    const double most = std::min(tolerance_, Tolerances{}.on_top) + share * later;
+    return stay_together(best_->first, later, best_->second, on, most);
+  }
+  // Whether two ways along the contour are nowhere farther apart than `most`, mm.
+  [[nodiscard]] bool stay_together(ContourPlace begin, double later, ContourPlace end, double on,
+                                   double most) const {
+    const auto go_on_together = [&](double share) {
+      go_on(begin, later, share);
+      go_on(end, on, share);
+      return (point_at(begin) - point_at(end)).norm() <= most;
+    };
+    // From one end of a block to the next one, on whichever way it is, as shares of the way.
+    double left = 1;
+    while (left > 0) {
+      contour_.pass();
+      const double step =
+          std::min({share_to_block_end(begin, later), share_to_block_end(end, on), left});
+      left -= step;
+      if (!go_on_together(step / 2) || !go_on_together(step / 2)) return false;
+    }
+    return true;
+  }
+  [[nodiscard]] double left_of(const ContourPlace& place) const {
+    return std::max(length_of(contour_.segment(place.number)) - place.along, 0.0);
+  }
+  // Of a way that goes on from there.
+  [[nodiscard]] double share_to_block_end(const ContourPlace& place, double way) const {
+    const bool ends_there = way <= same_place || place.number + 1 == contour_.count;
+    return ends_there ? 1 : left_of(place) / way;
+  }
+  void go_on(ContourPlace& place, double way, double share) const {
+    const bool ends = share * way >= left_of(place) - same_place;
+    if (ends && place.number + 1 < contour_.count)
+      place = {place.number + 1, 0};
+    else
+      place.along += share * way;
+  }
+  // Where the last lap comes by where the overrun begins.
+  [[nodiscard]] const ContourPlace& begin_of_last_lap() {
+    if (last_lap_) return *last_lap_;
+    const EndsMeeting best = std::exchange(*best_, overrun_.front());
+    const Visits visits = visits_of(contour_, closing(), tolerance_, memory_);
+    best_ = best;
+    const double least = share_of_lead_ring * trc::longest_ring(visits);
+    std::size_t end = visits.size() - 1;
+    while (end > 1 && visits[end].way - visits[end - 1].way < least) --end;
+    return last_lap_.emplace(visits[end - 1].place);
+  }
+  [[nodiscard]] ContourPlace behind_by(const ContourPlace& place, double way) const {
+    std::size_t number = place.number;
+    way += place.along;
+    for (; number + 1 < contour_.count; ++number) {
+      const double length = length_of(contour_.segment(number));
+      if (way <= length) break;
+      way -= length;
+    }
+    return {number, way};
+  }
+  [[nodiscard]] Point point_at(const ContourPlace& place) const {
+    return point_along(contour_.segment(place.number), place.along);
+  }
+  void take(const EndsMeeting& next) {
+    best_ = next;
+    overrun_.assign(1, next);
+    gap_ = next.gap;
+    joins_ = next.second.number;
+    longest_ring_.reset();
+    last_lap_.reset();
+  }
+  // On the same stretch as the one before.
+  void note(const EndsMeeting& next) {
+    gap_ = std::max(gap_, next.gap);
+    joins_ = std::min(joins_, next.second.number);
+    longest_ring_.reset();
+  }
+  // A lead-out in a slight curve is still near the first walls where one of them ends: the contour
+  // closes where the lead-out begins.
+  void end_before_lead_out() {
+    const ContourPlace out = overrun_.back().second;
+    if (is_block_end(out)) return;
+    const auto begins_there = [&](const EndsMeeting& candidate) {
+      const auto& [number, along] = candidate.second;
+      if (number == out.number) return along <= same_place;
+      return number + 1 == out.number && is_block_end(candidate.second) && along > same_place;
+    };
+    const auto begin = std::find_if(overrun_.rbegin(), overrun_.rend(), begins_there);
+    if (begin != overrun_.rend()) overrun_.erase(begin.base(), overrun_.end());
+  }
+  // The end may cross the first lap where the last one, with round corners, does not come any more:
+  // the contour closes where it still goes round as often as where the overrun begins.
+  void stay_with_all_laps() {
+    const auto laps_at = [&](const EndsMeeting& candidate) {
+      best_ = candidate;
+      return laps_of(
+          visits_of(contour_, closing(), std::min(Tolerances{}.on_top, tolerance_), memory_));
+    };
+    const std::size_t laps = overrun_.size() > 1 ? laps_at(overrun_.front()) : 1;
+    if (laps <= 1) {
+      best_ = overrun_.back();
+      return;
+    }
+    const auto behind = std::partition_point(
+        overrun_.begin() + 1, overrun_.end(),
+        [&](const EndsMeeting& candidate) { return laps_at(candidate) >= laps; });
+    best_ = *std::prev(behind);
+    // The end lies on the last lap as exactly as that was told.
+    gap_ = std::max(gap_, Tolerances{}.on_top) + std::min(Tolerances{}.on_top, tolerance_);
+  }
+  [[nodiscard]] Closing closing() const {
+    const bool overruns = best_->before > overrun_.front().before + tolerance_;
+    return {.first = best_->first,
+            .second = best_->second,
+            .point = best_->point,
+            .gap = overruns ? std::max(gap_, std::min(Tolerances{}.on_top, tolerance_)) : gap_,
+            .joins = joins_};
+  }
+  [[nodiscard]] double longest_ring() {
+    if (!longest_ring_)
+      longest_ring_ = trc::longest_ring(visits_of(contour_, closing(), tolerance_, memory_));
+    return *longest_ring_;
+  }
+
+  const ContourView& contour_;
+  double tolerance_;
+  Overruns overruns_;
+  std::pmr::memory_resource* memory_;
+  std::optional<EndsMeeting> best_{};
+  std::pmr::vector<EndsMeeting> overrun_;  // the stretch up to the best one
+  double gap_ = 0;
+  std::size_t joins_ = 0;
+  std::optional<double> longest_ring_{};
+  std::optional<ContourPlace> last_lap_{};
+};
+
+}  // namespace
+
+std::optional<Closing> search_inward(const ContourView& contour,
+                                     std::span<const EndsMeeting> may_close,
+                                     std::span<const EndsMeeting> all, double tolerance,
+                                     Overruns overruns, std::pmr::memory_resource* memory) {
+  InwardSearch inward(contour, tolerance, overruns, memory);
+  for (const EndsMeeting& meeting : may_close) inward.consider(meeting);
+  return inward.result(all);
+}
+
+}  // namespace trc
