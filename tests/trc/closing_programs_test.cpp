@@ -214,6 +214,23 @@ TEST(ClosingPrograms, NoLapOfASmallPostIsLeftOutWithANote) {  // D-39
   EXPECT_TRUE(outcome.tells(Code::most_left_out));
 }
 
+// Nearly all blocks of a contour may lie in one notch: a keyway in a bore of two arcs, a slot in a
+// boss. A larger tool leaves out as much of them.
+TEST(ClosingPrograms, ANotchBetweenTwoLongArcsIsNoLap) {  // D-39
+  const std::string bore =
+      "N10 G0 X-10 Y0 F500\nN20 G41 G1 X-20 Y0\nN30 G3 X19.843 Y-2.5 I20 J0\nN40 G1 X33\n"
+      "N50 Y2.5\nN60 X19.843\nN70 G3 X-20 Y0 I-19.843 J-2.5\nN80 G40 G1 X-10 Y0\n";
+  const std::string boss =
+      "N10 G0 X-30 Y0 F500\nN20 G41 G1 X-20 Y0\nN30 G2 X19.843 Y2.5 I20 J0\nN40 G1 X0\n"
+      "N50 Y-2.5\nN60 X19.843\nN70 G2 X-20 Y0 I-19.843 J2.5\nN80 G40 G1 X-30 Y0\n";
+  for (const std::string& program : {bore, boss})
+    for (const double radius : {2.6, 3.2}) {
+      const Result outcome = run(removing, radius, program);
+      EXPECT_TRUE(outcome.whole) << radius << '\n' << program;
+      EXPECT_TRUE(outcome.tells(Code::blocks_masked)) << radius << '\n' << program;
+    }
+}
+
 // Two squares outside, one after the other from the corner in which they touch: the second would be
 // cut through the first.
 TEST(ClosingPrograms, PartsThatTouchAreNotTakenForLaps) {  // D-57

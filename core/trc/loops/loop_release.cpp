@@ -12,6 +12,31 @@
 #include "core/trc/loops/removed_loop.h"
 
 namespace trc {
+namespace {
+
+constexpr double most_of_a_turn = 1.25 * std::numbers::pi;
+
+// How far walls turn, one behind the other.
+class WallTurn {
+ public:
+  // `share`: of the wall, all of whose turn counts where it is 1.
+  void add(const Segment& wall, double share) {
+    if (direction_) {
+      const Vector next = tangent_at_start(wall);
+      turn_ += std::atan2(cross(*direction_, next), direction_->dot(next));
+    }
+    if (const Arc* arc = std::get_if<Arc>(&wall)) turn_ += share * arc->sweep;
+    direction_ = tangent_at_end(wall);
+  }
+  // To the left, rad.
+  [[nodiscard]] double turn() const { return turn_; }
+
+ private:
+  std::optional<Vector> direction_{};
+  double turn_ = 0;
+};
+
+}  // namespace
 
 void LoopRelease::begin() {
   next_ = 0;
@@ -215,24 +240,30 @@ bool LoopRelease::holds_a_whole(const PathPlace& from, const PathPlace& to,
   const std::size_t last = number_of(end - 1);
   if (is_parted_by_rapid(first, last + 1)) return true;
   if (!stretch.is_long()) return false;
-  return path_.changes_depth(from.block, end) ||
-         holds_a_lap(obstacles_.walls(), first, last, stretch);
+  if (path_.changes_depth(from.block, end)) return true;
+  // A notch between two long arcs goes round as little as the bore does between them (D-39).
+  return holds_a_lap(obstacles_.walls(), first, last, stretch) &&
+         (!obstacles_.walls().rings.empty() || std::abs(turn_of(from, to)) >= most_of_a_turn);
+}
+
+double LoopRelease::turn_of(const PathPlace& from, const PathPlace& to) const {
+  WallTurn walls;
+  for (std::size_t block = from.block; block <= std::min(to.block, end_of_path() - 1); ++block) {
+    if (!path_.is_contour(block)) continue;
+    const double length = length_of(path(block).path);
+    const double begin = block == from.block ? from.along : 0;
+    const double end = block == to.block ? to.along : length;
+    if (end > begin)
+      walls.add(path_.contour_block(number_of(block)).programmed, (end - begin) / length);
+  }
+  return walls.turn();
 }
 
 bool LoopRelease::go_round_a_part(std::size_t first, std::size_t last) const {
-  const auto turn_into = [](const Vector& from, const Vector& to) {
-    return std::atan2(cross(from, to), from.dot(to));
-  };
-  double turn = 0;  // to the left
-  std::optional<Vector> from;
-  for (std::size_t number = first; number <= last; ++number) {
-    if (obstacles_.is_lead(number)) continue;
-    const Segment wall = path_.contour_block(number).programmed;
-    if (from) turn += turn_into(*from, tangent_at_start(wall));
-    if (const Arc* arc = std::get_if<Arc>(&wall)) turn += arc->sweep;
-    from = tangent_at_end(wall);
-  }
-  constexpr double most_of_a_turn = 1.25 * std::numbers::pi;
+  WallTurn walls;
+  for (std::size_t number = first; number <= last; ++number)
+    if (!obstacles_.is_lead(number)) walls.add(path_.contour_block(number).programmed, 1);
+  const double turn = walls.turn();
   const Side side = path_.mode_of(path_.contour_block(first).block).cutting_side();
   return (side == Side::left ? -turn : turn) >= most_of_a_turn;
 }

@@ -96,6 +96,8 @@ class LoopRelease {
   // goes a lap, a change of depth or a rapid motion.
   [[nodiscard]] bool holds_a_whole(const PathPlace& from, const PathPlace& to,
                                    const LeftOut& stretch) const;
+  // Of the walls along what is left out, to the left, rad.
+  [[nodiscard]] double turn_of(const PathPlace& from, const PathPlace& to) const;
   // Whether the walls among these contour blocks go round something on the side of the workpiece:
   // a part of it, which a tool of any size can reach.
   [[nodiscard]] bool go_round_a_part(std::size_t first, std::size_t last) const;

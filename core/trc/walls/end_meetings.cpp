@@ -111,11 +111,11 @@ std::pmr::vector<EndsMeeting> meetings_of_ends(const ContourView& contour, doubl
         const double behind = end.before + of_end - contact.along_second;
         if (!few && before + behind > most) continue;
         meetings.push_back({.first = {begin.number, contact.along_first},
-                              .second = {end.number, contact.along_second},
-                              .before = before,
-                              .behind = behind,
-                              .gap = contact.gap,
-                              .point = contact.point});
+                            .second = {end.number, contact.along_second},
+                            .before = before,
+                            .behind = behind,
+                            .gap = contact.gap,
+                            .point = contact.point});
       }
     });
   }
