@@ -67,6 +67,17 @@ Contours contours_of(const std::vector<CompensatedBlock>& blocks) {
   return found;
 }
 
+// That the program is refused as it is called, for a radius that nobody gives.
+std::optional<Diagnostic> missing_radius(const std::string& program,
+                                         const ProgramSessionSetup& setup) {
+  ProgramSession session(setup);
+  Answers answers;
+  if (session.feed(program, answers)) session.finish(answers);
+  const std::vector<Diagnostic> found = answers.take().diagnostics;
+  const auto missing = std::ranges::find(found, Code::no_tool_radius, &Diagnostic::code);
+  return missing == found.end() ? std::nullopt : std::optional(*missing);
+}
+
 std::string rounded(double value) {
   std::ostringstream text;
   text.precision(1);
@@ -95,6 +106,7 @@ ProgramInfo describe_program(const std::string& program, ProgramSessionSetup set
   const bool has_tools = !asked.tools.empty() || asked.tool_radius_given ||
                          asked.mode.tool_radius != 0 || asked.nominal_radius > 0;
   constexpr double hardly_any_radius = 1e-3;
+  const auto missing = has_tools ? std::nullopt : missing_radius(program, setup);
   if (!has_tools) asked.every_radius = hardly_any_radius;
   ProgramSession session(setup);
   Answers answers;
@@ -113,7 +125,8 @@ ProgramInfo describe_program(const std::string& program, ProgramSessionSetup set
   say(std::string(info.refused ? "selections in front of the fault: " : "selections: ") +
       std::to_string(contours.selections) + ", " + std::to_string(contours.blocks) + " blocks, " +
       rounded(contours.length) + " mm");
-  const std::vector<Diagnostic>& found = whole.diagnostics;
+  std::vector<Diagnostic> found = whole.diagnostics;
+  if (missing && !info.refused) found.insert(found.begin(), *missing);
   say(info.refused ? "refused:" : found.empty() ? "nothing to refuse" : "to look at:");
   for (const Diagnostic& diagnostic : found) {
     const DiagnosticTexts texts = texts_of(for_command_line(diagnostic, declared.name));

@@ -86,6 +86,15 @@ std::size_t begin_of_setting(std::string_view line, DialectName dialect) {
   return sets ? begin : std::string_view::npos;
 }
 
+// (ABORT, …): a comment that LINUXCNC acts on.
+bool is_command_of_linuxcnc(std::string_view comment) {
+  constexpr auto commands = std::to_array<std::string_view>(
+      {"ABORT,", "DEBUG,", "LOG,", "LOGAPPEND,", "LOGCLOSE", "LOGOPEN,", "MSG,", "PRINT,",
+       "PROBECLOSE", "PROBEOPEN", "PY,", "PYRUN,"});
+  const std::string text = capitals(comment);
+  return std::ranges::any_of(commands, [&](auto command) { return text.starts_with(command); });
+}
+
 // The program with such settings as comments: another control has no such variables.
 std::string with_settings_as_comments(std::string_view program, DialectName dialect) {
   std::string text;
@@ -174,6 +183,7 @@ class Conversion {
   std::int64_t tool_ = 0;  // of T, until it is loaded
   bool has_feed_ = false;
   bool ended_ = false;
+  bool changes_by_t_ = false;  // SINUMERIK without M6 (D-56)
 };
 
 LinePointer Conversion::new_line() {
@@ -274,6 +284,7 @@ bool Conversion::read_technology(const ProgramLine& line, std::string_view given
   if (const std::int64_t tool = whole_behind(word, 'T'); tool >= 0) {
     if (words.next_tool) return fail(line, word + ", a third tool of its line");
     (words.tool ? words.next_tool : words.tool) = tool;
+    words.loads_tool |= changes_by_t_;
     return true;
   }
   // The radius of D has been compensated. An edge of Sinumerik has a length of its own, and without
@@ -322,6 +333,9 @@ bool Conversion::read_words(const ProgramLine& line, Words& words) {
 
 bool Conversion::read_word(const ProgramLine& line, const WordRange& range, Words& words) {
   const std::string_view word = line.word(range);
+  // How TRC goes on has been resolved.
+  if (from_.name == DialectName::sinumerik && (capitals(word) == "NORM" || capitals(word) == "CFC"))
+    return true;
   switch (range.role) {
     case WordRole::comment: {
       std::string_view text = word.substr(1);
@@ -400,6 +414,7 @@ std::string Conversion::spelled_comment(std::string comment) const {
   std::ranges::replace_if(
       comment, [](char sign) { return sign == '\r' || sign == '\n'; }, ' ');
   if (klartext_ || to_.name == DialectName::sinumerik) return "; " + comment;
+  if (to_.name == DialectName::linuxcnc && is_command_of_linuxcnc(comment)) comment.insert(0, "- ");
   std::replace(comment.begin(), comment.end(), '(', '[');
   std::replace(comment.begin(), comment.end(), ')', ']');
   return "(" + comment + ")";
@@ -507,6 +522,12 @@ ConvertedProgram Conversion::run(std::string_view program) {
   }
   if (klartext_ && plane_ != Plane::xy)
     result_.faults.push_back({.word = std::string(name_of(plane_)).append(plane_of_klartext)});
+  const auto changes_tool = [](const LinePointer& line) {
+    return std::ranges::any_of(line->words, [&](const WordRange& word) {
+      return whole_behind(capitals(line->word(word)), 'M') == 6;
+    });
+  };
+  changes_by_t_ = from_.name == DialectName::sinumerik && std::ranges::none_of(lines, changes_tool);
   begin();
   auto next = blocks.begin();
   for (const LinePointer& line : lines) {

@@ -567,6 +567,26 @@ TEST(Conversion, SaysMotionsFeedsAndToolsInTheWordsOfTheOther) {
             "G03 X16 Y5 I10 J0\nG01 Z2 M30\n");
 }
 
+TEST(Conversion, ChangesTheToolWhereSinumerikDoesByTAlone) {  // D-56, D-94
+  const auto to = [](const std::string& text, DialectName other) {
+    return converted(text, DialectName::sinumerik, other).text;
+  };
+  const std::string by_t = "T1 D1 S500 M3\nNORM CFC\nG0 X0 Y0\nT2 D1\nG1 X5 F100\nM30\n";
+  EXPECT_EQ(to(by_t, DialectName::fanuc),
+            "G17 G21 G40 G90 G94\nT1 M6 S500 M3\nG00 X0. Y0.\nT2 M6\nG01 X5. F100.\nM30\n");
+  EXPECT_EQ(to(by_t, DialectName::heidenhain),
+            "BEGIN PGM CONVERTED MM\nTOOL CALL 1 Z S500\nM3\nL X+0 Y+0 FMAX\nTOOL CALL 2 Z\n"
+            "L X+5 F100\nM30\nEND PGM CONVERTED MM\n");
+  EXPECT_EQ(to("T1\nM6\nG0 X0 Y0\nT2\nG1 X5 F100\nM30\n", DialectName::fanuc),
+            "G17 G21 G40 G90 G94\nT1\nM6\nG00 X0. Y0.\nT2\nG01 X5. F100.\nM30\n");
+}
+
+TEST(Conversion, MakesNoCommandOfAComment) {  // D-94
+  const std::string text = "G0 X1\n(ABORT, IF THE VICE IS OPEN)\n(MESSAGE)\nM30\n";
+  EXPECT_EQ(converted(text, DialectName::fanuc, DialectName::linuxcnc).text,
+            "G17 G21 G40 G90 G91.1 G94\nG00 X1\n(- ABORT, IF THE VICE IS OPEN)\n(MESSAGE)\nM30\n");
+}
+
 // A plate milled outside with one tool and a round corner with another, spelled in a dialect.
 class PlateProgram {
  public:
