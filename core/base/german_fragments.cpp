@@ -183,6 +183,7 @@ constexpr auto fragments = std::to_array<Fragment>({
     {"from the pole itself", "vom Pol selbst aus"},
     {"in a block that may be skipped", "in einem Satz, der ausgeblendet sein kann"},
     {"in a block without an axis of the plane", "in einem Satz ohne eine Achse der Ebene"},
+    {"in a line that passes", "in einer Zeile, die durchgereicht wird"},
     {"in a section that line", "in einem Abschnitt, den Zeile"},
     {"in a subprogram", "in einem Unterprogramm"},
     {"in an arc, beside a corner or a further axis",

@@ -110,6 +110,7 @@ struct Interpreter::BlockWords {
   std::uint32_t words = 0;                    // without N and comments
   // The line is copied as it stands; the axes of `forget` go where only the control knows.
   bool copied = false;
+  bool side_of_machine = false;    // G41 or G42 beside a cycle that compensates by itself
   bool homes = false;              // G74 of ISG
   bool calls_the_machine = false;  // NAME(…) of Sinumerik, which the program does not have
   AxisBits forget = 0;

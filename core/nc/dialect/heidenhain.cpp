@@ -243,7 +243,10 @@ bool Interpreter::read_klartext_word(const KlartextWord& word, ProgramLine& line
   const std::string text(line.word({.begin = word.begin, .end = word.end}));
   if (word.name == "M" && word.kind == Kind::value)
     return read_klartext_function(word, line, block);
-  if (block.ignores_words) {
+  // The side of TRC is no word of an M function.
+  const bool is_side = (word.kind == Kind::name && (word.name == "RL" || word.name == "RR")) ||
+                       (word.kind == Kind::value && in_upper_case(text) == "R0");
+  if (block.ignores_words && !is_side) {
     add(line, word, WordRole::technology);
     return true;
   }

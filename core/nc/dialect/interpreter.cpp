@@ -50,11 +50,13 @@ std::uint32_t column_of_center(const ProgramLine& line) {
 std::size_t place_of_side(std::string_view text) {
   std::size_t depth = 0;
   for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] == '"' && depth == 0) at = std::min(text.find('"', at + 1), text.size() - 1);
     if (text[at] == '(') ++depth;
     if (text[at] == ')' && depth > 0) --depth;
     if (depth > 0) continue;
     if (text[at] == ';') break;
-    if (upper(text[at]) != 'G') continue;
+    const bool in_a_name = at > 0 && (is_letter(text[at - 1]) || text[at - 1] == '_');
+    if (upper(text[at]) != 'G' || in_a_name) continue;
     std::string_view number = without_blanks_in_front(text.substr(at + 1));
     number.remove_prefix(std::min(number.find_first_not_of('0'), number.size()));
     const bool is_side = number.starts_with("41") || number.starts_with("42");
@@ -273,6 +275,14 @@ bool Interpreter::read_block(ProgramLine& line) {
   copy_plunge_from_nowhere(line, block);
   copy_helix_with_pitch(line, block);
   sum_up_words(line);
+  if (line.has(WordRole::technology) && !line.has(WordRole::trc) && !block.side_of_machine) {
+    // Whatever it was taken for: what comes out must not say it any more (D-121).
+    const std::size_t place = place_of_side(line.text);
+    if (place != std::string_view::npos)
+      return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                    .begin = static_cast<std::uint32_t>(place),
+                                    .detail = "G41, G42 in a line that passes"});
+  }
   const bool goes_on = apply(line, block);
   // RNDM=: the motion ends where its corner begins.
   if (line.is_motion && contour_open() && block.move.corner) line.has_trc_words = true;

@@ -111,6 +111,9 @@ struct Interpreter::KlartextBlock {
   // What keeps the block from being followed: a parameter, M91 … It is copied while TRC is off.
   std::optional<std::uint32_t> unfollowed{};
   std::string unfollowed_why{};
+  // M97 and others, which no block of a contour may have, that of RL neither.
+  std::optional<std::uint32_t> not_in_contour{};
+  std::string why_not_in_contour{};
   Code unfollowed_code = Code::nc_unsupported;
 };
 

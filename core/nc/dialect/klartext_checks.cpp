@@ -58,6 +58,10 @@ bool Interpreter::check_klartext(ProgramLine& line, KlartextBlock& block) {
                                       : ", in coordinates that are scaled or led by the "
                                         "tool tip");
   }
+  if (selects && block.not_in_contour && !block.unfollowed) {
+    block.unfollowed = block.not_in_contour;
+    block.unfollowed_why = std::move(block.why_not_in_contour);
+  }
   if (!block.is(KlartextStatement::straight)) leave_plane_by_arc(block);
   // R0 beside M91 ends TRC first.
   const bool in_contour = (active && block.side != Side::off) || selects;
@@ -103,7 +107,10 @@ bool Interpreter::check_klartext_form(const ProgramLine& line, const KlartextBlo
     return wrong(" without R", Code::circle_incomplete);
   const bool corner = block.is_corner();
   const auto& size = block.is(KlartextStatement::rounding) ? block.radius : block.length;
-  if (corner && (!size || size->value < 0)) return wrong(" without its size", Code::nc_number);
+  if (corner && !size) return wrong(" without its size", Code::nc_number);
+  if (corner && size->value < 0)
+    return refuse_klartext(line, size->begin, word_at(line, size->begin) + ", below 0",
+                           Code::nc_number);
   if (!block.is_lead()) return true;
   if (block.form.empty()) return wrong(" without LT, LN, CT or LCT", Code::nc_syntax);
   const bool straight =

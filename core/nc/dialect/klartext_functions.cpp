@@ -56,6 +56,12 @@ bool Interpreter::read_klartext_function(const KlartextWord& word, ProgramLine& 
     block.unfollowed_why += why;
     block.unfollowed = word.begin;
   }
+  if (const std::string_view within = why_unfollowed(m, true);
+      !within.empty() && !block.not_in_contour) {
+    block.why_not_in_contour = line.word({.begin = word.begin, .end = word.end});
+    block.why_not_in_contour += within;
+    block.not_in_contour = word.begin;
+  }
   line.ends_program |= m == 2 || m == 30;
   take_klartext_function(m, block);
   add(line, word, role_of_function(m));

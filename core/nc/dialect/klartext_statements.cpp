@@ -244,9 +244,6 @@ bool Interpreter::check_other_compensations(const ProgramLine& line, std::size_t
       if (statement.find(side) != std::string::npos)
         return refuse_klartext(line, begin,
                                std::string(side).substr(1) + ", a compensation along one axis");
-  const bool own_contour = is_any(statement, contour_blocks);
-  if (has_side(statement) && (own_contour || state_.setup().copies_unknown_words))
-    return refuse_klartext(line, begin, first + " with RL or RR");
   return true;
 }
 
@@ -286,6 +283,9 @@ bool Interpreter::read_klartext_statement(ProgramLine& line, std::size_t begin) 
     line.ends_program = true;
     return copy_klartext(line, begin, WordRole::stop);
   }
+  // A program may be called so (D-121).
+  if (has_side(statement) && statement.find("PGM") == std::string::npos)
+    return refuse_klartext(line, begin, first + " with RL or RR");
   if (begins_with_word(statement, "TOOL")) {
     take_klartext_scaling(statement);
     if (begins_with_word(statement, "TOOL CALL")) return read_tool_call(line, begin, statement);

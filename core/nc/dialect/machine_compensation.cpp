@@ -39,6 +39,7 @@ bool Interpreter::take_cycle_with_register(ProgramLine& line, BlockWords& block)
     code_.register_comes_out = true;
   }
   if (cycle.is(150)) {
+    block.side_of_machine = true;
     block.forget = all_axes;
     block.clear(side);
     take_for_technology(line, WordRole::trc);

@@ -35,6 +35,34 @@ bool begins_parameter(std::string_view text) {
   return is_digit(text[has_kind ? 2 : 1]);
 }
 
+// Behind Q13 or QL1.
+std::size_t behind_parameter(std::string_view block, std::size_t at) {
+  const char kind = at + 1 < block.size() ? upper(block[at + 1]) : '\0';
+  at += kind == 'L' || kind == 'R' || kind == 'S' ? 2 : 1;
+  return std::min(block.find_first_not_of("0123456789", at), block.size());
+}
+
+// Behind the parameter or the formula that begins there: Q13, (Q1+2), Q1*2. What stands behind it,
+// with a blank of any kind between them or none, is the next word.
+std::size_t behind_formula(std::string_view block, std::size_t at) {
+  for (;;) {
+    if (at < block.size() && block[at] == '(') {
+      int depth = 0;
+      do {
+        depth += block[at] == '(' ? 1 : block[at] == ')' ? -1 : 0;
+        ++at;
+      } while (depth > 0 && at < block.size() && !is_line_end(block[at]));
+    } else if (at < block.size() && upper(block[at]) == 'Q') {
+      at = behind_parameter(block, at);
+    } else {
+      at = std::min(block.find_first_not_of("0123456789.", at), block.size());
+    }
+    if (at >= block.size() || std::string_view("+-*/^%").find(block[at]) == std::string_view::npos)
+      return at;
+    ++at;
+  }
+}
+
 }  // namespace
 
 bool is_continued_klartext(std::string_view line) {
@@ -114,7 +142,7 @@ KlartextWord KlartextReader::named() {
   // F Q3, X Q1 of post-processors.
   if (at_ > end && begins_parameter(block_.substr(at_)) &&
       (takes_a_coordinate(found.name) || found.name == "F")) {
-    at_ = std::min(block_.find_first_of(" \t;\r\n~", at_), block_.size());
+    at_ = behind_formula(block_, at_);
     found.kind = Kind::variable;
     found.end = static_cast<std::uint32_t>(at_);
     return found;
@@ -142,8 +170,7 @@ KlartextWord KlartextReader::numbered(KlartextWord found) {
     if (may_be_apart && begins_parameter(block_.substr(apart))) at_ = apart - 1;
     const char behind = upper(peek(1));
     if (behind == 'Q' || behind == '(') {
-      ++at_;
-      while (at_ < block_.size() && peek() != ' ' && peek() != ';' && !is_line_end(peek())) ++at_;
+      at_ = behind_formula(block_, at_ + 1);
       found.kind = Kind::variable;
       found.end = static_cast<std::uint32_t>(at_);
       return found;

@@ -209,7 +209,10 @@ bool NamedWordReader::read_variable() {
   const std::size_t begin = at_;
   skip_blanks();
   if (is_letter(peek()) || peek() == '_') {
-    while (is_letter(peek()) || is_digit(peek()) || peek() == '_') ++at_;
+    // R9 ends with its number: X=R9G41 are two words.
+    const bool is_parameter = upper(peek()) == 'R' && is_digit(peek(1));
+    if (is_parameter) ++at_;
+    while ((is_letter(peek()) && !is_parameter) || is_digit(peek()) || peek() == '_') ++at_;
     const std::size_t end = at_;
     skip_blanks();
     const bool goes_on = std::string_view("+-*/([<>=.").find(peek()) != std::string_view::npos;
