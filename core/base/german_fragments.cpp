@@ -297,6 +297,7 @@ constexpr auto fragments = std::to_array<Fragment>({
     {"without DISR=, its length", "ohne DISR=, seine Länge"},
     {"without DISR=, its radius, above 0", "ohne DISR=, seinen Radius, größer 0"},
     {"without G40: write G40 beside it", "ohne G40: G40 daneben schreiben"},
+    {"without a blank in front", "ohne Leerzeichen davor"},
     {"without a contour before it", "ohne eine Kontur davor"},
     {"without a contour behind it", "ohne eine Kontur dahinter"},
     {"without a motion in the plane before it", "ohne eine Bewegung in der Ebene davor"},

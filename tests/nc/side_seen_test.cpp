@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
+#include <variant>
 
 #include "tests/nc/reading.h"
 
@@ -37,11 +39,28 @@ TEST(SideSeen, BehindAParameterOfKlartext) {
 }
 
 TEST(SideSeen, BesideWhatTheControlDoesByItself) {
-  for (const std::string block :
-       {"L X+0 Y+0 F300 M140 MB MAX RL", "L X+0 Y+0 RL F200 M97", "L X+0 Y+0 M97 RL",
-        "CYCL CALL POS X+0 Y+0 RL", "CYCL CALL M3 RL", "PLANE RESET MOVE RL F300",
-        "TRANS DATUM AXIS X+5 RL", "CALL LBL 1 RL", "TCH PROBE 400 RL", "STOP RL",
-        "CYCL DEF 7.1 X+5 RL", "Q1 = 5 RL", "L X+Q4RR Y+0", "L A+Q4RL X+0"}) {
+  for (const std::string block : {"L X+0 Y+0 F300 M140 MB MAX RL",
+                                  "L X+0 Y+0 RL F200 M97",
+                                  "L X+0 Y+0 M97 RL",
+                                  "CYCL CALL POS X+0 Y+0 RL",
+                                  "CYCL CALL M3 RL",
+                                  "PLANE RESET MOVE RL F300",
+                                  "TRANS DATUM AXIS X+5 RL",
+                                  "CALL LBL 1 RL",
+                                  "TCH PROBE 400 RL",
+                                  "STOP RL",
+                                  "CYCL DEF 7.1 X+5 RL",
+                                  "Q1 = 5 RL",
+                                  "L X+0 Y+0 M140 MB MAXRL F300",
+                                  "L X+0 Y+0 M128 FRL",
+                                  "L X+0 Y+0 M138 CRL F300",
+                                  "L X+0 Y+0 M118 XRL F300",
+                                  "CALL PGM A.H ~\nL X+0 Y+0 RL F300",
+                                  "CALL PGM A RL",
+                                  "BEGIN PGM A MM L X+0 RL",
+                                  "M103 L X+0 Y+0 RL F300",
+                                  "L X+Q4RR Y+0",
+                                  "L A+Q4RL X+0"}) {
     const Reading reading =
         read_as(DialectName::heidenhain, "L X-20 Y-20 R0 FMAX\n" + block + "\nL X+0 Y+40\n");
     EXPECT_TRUE(reading.stopped) << block;
@@ -65,6 +84,20 @@ TEST(SideSeen, BehindAVariableOfSinumerik) {
   const Reading unknown =
       read_as(DialectName::sinumerik, "G0 X-9 Y-9\nG1 X=R9G41 Y0 F100" + contour);
   EXPECT_TRUE(unknown.stopped);
+}
+
+TEST(SideSeen, WhereWordsAreGluedOrTextsNotClosed) {
+  using enum DialectName;
+  for (const auto& [dialect, block] :
+       {std::pair{sinumerik, "G41: G1 X0 Y0 F300"}, std::pair{isg, "#MSG [\"a] G41"},
+        std::pair{fanuc, "G1 G41 X0, Y0 D1 F300"},
+        std::pair{fanuc, "G1 G41 D1 SETVN[A] X0 Y0 F300"}, std::pair{fanuc, "G4 P100 Y50"},
+        std::pair{linuxcnc, "G4 P1 Y50"}, std::pair{sinumerik, "G4 F1 Y50"}})
+    EXPECT_TRUE(read_as(dialect, "G0 X-9 Y-9\n" + std::string(block) + "\nG1 X5 F100\n").stopped)
+        << block;
+  // What an M function has no use for moves.
+  const Reading moves = read_as(heidenhain, "L X+0 Y+0 R0 FMAX\nL M103 F0.5 Y+50\n");
+  EXPECT_EQ(std::get<Line>(moves.last_motion().path).end, Point(0, 50));
 }
 
 TEST(SideSeen, NotInNamesCommentsAndTexts) {

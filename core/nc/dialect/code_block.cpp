@@ -45,7 +45,7 @@ bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
   }
   end_modes_before(block);
   take_words_that_are_no_motion(line, block);
-  if (!check_skipped_modes(line, block)) return false;
+  if (!check_dwell(line, block) || !check_skipped_modes(line, block)) return false;
   take_unit_of_old(line, block);
   forget_what_ends_nothing(block);
   end_what_was_unfollowed(block);
@@ -109,6 +109,18 @@ void Interpreter::take_words_that_are_no_motion(ProgramLine& line, BlockWords& b
     block.center.reset();
     take_for_technology(line, WordRole::coordinate);
   }
+}
+
+// G4 X2. of FANUC is a time. LINUXCNC moves to what stands beside it, others do not.
+bool Interpreter::check_dwell(const ProgramLine& line, const BlockWords& block) {
+  if (!block.has(dwell) || !block.axis) return true;
+  const std::size_t first = dialect_.name == DialectName::fanuc ? 1 : 0;
+  for (std::size_t axis = first; axis < block.move.end.size(); ++axis)
+    if (block.move.end[axis])
+      return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                    .begin = *block.axis,
+                                    .detail = "G4 beside an axis word"});
+  return true;
 }
 
 // Of a block that may be skipped: what all lines behind it hang on.

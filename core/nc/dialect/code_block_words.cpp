@@ -141,7 +141,7 @@ bool Interpreter::read_code_words(ProgramLine& line, BlockWords& block) {
         return complete_code_block(line, block) && faults == 0;
       case CodeWord::Kind::fault:
         if (reader.fault().code == Code::nc_unsupported &&
-            names_what_passes(line.text, word.begin)) {
+            names_what_passes(line.text, word.begin) && !cuts_off_words(line, word.begin)) {
           line.words.push_back(
               {.begin = word.begin,
                .end = static_cast<std::uint32_t>(without_blanks_behind(line.text).size())});
@@ -170,6 +170,13 @@ bool Interpreter::read_code_words(ProgramLine& line, BlockWords& block) {
     }
     if (diagnostics_.stopped() || faults >= limits_.most_faults) return false;
   }
+}
+
+// SETVN takes the rest of its line, which words in front of it may go on in.
+bool Interpreter::cuts_off_words(const ProgramLine& line, std::uint32_t begin) const {
+  const auto is_number = [](const WordRange& word) { return word.role == WordRole::number; };
+  return dialect_.name == DialectName::fanuc && word_to_pass(line.text, begin) == "SETVN" &&
+         !std::ranges::all_of(line.words, is_number);
 }
 
 // A name that nobody knows here and that has nothing to do with the path.
@@ -309,6 +316,8 @@ bool Interpreter::read_comma_word(const CodeWord& word, ProgramLine& line, Block
                        "a rounding or a chamfer while TRC is active");
   } else if (angle) {
     block.unfollowed_word = word.begin;
+  } else {
+    return refuse_code(line, word, Code::nc_syntax);  // X0, Y0
   }
   add(line, word, WordRole::technology);
   return true;

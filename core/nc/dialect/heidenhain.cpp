@@ -188,6 +188,8 @@ bool Interpreter::read_klartext(ProgramLine& line) {
   }
   block.begin = static_cast<std::uint32_t>(at);
   const bool has_words = read_klartext_words(line, block);
+  if (has_words && !block.side && (has_side(statement, false) || has_side(statement, true)))
+    return refuse_klartext(line, at, "RL, RR, R0 without a blank in front");
   line.sum_up_roles();
   const bool readable = has_words && check_klartext(line, block) &&
                         (block.unfollowed || check_words_together(line, block));
@@ -246,7 +248,12 @@ bool Interpreter::read_klartext_word(const KlartextWord& word, ProgramLine& line
   // The side of TRC is no word of an M function.
   const bool is_side = (word.kind == Kind::name && (word.name == "RL" || word.name == "RR")) ||
                        (word.kind == Kind::value && in_upper_case(text) == "R0");
-  if (block.ignores_words && !is_side) {
+  const std::string_view axis = std::string_view(word.name).substr(
+      word.name.starts_with('I') && word.name.size() == 2 ? 1 : 0);
+  const bool is_place = word.kind != Kind::name && !block.ignores_places && axis.size() == 1 &&
+                        axis[0] >= 'X' && axis[0] <= 'Z';
+  const bool is_statement = word.kind == Kind::name && word.name == "L";
+  if (block.ignores_words && !is_side && !is_place && !is_statement) {
     add(line, word, WordRole::technology);
     return true;
   }

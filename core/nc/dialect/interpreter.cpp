@@ -50,7 +50,9 @@ std::uint32_t column_of_center(const ProgramLine& line) {
 std::size_t place_of_side(std::string_view text) {
   std::size_t depth = 0;
   for (std::size_t at = 0; at < text.size(); ++at) {
-    if (text[at] == '"' && depth == 0) at = std::min(text.find('"', at + 1), text.size() - 1);
+    if (text[at] == '"' && depth == 0)
+      if (const std::size_t close = text.find('"', at + 1); close != std::string_view::npos)
+        at = close;
     if (text[at] == '(') ++depth;
     if (text[at] == ')' && depth > 0) --depth;
     if (depth > 0) continue;
@@ -275,7 +277,7 @@ bool Interpreter::read_block(ProgramLine& line) {
   copy_plunge_from_nowhere(line, block);
   copy_helix_with_pitch(line, block);
   sum_up_words(line);
-  if (line.has(WordRole::technology) && !line.has(WordRole::trc) && !block.side_of_machine) {
+  if (!line.has(WordRole::trc) && !block.side_of_machine) {
     // Whatever it was taken for: what comes out must not say it any more (D-121).
     const std::size_t place = place_of_side(line.text);
     if (place != std::string_view::npos)

@@ -175,6 +175,7 @@ class Interpreter {
   bool read_code_words(ProgramLine& line, BlockWords& block);
   [[nodiscard]] bool hangs_on_switch(std::string_view line, const BlockWords& block) const;
   bool read_code_word(const CodeWord& word, ProgramLine& line, BlockWords& block);
+  [[nodiscard]] bool cuts_off_words(const ProgramLine& line, std::uint32_t begin) const;
   [[nodiscard]] bool names_what_passes(std::string_view line, std::uint32_t begin) const;
   bool read_code_function(const CodeWord& word, ProgramLine& line, BlockWords& block);
   void see_whole(const CodeWord& word, std::size_t bit, BlockWords& block);
@@ -190,6 +191,7 @@ class Interpreter {
   void take_spindle_limit(const ProgramLine& line, BlockWords& block);
   void end_modes_before(const BlockWords& block);
   static void take_words_that_are_no_motion(ProgramLine& line, BlockWords& block);
+  bool check_dwell(const ProgramLine& line, const BlockWords& block);
   bool check_skipped_modes(const ProgramLine& line, const BlockWords& block);
   void take_what_is_unfollowed(const ProgramLine& line, BlockWords& block);
   void take_work_offset(BlockWords& block);

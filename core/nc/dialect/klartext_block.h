@@ -26,6 +26,8 @@ namespace trc {
 // as it is written.
 [[nodiscard]] std::string label_of(std::string_view text, std::size_t begin,
                                    std::string_view statement);
+// Whether RL, RR, or with `off` R0, stands in it, or behind other letters without a blank.
+[[nodiscard]] bool has_side(std::string_view statement, bool off);
 [[nodiscard]] bool begins_with_word(std::string_view statement, std::string_view word);
 
 // What scales the coordinates, or leads the tool tip along them: KlartextModes::unfollowed.
@@ -95,9 +97,10 @@ struct Interpreter::KlartextBlock {
   bool polar_lead = false;
   bool to_skip = false;
   // Of M words and what stands behind them.
-  bool ignores_words = false;  // M118, M128 …: what follows are no coordinates
-  bool calls_cycle = false;    // M99, M89
-  bool machine_place = false;  // M91, M92
+  bool ignores_words = false;   // M118, M128 …: what follows is theirs
+  bool ignores_places = false;  // M118: X Y Z too, its limits
+  bool calls_cycle = false;     // M99, M89
+  bool machine_place = false;   // M91, M92
   bool feed_per_turn = false;
   // A feed that is passed on as it stands: FQ1, FU, FZ.
   std::optional<std::uint32_t> open_feed{};

@@ -109,7 +109,11 @@ void Interpreter::take_klartext_function(int m, KlartextBlock& block) {
     case 94:
     case 103:
     case 112:
+      block.ignores_words = true;
+      break;
     case 118:
+      block.ignores_words = block.ignores_places = true;
+      break;
     case 124:
     case 138:
     case 140:

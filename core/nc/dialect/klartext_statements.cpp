@@ -67,15 +67,6 @@ bool is_any(std::string_view statement, std::span<const std::string_view> words)
                              [&](std::string_view w) { return begins_with_word(statement, w); });
 }
 
-bool has_side(std::string_view statement) {
-  for (const std::string_view side : {" RL", " RR"})
-    if (const std::size_t at = statement.find(side);
-        at != std::string_view::npos &&
-        (at + side.size() == statement.size() || statement[at + side.size()] == ' '))
-      return true;
-  return false;
-}
-
 // Behind blanks at the begin of `text`; what is no number, as a parameter, scales.
 bool is_one(std::string_view text) {
   const std::string_view number = without_blanks_in_front(text);
@@ -130,6 +121,25 @@ std::string first_word(std::string_view statement) {
 }
 
 }  // namespace
+
+bool has_side(std::string_view statement, bool off) {
+  for (std::size_t at = statement.find('R', 1); at != std::string_view::npos;
+       at = statement.find('R', at + 1)) {
+    const std::string_view behind = statement.substr(at + 1);
+    const bool is_side =
+        off ? behind.starts_with('0') : behind.starts_with('L') || behind.starts_with('R');
+    const bool ends = behind.size() < 2 || behind[1] == ' ';
+    if (!is_side || !ends) continue;
+    // PR0, QR0, DR0; a program may be called so.
+    if (off && !is_letter(statement[at - 1])) continue;
+    if (off && std::string_view("PQD").find(statement[at - 1]) != std::string_view::npos) continue;
+    const std::size_t word = statement.rfind(' ', at) + 1;
+    const std::string_view in_front = statement.substr(0, word);
+    if (in_front.ends_with(" PGM ") || in_front == "PGM CALL ") continue;
+    return true;
+  }
+  return false;
+}
 
 std::string statement_of(std::string_view text) {
   std::string statement;
@@ -273,6 +283,8 @@ bool Interpreter::read_klartext_statement(ProgramLine& line, std::size_t begin) 
   if (statement.empty())  // nothing but a comment goes on below
     return refuse_klartext(line, begin, "~", Code::nc_syntax);
   const std::string first = first_word(statement);
+  if (has_side(statement, false))  // D-121
+    return refuse_klartext(line, begin, first + " with RL or RR");
   if (begins_with_word(statement, "BEGIN")) {
     if (blocks_read_ > 0)
       return refuse_klartext(line, begin, "BEGIN PGM, a second program in one text");
@@ -283,9 +295,6 @@ bool Interpreter::read_klartext_statement(ProgramLine& line, std::size_t begin) 
     line.ends_program = true;
     return copy_klartext(line, begin, WordRole::stop);
   }
-  // A program may be called so (D-121).
-  if (has_side(statement) && statement.find("PGM") == std::string::npos)
-    return refuse_klartext(line, begin, first + " with RL or RR");
   if (begins_with_word(statement, "TOOL")) {
     take_klartext_scaling(statement);
     if (begins_with_word(statement, "TOOL CALL")) return read_tool_call(line, begin, statement);
