@@ -172,7 +172,7 @@ bool Interpreter::read_code_words(ProgramLine& line, BlockWords& block) {
   }
 }
 
-// SETVN takes the rest of its line, which words in front of it may go on in.
+// SETVN takes the rest of its line: a motion begun in front of it would lose its words there.
 bool Interpreter::cuts_off_words(const ProgramLine& line, std::uint32_t begin) const {
   const auto is_number = [](const WordRange& word) { return word.role == WordRole::number; };
   return dialect_.name == DialectName::fanuc && word_to_pass(line.text, begin) == "SETVN" &&

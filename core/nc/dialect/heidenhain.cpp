@@ -111,6 +111,16 @@ std::optional<KlartextWord> with_value(const KlartextWord& word, std::string_vie
   return value;
 }
 
+// Of an M function with words of its own, such as F of M103 and MAX of M140: not the side of TRC,
+// no place unless it has `limits` (M118), no L that begins a statement.
+bool may_be_of_function(const KlartextWord& word, std::string_view text, bool limits) {
+  if (word.kind == Kind::name) return word.name != "RL" && word.name != "RR" && word.name != "L";
+  std::string_view axis = word.name;
+  if (axis.size() == 2 && axis[0] == 'I') axis.remove_prefix(1);
+  const bool is_place = axis.size() == 1 && axis[0] >= 'X' && axis[0] <= 'Z';
+  return in_upper_case(text) != "R0" && (limits || !is_place);
+}
+
 }  // namespace
 
 bool begins_klartext_block(std::string_view line) {
@@ -188,7 +198,7 @@ bool Interpreter::read_klartext(ProgramLine& line) {
   }
   block.begin = static_cast<std::uint32_t>(at);
   const bool has_words = read_klartext_words(line, block);
-  if (has_words && !block.side && (has_side(statement, false) || has_side(statement, true)))
+  if (has_words && !block.side && (has_side(statement) || has_glued_r0(statement)))
     return refuse_klartext(line, at, "RL, RR, R0 without a blank in front");
   line.sum_up_roles();
   const bool readable = has_words && check_klartext(line, block) &&
@@ -245,15 +255,7 @@ bool Interpreter::read_klartext_word(const KlartextWord& word, ProgramLine& line
   const std::string text(line.word({.begin = word.begin, .end = word.end}));
   if (word.name == "M" && word.kind == Kind::value)
     return read_klartext_function(word, line, block);
-  // The side of TRC is no word of an M function.
-  const bool is_side = (word.kind == Kind::name && (word.name == "RL" || word.name == "RR")) ||
-                       (word.kind == Kind::value && in_upper_case(text) == "R0");
-  const std::string_view axis = std::string_view(word.name).substr(
-      word.name.starts_with('I') && word.name.size() == 2 ? 1 : 0);
-  const bool is_place = word.kind != Kind::name && !block.ignores_places && axis.size() == 1 &&
-                        axis[0] >= 'X' && axis[0] <= 'Z';
-  const bool is_statement = word.kind == Kind::name && word.name == "L";
-  if (block.ignores_words && !is_side && !is_place && !is_statement) {
+  if (block.ignores_words && may_be_of_function(word, text, block.ignores_places)) {
     add(line, word, WordRole::technology);
     return true;
   }

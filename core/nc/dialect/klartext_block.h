@@ -26,8 +26,10 @@ namespace trc {
 // as it is written.
 [[nodiscard]] std::string label_of(std::string_view text, std::size_t begin,
                                    std::string_view statement);
-// Whether RL, RR, or with `off` R0, stands in it, or behind other letters without a blank.
-[[nodiscard]] bool has_side(std::string_view statement, bool off);
+// Whether RL or RR stands in such a statement, also behind other letters without a blank.
+[[nodiscard]] bool has_side(std::string_view statement);
+// Whether R0 stands in it behind other letters without a blank: XR0.
+[[nodiscard]] bool has_glued_r0(std::string_view statement);
 [[nodiscard]] bool begins_with_word(std::string_view statement, std::string_view word);
 
 // What scales the coordinates, or leads the tool tip along them: KlartextModes::unfollowed.
@@ -114,7 +116,7 @@ struct Interpreter::KlartextBlock {
   // What keeps the block from being followed: a parameter, M91 … It is copied while TRC is off.
   std::optional<std::uint32_t> unfollowed{};
   std::string unfollowed_why{};
-  // M97 and others, which no block of a contour may have, that of RL neither.
+  // M97 and others, which no block of a contour may have, nor the one with RL.
   std::optional<std::uint32_t> not_in_contour{};
   std::string why_not_in_contour{};
   Code unfollowed_code = Code::nc_unsupported;

@@ -67,6 +67,10 @@ bool is_any(std::string_view statement, std::span<const std::string_view> words)
                              [&](std::string_view w) { return begins_with_word(statement, w); });
 }
 
+bool ends_word(std::string_view statement, std::size_t at) {
+  return at == statement.size() || statement[at] == ' ';
+}
+
 // Behind blanks at the begin of `text`; what is no number, as a parameter, scales.
 bool is_one(std::string_view text) {
   const std::string_view number = without_blanks_in_front(text);
@@ -122,21 +126,27 @@ std::string first_word(std::string_view statement) {
 
 }  // namespace
 
-bool has_side(std::string_view statement, bool off) {
+bool has_side(std::string_view statement) {
   for (std::size_t at = statement.find('R', 1); at != std::string_view::npos;
        at = statement.find('R', at + 1)) {
-    const std::string_view behind = statement.substr(at + 1);
-    const bool is_side =
-        off ? behind.starts_with('0') : behind.starts_with('L') || behind.starts_with('R');
-    const bool ends = behind.size() < 2 || behind[1] == ' ';
-    if (!is_side || !ends) continue;
-    // PR0, QR0, DR0; a program may be called so.
-    if (off && !is_letter(statement[at - 1])) continue;
-    if (off && std::string_view("PQD").find(statement[at - 1]) != std::string_view::npos) continue;
-    const std::size_t word = statement.rfind(' ', at) + 1;
-    const std::string_view in_front = statement.substr(0, word);
-    if (in_front.ends_with(" PGM ") || in_front == "PGM CALL ") continue;
-    return true;
+    const std::string_view side = statement.substr(at, 2);
+    if ((side != "RL" && side != "RR") || !ends_word(statement, at + 2)) continue;
+    // A program may be called so.
+    const std::string_view in_front = statement.substr(0, statement.rfind(' ', at) + 1);
+    if (!in_front.ends_with(" PGM ") && in_front != "PGM CALL ") return true;
+  }
+  return false;
+}
+
+bool has_glued_r0(std::string_view statement) {
+  // PR0 and DR0 are words, QR0 is a parameter.
+  constexpr std::string_view no_side = "PDQ";
+  for (std::size_t at = statement.find("R0", 1); at != std::string_view::npos;
+       at = statement.find("R0", at + 1)) {
+    const char before = statement[at - 1];
+    if (ends_word(statement, at + 2) && is_letter(before) &&
+        no_side.find(before) == std::string_view::npos)
+      return true;
   }
   return false;
 }
@@ -283,7 +293,7 @@ bool Interpreter::read_klartext_statement(ProgramLine& line, std::size_t begin) 
   if (statement.empty())  // nothing but a comment goes on below
     return refuse_klartext(line, begin, "~", Code::nc_syntax);
   const std::string first = first_word(statement);
-  if (has_side(statement, false))  // D-121
+  if (has_side(statement))  // D-121
     return refuse_klartext(line, begin, first + " with RL or RR");
   if (begins_with_word(statement, "BEGIN")) {
     if (blocks_read_ > 0)
