@@ -100,6 +100,11 @@ TEST(SideSeen, WhereWordsAreGluedOrTextsNotClosed) {
   EXPECT_EQ(std::get<Line>(moves.last_motion().path).end, Point(0, 50));
 }
 
+TEST(SideSeen, BehindALineEndThatIsNone) {
+  const Reading reading = read_as(DialectName::heidenhain, "; A\vL X+0 Y+0 RL F300\vL Y+40\n");
+  EXPECT_EQ(reading.code(), Code::nc_not_text);
+}
+
 TEST(SideSeen, NotInNamesCommentsAndTexts) {
   for (const std::string line : {"MSG(\"G41 ON\")", "MSG(G42)", "; G41", "X=_NG41"}) {
     const Reading reading = read_as(DialectName::sinumerik, "G0 X0 Y0\n" + line + "\nG0 X5 Y5\n");

@@ -166,6 +166,9 @@ bool Interpreter::read_klartext(ProgramLine& line) {
   if (!found) return true;
   const std::size_t at = *found;
   const std::string_view rest = line.text;
+  // Some end their lines with one: all behind it would be one comment.
+  if (const std::size_t no_end = rest.find_first_of("\v\f"); no_end != std::string_view::npos)
+    return refuse_klartext(line, no_end, name_of_character(rest.substr(no_end)), Code::nc_not_text);
   // Simulators write a setup sheet in parentheses in front of BEGIN PGM.
   const bool setup_sheet = rest[at] == '(' && blocks_read_ == 0;
   if (rest[at] == ';' || rest[at] == '*' || setup_sheet) {
