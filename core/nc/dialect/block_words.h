@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/nc/dialect/g_function.h"
-#include "core/nc/dialect/interpreter.h"
 #include "core/nc/dialect/line_words.h"
 #include "core/nc/state/program_state.h"
+#include "core/nc/text/words.h"
 
 namespace trc {
 
@@ -54,7 +54,7 @@ struct WholeWord {
 
 // What the words of one block say, before any of it takes effect: the order of
 // the words within a block does not matter.
-struct Interpreter::BlockWords {
+struct BlockWords {
   struct Function {
     const GFunction* function = nullptr;
     std::uint32_t begin = 0;

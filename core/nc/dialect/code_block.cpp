@@ -1,9 +1,22 @@
+#include "core/nc/dialect/code_block.h"
+
 #include <algorithm>
 #include <array>
 #include <initializer_list>
 #include <string>
 
 #include "core/nc/dialect/block_words.h"
+#include "core/nc/dialect/code_corners.h"
+#include "core/nc/dialect/code_tools.h"
+#include "core/nc/dialect/copied_block.h"
+#include "core/nc/dialect/kept_modes.h"
+#include "core/nc/dialect/machine_compensation.h"
+#include "core/nc/dialect/passing_calls.h"
+#include "core/nc/dialect/reading.h"
+#include "core/nc/dialect/sinumerik_arcs.h"
+#include "core/nc/dialect/sinumerik_leads.h"
+#include "core/nc/dialect/unfollowed.h"
+#include "core/nc/dialect/whole_numbers.h"
 #include "core/nc/text/characters.h"
 
 // What the words of a block of plain letters and numbers mean together, before any of it takes
@@ -22,81 +35,33 @@ std::string_view called_name(std::string_view text, std::uint32_t begin) {
 constexpr std::array<MotionKind, 4> motions{MotionKind::rapid, MotionKind::linear,
                                             MotionKind::clockwise, MotionKind::counter_clockwise};
 
-}  // namespace
-
-// What the words mean together, before any of it takes effect.
-bool Interpreter::complete_code_block(ProgramLine& line, BlockWords& block) {
-  if (dialect_.name == DialectName::fanuc && block.whole != 0 && !block.has(dwell) &&
-      !count_whole_numbers(line, block))
-    return false;
-  // T01T02M06 of Mazak: the first tool is changed, the second one fetched meanwhile. Radii come
-  // from D, so nothing hangs on which of them a control loads.
-  if (block.later_tool && !block.changes_tool)
-    return refuse(line, TextFault{.code = Code::nc_word_twice,
-                                  .begin = block.later_tool->begin,
-                                  .detail = "T without M06"});
-  if (!watch_tool(line, block) || !check_kept_modes(line, block)) return false;
-  take_tool_words(line, block);
-  take_spindle_limit(line, block);
-  if (dialect_.name == DialectName::fanuc) {
-    take_words_of_few_controls(block);
-    take_parameters_of_control(line, block);
-    if (!take_cycle_with_register(line, block)) return false;
-  }
-  end_modes_before(block);
-  take_words_that_are_no_motion(line, block);
-  if (!check_dwell(line, block) || !check_skipped_modes(line, block)) return false;
-  take_unit_of_old(line, block);
-  forget_what_ends_nothing(block);
-  end_what_was_unfollowed(block);
-  take_what_is_unfollowed(line, block);
-  take_work_offset(block);
-  if (dialect_.name == DialectName::sinumerik) {
-    take_pole(block);
-    if (!resolve_polar_words(line, block) || !take_soft_lead(line, block)) return false;
-  }
-  if (!take_fagor_words(line, block) || !take_modal_rounding(line, block)) return false;
-  if (!check_code_selection(line, block) || !take_corner(line, block) ||
-      !take_corner_feed(line, block))
-    return false;
-  take_turns_of_arc(line, block);
-  if (!restate_modes(line, block)) return false;
-  if (block.calls_the_machine || machine_follows_)
-    forget_what_a_call_may_change(
-        line, block,
-        block.calls_the_machine ? called_name(line.text, block.of(single_move).begin) : code_.call);
-  pass_over_circle_words(line, block);
-  const bool goes_on = copy_code_block(line, block) && check_circle_words(line, block);
-  if (block.has(cycle)) code_.cycle = true;
-  reads_plain_lines_ = may_read_plain_lines();
-  return goes_on && take_tool_data(line, block);
-}
-
 // G50 S and G92 S: how fast the spindle may turn, of lathes.
-void Interpreter::take_spindle_limit(const ProgramLine& line, BlockWords& block) {
+void take_spindle_limit(Reading& reading, const ProgramLine& line, BlockWords& block) {
   const bool spindle_limit = block.has(unfollowed_end) && block.of(unfollowed_end).is(50);
   const bool has_spindle = std::ranges::any_of(line.words, [&](const WordRange& word) {
     return line.text[word.begin] == 'S' || line.text[word.begin] == 's';
   });
   const bool sets_spindle_limit = block.of(frame).is(92) && has_spindle && !block.axis;
-  code_.turning |= (spindle_limit || block.of(frame).is(92)) && has_spindle;
+  reading.code_modes.turning |= (spindle_limit || block.of(frame).is(92)) && has_spindle;
   if (sets_spindle_limit) block.clear(frame);
 }
 
 // What a motion function or F ends, before the words of the line take effect.
-void Interpreter::end_modes_before(const BlockWords& block) {
+void end_modes_before(Reading& reading, const BlockWords& block) {
   // Under MCALL of Sinumerik each motion has the cycle behind it.
-  const bool motion_ends_cycle = block.has(motion) && dialect_.name != DialectName::sinumerik;
-  if (motion_ends_cycle || block.has(cycle_end)) code_.cycle = false;
-  if (block.has(motion)) code_.tangent_arcs = false;
-  code_.tangent_arcs |= block.begins_tangent_arcs;
-  if (block.begins_tangent_arcs) code_.tangents_written = trc_active();
-  code_.tooth_feed =
-      block.tooth_feed.has_value() || (code_.tooth_feed && !(block.feed && !block.has(dwell)));
+  const bool motion_ends_cycle =
+      block.has(motion) && reading.dialect.name != DialectName::sinumerik;
+  if (motion_ends_cycle || block.has(cycle_end)) reading.code_modes.cycle = false;
+  if (block.has(motion)) reading.code_modes.tangent_arcs = false;
+  reading.code_modes.tangent_arcs |= block.begins_tangent_arcs;
+  if (block.begins_tangent_arcs) reading.code_modes.tangents_written = reading.trc_active();
+  reading.code_modes.tooth_feed =
+      block.tooth_feed.has_value() ||
+      (reading.code_modes.tooth_feed && !(block.feed && !block.has(dwell)));
 }
 
 // F of a dwell is a time, R of M19 an angle, that of G5.1 a level of smoothing.
-void Interpreter::take_words_that_are_no_motion(ProgramLine& line, BlockWords& block) {
+void take_words_that_are_no_motion(ProgramLine& line, BlockWords& block) {
   if (block.has(dwell)) {
     block.feed.reset();
     take_for_technology(line, WordRole::feed);
@@ -112,85 +77,60 @@ void Interpreter::take_words_that_are_no_motion(ProgramLine& line, BlockWords& b
 }
 
 // G4 X2. of FANUC is a time. LINUXCNC moves to what stands beside it, others do not.
-bool Interpreter::check_dwell(const ProgramLine& line, const BlockWords& block) {
+bool check_dwell(Reading& reading, const ProgramLine& line, const BlockWords& block) {
   if (!block.has(dwell) || !block.axis) return true;
-  const std::size_t first = dialect_.name == DialectName::fanuc ? 1 : 0;
+  const std::size_t first = reading.dialect.name == DialectName::fanuc ? 1 : 0;
   for (std::size_t axis = first; axis < block.move.end.size(); ++axis)
     if (block.move.end[axis])
-      return refuse(line, TextFault{.code = Code::nc_unsupported,
-                                    .begin = *block.axis,
-                                    .detail = "G4 beside an axis word"});
+      return reading.refuse(line, TextFault{.code = Code::nc_unsupported,
+                                            .begin = *block.axis,
+                                            .detail = "G4 beside an axis word"});
   return true;
 }
 
 // Of a block that may be skipped: what all lines behind it hang on.
-bool Interpreter::check_skipped_modes(const ProgramLine& line, const BlockWords& block) {
-  if (block.has(dimension)) code_.dimension_uncertain = block.to_skip;
-  if (code_.dimension_uncertain && block.axis && !block.to_skip)
-    return refuse(line, TextFault{.code = Code::block_skip_undecided,
-                                  .begin = *block.axis,
-                                  .detail = "a motion behind G90 or G91 that may be skipped"});
+bool check_skipped_modes(Reading& reading, const ProgramLine& line, const BlockWords& block) {
+  if (block.has(dimension)) reading.code_modes.dimension_uncertain = block.to_skip;
+  if (reading.code_modes.dimension_uncertain && block.axis && !block.to_skip)
+    return reading.refuse(line,
+                          TextFault{.code = Code::block_skip_undecided,
+                                    .begin = *block.axis,
+                                    .detail = "a motion behind G90 or G91 that may be skipped"});
   if (block.to_skip && (block.has(unit) || block.has(plane)))
-    return refuse(line, TextFault{.code = Code::block_skip_undecided,
-                                  .begin = line.words.front().begin,
-                                  .detail = "a unit or a plane that may be skipped"});
+    return reading.refuse(line, TextFault{.code = Code::block_skip_undecided,
+                                          .begin = line.words.front().begin,
+                                          .detail = "a unit or a plane that may be skipped"});
   return true;
 }
 
-// The work offset in force, selected once more, changes nothing (D-111). What else moves
-// coordinates, or may do so unseen, leaves open which one a selection behind it goes back to.
-void Interpreter::take_work_offset(BlockWords& block) {
-  constexpr std::array beside_offsets{12, 13, 27, 28, 29, 30, 31, 38, 53, 60, 70, 71, 72, 153};
-  const BlockWords::Function& move = block.of(single_move);
-  const bool moves_alone =
-      !block.has(single_move) ||
-      (std::ranges::find(beside_offsets, move.function->number) != beside_offsets.end() &&
-       (move.function->tenth == 0 || move.is(38)));
-  const bool may_change = block.has(frame) || block.has(tool_data) || block.has(unfollowed) ||
-                          block.has(unfollowed_end) || block.calls_the_machine ||
-                          machine_follows_ || !moves_alone;
-  if (may_change) code_.work_offset = 0;
-  if (!block.has(zero_shift)) return;
-  const GFunction& function = *block.of(zero_shift).function;
-  constexpr std::array shifts_by_words{53, 74, 92, 159};
-  constexpr std::int64_t for_its_number = 1'000'000;
-  const std::int64_t number =
-      block.tool_data_number ? whole_number(block.tool_data_number->value) : 0;
-  const bool is_selection =
-      std::ranges::find(shifts_by_words, function.number) == shifts_by_words.end() && number >= 0 &&
-      !block.has(dwell) && !may_change && !block.to_skip;
-  const std::int64_t selected =
-      is_selection ? number * for_its_number + function.tenths() : std::int64_t{0};
-  if (selected != 0 && selected == code_.work_offset) block.clear(zero_shift);
-  code_.work_offset = selected;
-}
-
 // Whether a line of axis words alone says all that its motion hangs on.
-bool Interpreter::may_read_plain_lines() const {
-  const WholeNumbers whole = state_.setup().whole_numbers;
-  const bool plain_whole_numbers = dialect_.name != DialectName::fanuc ||
-                                   whole == WholeNumbers::units ||
-                                   (whole == WholeNumbers::unsaid && code_.points_seen);
-  return !code_.cycle && code_.unfollowed.empty() && !code_.tangent_arcs &&
-         !code_.dimension_uncertain && code_.y_seen && faults_.empty() && plain_whole_numbers &&
-         !code_.enters_parameters && code_.modal_rounding == 0 && !code_.soft_approach &&
-         !called_motion_ && !called_dimension_ && !code_.tooth_feed &&
-         code_.open_corner.source.line == 0;
+bool may_read_plain_lines(const Reading& reading) {
+  const WholeNumbers whole = reading.state.setup().whole_numbers;
+  const bool plain_whole_numbers =
+      reading.dialect.name != DialectName::fanuc || whole == WholeNumbers::units ||
+      (whole == WholeNumbers::unsaid && reading.code_modes.points_seen);
+  return !reading.code_modes.cycle && reading.code_modes.unfollowed.empty() &&
+         !reading.code_modes.tangent_arcs && !reading.code_modes.dimension_uncertain &&
+         reading.code_modes.y_seen && reading.faults.empty() && plain_whole_numbers &&
+         !reading.code_modes.enters_parameters && reading.code_modes.modal_rounding == 0 &&
+         !reading.code_modes.soft_approach && !reading.called_motion && !reading.called_dimension &&
+         !reading.code_modes.tooth_feed && reading.code_modes.open_corner.source.line == 0;
 }
 
-MotionKind Interpreter::kind_of(const BlockWords& block) const {
+MotionKind kind_of(const Reading& reading, const BlockWords& block) {
   return block.has(motion) ? motions[static_cast<std::size_t>(block.of(motion).function->number)]
-                           : motion_;
+                           : reading.motion;
 }
 
 // I, J, K and R of a straight motion of FANUC outside of contours: where it ends hangs on none of
 // them. At feed some controls round or bevel the corner for them (D-117).
-void Interpreter::pass_over_circle_words(ProgramLine& line, BlockWords& block) const {
-  const MotionKind kind = kind_of(block);
+void pass_over_circle_words(const Reading& reading, ProgramLine& line, BlockWords& block) {
+  const MotionKind kind = kind_of(reading, block);
   const bool is_straight = kind == MotionKind::rapid || kind == MotionKind::linear;
-  if (dialect_.name != DialectName::fanuc || !block.center || !is_straight || contour_open() ||
-      block.has(side) || block.has(dwell) || block.has(tool_data) || block.has(single_move) ||
-      block.has(cycle) || code_.cycle || block.has(frame) || block.has(unfollowed))
+  if (reading.dialect.name != DialectName::fanuc || !block.center || !is_straight ||
+      reading.contour_open() || block.has(side) || block.has(dwell) || block.has(tool_data) ||
+      block.has(single_move) || block.has(cycle) || reading.code_modes.cycle || block.has(frame) ||
+      block.has(unfollowed))
     return;
   const auto says = [](const std::optional<double>& value) { return value.value_or(0) != 0; };
   const bool cuts_corner =
@@ -212,17 +152,17 @@ void Interpreter::pass_over_circle_words(ProgramLine& line, BlockWords& block) c
 }
 
 // What I, J, K and R mean in a straight motion of Fanuc: a vector beside G40 and G41, a corner.
-bool Interpreter::check_circle_words(const ProgramLine& line, const BlockWords& block) {
-  const MotionKind kind = kind_of(block);
+bool check_circle_words(Reading& reading, const ProgramLine& line, const BlockWords& block) {
+  const MotionKind kind = kind_of(reading, block);
   const bool is_straight = kind == MotionKind::rapid || kind == MotionKind::linear;
-  if (dialect_.name != DialectName::fanuc || !block.center || !is_straight || block.copied ||
+  if (reading.dialect.name != DialectName::fanuc || !block.center || !is_straight || block.copied ||
       block.has(dwell) || block.has(tool_data))
     return true;
   const bool has_center = block.move.center[0] || block.move.center[1] || block.move.center[2];
   const auto refused = [&](std::string detail) {
-    return refuse(line, TextFault{.code = Code::nc_unsupported,
-                                  .begin = *block.center,
-                                  .detail = std::move(detail)});
+    return reading.refuse(line, TextFault{.code = Code::nc_unsupported,
+                                          .begin = *block.center,
+                                          .detail = std::move(detail)});
   };
   if (block.has(side) && has_center)
     return refused(block.of(side).is(40)
@@ -232,7 +172,7 @@ bool Interpreter::check_circle_words(const ProgramLine& line, const BlockWords& 
 }
 
 // G72 S0.5 of Fagor scales, where other controls drill holes on a line, with I J L (D-66).
-void Interpreter::take_words_of_few_controls(BlockWords& block) {
+void take_words_of_few_controls(BlockWords& block) {
   BlockWords::Function& found = block.functions[static_cast<std::size_t>(single_move)];
   static constexpr GFunction scaling{.number = 72, .group = unfollowed, .meaning = "scaling"};
   static constexpr GFunction no_scaling{.number = 72, .group = unfollowed_end};
@@ -246,28 +186,30 @@ void Interpreter::take_words_of_few_controls(BlockWords& block) {
 }
 
 // T, M06 and M61.
-void Interpreter::take_tool_words(const ProgramLine& line, BlockWords& block) {
+void take_tool_words(Reading& reading, const ProgramLine& line, BlockWords& block) {
   if (block.tool_number) {
-    code_.next_tool = block.named_tool.value_or(whole_number(block.tool_number->value));
-    code_.next_tool_place = place_of_word(line, block.tool_number->begin);
+    reading.code_modes.next_tool =
+        block.named_tool.value_or(whole_number(block.tool_number->value));
+    reading.code_modes.next_tool_place = reading.place_of_word(line, block.tool_number->begin);
   }
-  code_.tool_named |= block.tool_number.has_value();
-  code_.changes_by_m6 |= block.changes_tool.has_value();
+  reading.code_modes.tool_named |= block.tool_number.has_value();
+  reading.code_modes.changes_by_m6 |= block.changes_tool.has_value();
   if (block.changes_tool) {
-    code_.spindle_tool = code_.next_tool;
-    code_.spindle_tool_place = code_.next_tool_place;
-    code_.spindle_empty = code_.tool_named && code_.next_tool == 0;
-    block.forget |= static_cast<AxisBits>(1U << axes_of(state_.mode().plane).third);
+    reading.code_modes.spindle_tool = reading.code_modes.next_tool;
+    reading.code_modes.spindle_tool_place = reading.code_modes.next_tool_place;
+    reading.code_modes.spindle_empty =
+        reading.code_modes.tool_named && reading.code_modes.next_tool == 0;
+    block.forget |= static_cast<AxisBits>(1U << axes_of(reading.state.mode().plane).third);
   }
   if (block.names_tool && block.quantity) {
-    code_.spindle_tool = whole_number(block.quantity->value);
-    code_.spindle_tool_place = place_of_word(line, block.quantity->begin);
-    code_.spindle_empty = code_.spindle_tool == 0;
+    reading.code_modes.spindle_tool = whole_number(block.quantity->value);
+    reading.code_modes.spindle_tool_place = reading.place_of_word(line, block.quantity->begin);
+    reading.code_modes.spindle_empty = reading.code_modes.spindle_tool == 0;
   }
 }
 
 // G70 and G71 alone are inch and mm of older controls; with words beside them they are cycles.
-void Interpreter::take_unit_of_old(ProgramLine& line, BlockWords& block) const {
+void take_unit_of_old(const Reading& reading, ProgramLine& line, BlockWords& block) {
   BlockWords::Function& found = block.functions[static_cast<std::size_t>(single_move)];
   const bool unit_of_old = block.of(single_move).is(70) || block.of(single_move).is(71);
   if (!unit_of_old || block.axis || block.center || block.tool_data || block.tool_data_number ||
@@ -275,20 +217,102 @@ void Interpreter::take_unit_of_old(ProgramLine& line, BlockWords& block) const {
     return;
   for (WordRange& word : line.words)
     if (word.begin == found.begin) word.role = WordRole::mode;
-  block.set(*dialect_.function(found.is(70) ? 20 : 21), found.begin);
+  block.set(*reading.dialect.function(found.is(70) ? 20 : 21), found.begin);
   found = {};
 }
 
 // P beside G2 and G3 of LinuxCNC: how many turns, the last of which may be a part of one.
-void Interpreter::take_turns_of_arc(ProgramLine& line, BlockWords& block) const {
-  if (dialect_.name != DialectName::linuxcnc || !block.tool_data_number || !contour_open()) return;
+void take_turns_of_arc(const Reading& reading, ProgramLine& line, BlockWords& block) {
+  if (reading.dialect.name != DialectName::linuxcnc || !block.tool_data_number ||
+      !reading.contour_open())
+    return;
   if (!block.axis && !block.center) return;
-  const MotionKind kind = kind_of(block);
+  const MotionKind kind = kind_of(reading, block);
   if (kind != MotionKind::clockwise && kind != MotionKind::counter_clockwise) return;
   block.turns = {.value = block.tool_data_number->value - 1,
                  .begin = block.tool_data_number->begin};
   for (WordRange& word : line.words)
     if (word.begin == block.turns->begin) word.role = WordRole::coordinate;
+}
+
+}  // namespace
+
+bool complete_code_block(Reading& reading, ProgramLine& line, BlockWords& block) {
+  if (reading.dialect.name == DialectName::fanuc && block.whole != 0 && !block.has(dwell) &&
+      !count_whole_numbers(reading, line, block))
+    return false;
+  // T01T02M06 of Mazak: the first tool is changed, the second one fetched meanwhile. Radii come
+  // from D, so nothing hangs on which of them a control loads.
+  if (block.later_tool && !block.changes_tool)
+    return reading.refuse(line, TextFault{.code = Code::nc_word_twice,
+                                          .begin = block.later_tool->begin,
+                                          .detail = "T without M06"});
+  if (!watch_tool(reading, line, block) || !check_kept_modes(reading, line, block)) return false;
+  take_tool_words(reading, line, block);
+  take_spindle_limit(reading, line, block);
+  if (reading.dialect.name == DialectName::fanuc) {
+    take_words_of_few_controls(block);
+    take_parameters_of_control(reading, line, block);
+    if (!take_cycle_with_register(reading, line, block)) return false;
+  }
+  end_modes_before(reading, block);
+  take_words_that_are_no_motion(line, block);
+  if (!check_dwell(reading, line, block) || !check_skipped_modes(reading, line, block))
+    return false;
+  take_unit_of_old(reading, line, block);
+  forget_what_ends_nothing(reading, block);
+  end_what_was_unfollowed(reading, block);
+  take_what_is_unfollowed(reading, line, block);
+  take_work_offset(reading, block);
+  if (reading.dialect.name == DialectName::sinumerik) {
+    take_pole(reading, block);
+    if (!resolve_polar_words(reading, line, block) || !take_soft_lead(reading, line, block))
+      return false;
+  }
+  if (!take_fagor_words(reading, line, block) || !take_modal_rounding(reading, line, block))
+    return false;
+  if (!check_code_selection(reading, line, block) || !take_corner(reading, line, block) ||
+      !take_corner_feed(reading, line, block))
+    return false;
+  take_turns_of_arc(reading, line, block);
+  if (!restate_modes(reading, line, block)) return false;
+  if (block.calls_the_machine || reading.machine_follows)
+    forget_what_a_call_may_change(reading, line, block,
+                                  block.calls_the_machine
+                                      ? called_name(line.text, block.of(single_move).begin)
+                                      : reading.code_modes.call);
+  pass_over_circle_words(reading, line, block);
+  const bool goes_on =
+      copy_code_block(reading, line, block) && check_circle_words(reading, line, block);
+  if (block.has(cycle)) reading.code_modes.cycle = true;
+  reading.reads_plain_lines = may_read_plain_lines(reading);
+  return goes_on && take_tool_data(reading, line, block);
+}
+
+void take_work_offset(Reading& reading, BlockWords& block) {
+  constexpr std::array beside_offsets{12, 13, 27, 28, 29, 30, 31, 38, 53, 60, 70, 71, 72, 153};
+  const BlockWords::Function& move = block.of(single_move);
+  const bool moves_alone =
+      !block.has(single_move) ||
+      (std::ranges::find(beside_offsets, move.function->number) != beside_offsets.end() &&
+       (move.function->tenth == 0 || move.is(38)));
+  const bool may_change = block.has(frame) || block.has(tool_data) || block.has(unfollowed) ||
+                          block.has(unfollowed_end) || block.calls_the_machine ||
+                          reading.machine_follows || !moves_alone;
+  if (may_change) reading.code_modes.work_offset = 0;
+  if (!block.has(zero_shift)) return;
+  const GFunction& function = *block.of(zero_shift).function;
+  constexpr std::array shifts_by_words{53, 74, 92, 159};
+  constexpr std::int64_t for_its_number = 1'000'000;
+  const std::int64_t number =
+      block.tool_data_number ? whole_number(block.tool_data_number->value) : 0;
+  const bool is_selection =
+      std::ranges::find(shifts_by_words, function.number) == shifts_by_words.end() && number >= 0 &&
+      !block.has(dwell) && !may_change && !block.to_skip;
+  const std::int64_t selected =
+      is_selection ? number * for_its_number + function.tenths() : std::int64_t{0};
+  if (selected != 0 && selected == reading.code_modes.work_offset) block.clear(zero_shift);
+  reading.code_modes.work_offset = selected;
 }
 
 }  // namespace trc

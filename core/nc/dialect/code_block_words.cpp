@@ -1,3 +1,5 @@
+#include "core/nc/dialect/code_block_words.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -5,7 +7,9 @@
 #include <utility>
 
 #include "core/nc/dialect/block_words.h"
+#include "core/nc/dialect/code_block.h"
 #include "core/nc/dialect/pass_words.h"
+#include "core/nc/dialect/reading.h"
 #include "core/nc/text/characters.h"
 
 // How the words of a block of plain letters and numbers are read: the dialects of Fanuc and of
@@ -120,133 +124,46 @@ bool reads_as_block(std::string_view comment) {
   return tells;
 }
 
-}  // namespace
-
-bool Interpreter::refuse_code(const ProgramLine& line, const CodeWord& word, Code code,
-                              std::string_view meaning) {
-  std::string detail(line.word({.begin = word.begin, .end = word.end}));
-  if (!meaning.empty()) detail.append(", ").append(meaning);
-  return refuse(line, TextFault{.code = code, .begin = word.begin, .detail = std::move(detail)});
-}
-
-// All words are read, also behind one that is refused, so that every obstacle is told: up to as
-// many as are told at all, since each byte of a long line may be one.
-bool Interpreter::read_code_words(ProgramLine& line, BlockWords& block) {
-  CodeReader reader(line.text, dialect_.name == DialectName::linuxcnc);
-  std::size_t faults = 0;
-  for (;;) {
-    const CodeWord word = reader.next();
-    switch (word.kind) {
-      case CodeWord::Kind::end:
-        return complete_code_block(line, block) && faults == 0;
-      case CodeWord::Kind::fault:
-        if (reader.fault().code == Code::nc_unsupported &&
-            names_what_passes(line.text, word.begin) && !cuts_off_words(line, word.begin)) {
-          line.words.push_back(
-              {.begin = word.begin,
-               .end = static_cast<std::uint32_t>(without_blanks_behind(line.text).size())});
-          break;
-        }
-        refuse(line, reader.fault());
-        ++faults;
-        break;
-      case CodeWord::Kind::comment:
-        if (dialect_.name == DialectName::fanuc && block.words > 0 &&
-            reads_as_block(std::string_view(line.text).substr(word.begin, word.end - word.begin))) {
-          refuse_code(line, word, Code::nc_unsupported,
-                      "a second block in the line, or a comment that reads as one");
-          ++faults;
-          break;
-        }
-        add(line, word, WordRole::comment);
-        break;
-      case CodeWord::Kind::skip:
-        block.to_skip |= hangs_on_switch(line.text, block);
-        add(line, word, WordRole::technology);
-        break;
-      case CodeWord::Kind::address:
-        faults += read_code_word(word, line, block) ? 0 : 1;
-        break;
-    }
-    if (diagnostics_.stopped() || faults >= limits_.most_faults) return false;
-  }
-}
-
 // SETVN takes the rest of its line: a motion begun in front of it would lose its words there.
-bool Interpreter::cuts_off_words(const ProgramLine& line, std::uint32_t begin) const {
+bool cuts_off_words(const Reading& reading, const ProgramLine& line, std::uint32_t begin) {
   const auto is_number = [](const WordRange& word) { return word.role == WordRole::number; };
-  return dialect_.name == DialectName::fanuc && word_to_pass(line.text, begin) == "SETVN" &&
+  return reading.dialect.name == DialectName::fanuc && word_to_pass(line.text, begin) == "SETVN" &&
          !std::ranges::all_of(line.words, is_number);
 }
 
 // A name that nobody knows here and that has nothing to do with the path.
-bool Interpreter::names_what_passes(std::string_view line, std::uint32_t begin) const {
-  const bool fanuc = dialect_.name == DialectName::fanuc;
+bool names_what_passes(const Reading& reading, std::string_view line, std::uint32_t begin) {
+  const bool fanuc = reading.dialect.name == DialectName::fanuc;
   if (fanuc && sets_variable(line, begin)) return true;
   // SETVN 500[WIDTH,DEPTH] gives variables names.
   if (fanuc && word_to_pass(line, begin) == "SETVN") return true;
   if (shows_message(line, begin)) return true;
   return is_name_alone(line, begin) &&
-         (passes_word(state_.setup(), line, begin) || (fanuc && prints_text(line, begin)));
+         (passes_word(reading.state.setup(), line, begin) || (fanuc && prints_text(line, begin)));
 }
 
 // Not where coolant and the like alone stand behind the sign, and the sign behind other words.
-bool Interpreter::hangs_on_switch(std::string_view line, const BlockWords& block) const {
-  const SkipSign within = skip_sign_within(line, dialect_.name);
-  return block.words == 0 || !within.is_there() || !is_beside_the_path(line, within, dialect_.name);
+bool hangs_on_switch(const Reading& reading, std::string_view line, const BlockWords& block) {
+  const SkipSign within = skip_sign_within(line, reading.dialect.name);
+  return block.words == 0 || !within.is_there() ||
+         !is_beside_the_path(line, within, reading.dialect.name);
 }
 
-bool Interpreter::read_code_word(const CodeWord& word, ProgramLine& line, BlockWords& block) {
-  switch (word.letter) {
-    case 'N':
-      // Some controls jump and call with N behind other words.
-      if (block.words > 0)
-        return refuse_code(line, word, Code::nc_unsupported, "behind other words");
-      if (word.has_number && word.whole && is_whole(word.value))
-        line.source.number = static_cast<std::int64_t>(word.value);
-      add(line, word, WordRole::number);
-      return true;
-    case 'O':  // the number of the program
-      if (is_alignment_block(line.text, word)) {
-        add(line, word, WordRole::number);
-        return true;
-      }
-      if ((blocks_read_ > 0 || line.text[word.end - 1] == '>') &&
-          dialect_.name == DialectName::linuxcnc)
-        return refuse_code(line, word, Code::nc_unsupported, "a subprogram or a loop");
-      if (blocks_read_ > 0)
-        return refuse(line, TextFault{.code = Code::nc_unsupported,
-                                      .begin = word.begin,
-                                      .detail = code_.program_named
-                                                    ? "O, a second program in one text"
-                                                    : "O, behind blocks without a number of their "
-                                                      "program"});
-      code_.program_named = true;
-      add(line, word, WordRole::comment);
-      return true;
-    case 'G':
-      ++block.words;
-      return read_code_function(word, line, block);
-    default:
-      ++block.words;
-      return read_code_address(word, line, block);
-  }
-}
-
-bool Interpreter::read_code_function(const CodeWord& word, ProgramLine& line, BlockWords& block) {
-  const GFunction* function = dialect_.function(word.value);
+bool read_code_function(Reading& reading, const CodeWord& word, ProgramLine& line,
+                        BlockWords& block) {
+  const GFunction* function = reading.dialect.function(word.value);
   static constexpr GFunction unknown{
       .number = 1007, .group = single_move, .meaning = "an unknown function"};
   static constexpr GFunction passing{
       .number = 1007, .group = axis_technology, .meaning = "an unknown function"};
-  if (function == nullptr && passes_word(state_.setup(), line.text, word.begin))
+  if (function == nullptr && passes_word(reading.state.setup(), line.text, word.begin))
     function = &passing;
-  if (function == nullptr && state_.setup().copies_unknown_words) function = &unknown;
-  if (function == nullptr) return refuse_code(line, word, Code::nc_unknown_function);
+  if (function == nullptr && reading.state.setup().copies_unknown_words) function = &unknown;
+  if (function == nullptr) return refuse_code(reading, line, word, Code::nc_unknown_function);
   const GGroup group = function->group;
   if (group == refused || group == call)
-    return refuse_code(line, word, Code::nc_unsupported, function->meaning);
-  if (group == turning) return refuse_code(line, word, Code::turning, function->meaning);
+    return refuse_code(reading, line, word, Code::nc_unsupported, function->meaning);
+  if (group == turning) return refuse_code(reading, line, word, Code::turning, function->meaning);
   BlockWords::Function& seen = block.functions[static_cast<std::size_t>(group)];
   const bool alone = group != technology && group != axis_technology;
   // G15 and G50, G69 and G50.1 of a first line, where all of them end something.
@@ -254,7 +171,7 @@ bool Interpreter::read_code_function(const CodeWord& word, ProgramLine& line, Bl
       seen.function != nullptr &&
       (group == unfollowed_end || (group == frame && function->initial && seen.function->initial));
   if (alone && seen.function != nullptr && seen.function != function && !both_end)
-    return refuse_code(line, word,
+    return refuse_code(reading, line, word,
                        group == side ? Code::compensation_side_twice : Code::nc_group_twice);
   // The one that its line says more of: the speed limit of G50, the axes of G50.1.
   if (group == unfollowed_end || group == frame)
@@ -263,95 +180,159 @@ bool Interpreter::read_code_function(const CodeWord& word, ProgramLine& line, Bl
   block.changes_length |=
       function->tenth == 0 &&
       (function->number == 43 || function->number == 44 || function->number == 49);
-  if (function->number == 96) code_.turning = block.constant_speed = true;
+  if (function->number == 96) reading.code_modes.turning = block.constant_speed = true;
   // Where there is nothing to end, G40 is a line of the program like any other.
-  const bool ends_nothing = group == side && function->number == 40 && !contour_open();
-  if (dialect_.name == DialectName::fanuc && function->tenths() == 110)
-    code_.enters_parameters = false;
+  const bool ends_nothing = group == side && function->number == 40 && !reading.contour_open();
+  if (reading.dialect.name == DialectName::fanuc && function->tenths() == 110)
+    reading.code_modes.enters_parameters = false;
   add(line, word, ends_nothing ? WordRole::mode : role_of(group));
   return true;
 }
 
 // A coordinate; `bit`: as WholeWord has it.
-void Interpreter::see_whole(const CodeWord& word, std::size_t bit, BlockWords& block) {
+void see_whole(Reading& reading, const CodeWord& word, std::size_t bit, BlockWords& block) {
   constexpr std::size_t bits = 64;
   if (word.whole && bit < bits) block.whole |= std::uint64_t{1} << bit;
-  if (!word.whole) code_.points_seen = true;
+  if (!word.whole) reading.code_modes.points_seen = true;
 }
 
-bool Interpreter::read_code_axis(const CodeWord& word, ProgramLine& line, BlockWords& block) {
-  const int axis = axis_of_letter_[static_cast<std::size_t>(word.letter - 'A')];
-  if (axis < 0) return refuse_code(line, word, Code::nc_axis_unknown);
+bool read_code_axis(Reading& reading, const CodeWord& word, ProgramLine& line, BlockWords& block) {
+  const int axis = reading.axis_of_letter[static_cast<std::size_t>(word.letter - 'A')];
+  if (axis < 0) return refuse_code(reading, line, word, Code::nc_axis_unknown);
   const auto index = static_cast<std::size_t>(axis);
   if (index >= 3 && block.move.tracking.size() <= index - 3)
-    block.move.tracking.resize(state_.setup().tracking_axes.size());
+    block.move.tracking.resize(reading.state.setup().tracking_axes.size());
   auto& coordinate = index < 3 ? block.move.end[index] : block.move.tracking[index - 3];
-  if (coordinate) return refuse_code(line, word, Code::nc_word_twice);
+  if (coordinate) return refuse_code(reading, line, word, Code::nc_word_twice);
   coordinate = word.value;
-  see_whole(word, index < 3 ? WholeWord::axis + index : WholeWord::tracking + index - 3, block);
-  code_.y_seen |= word.letter == 'Y';
+  see_whole(reading, word, index < 3 ? WholeWord::axis + index : WholeWord::tracking + index - 3,
+            block);
+  reading.code_modes.y_seen |= word.letter == 'Y';
   if (!block.axis) block.axis = word.begin;
   add(line, word, WordRole::coordinate);
   return true;
 }
 
 // ,R ,C ,A
-bool Interpreter::read_comma_word(const CodeWord& word, ProgramLine& line, BlockWords& block) {
-  if (dialect_.name == DialectName::linuxcnc)
-    return refuse_code(line, word, Code::nc_unsupported, "which LinuxCNC does not have");
+bool read_comma_word(Reading& reading, const CodeWord& word, ProgramLine& line, BlockWords& block) {
+  if (reading.dialect.name == DialectName::linuxcnc)
+    return refuse_code(reading, line, word, Code::nc_unsupported, "which LinuxCNC does not have");
   const bool angle = word.letter == 'A';
   if (word.letter == 'R' || word.letter == 'C') {
-    if (block.corner) return refuse_code(line, word, Code::nc_word_twice);
+    if (block.corner) return refuse_code(reading, line, word, Code::nc_word_twice);
     block.corner = word.begin;
     block.move.corner = {.form = word.letter == 'R' ? CornerCut::Form::round : CornerCut::Form::leg,
                          .size = word.value};
-    see_whole(word, WholeWord::corner, block);
-  } else if (angle && trc_active()) {
-    if (block.angle) return refuse_code(line, word, Code::nc_word_twice);
+    see_whole(reading, word, WholeWord::corner, block);
+  } else if (angle && reading.trc_active()) {
+    if (block.angle) return refuse_code(reading, line, word, Code::nc_word_twice);
     block.angle = {.value = word.value, .begin = word.begin};
     add(line, word, WordRole::trc);
     return true;
-  } else if (trc_active()) {
-    return refuse_code(line, word, Code::nc_unsupported,
+  } else if (reading.trc_active()) {
+    return refuse_code(reading, line, word, Code::nc_unsupported,
                        "a rounding or a chamfer while TRC is active");
   } else if (angle) {
     block.unfollowed_word = word.begin;
   } else {
-    return refuse_code(line, word, Code::nc_syntax);  // X0, Y0
+    return refuse_code(reading, line, word, Code::nc_syntax);  // X0, Y0
   }
   add(line, word, WordRole::technology);
   return true;
 }
 
-bool Interpreter::read_code_address(const CodeWord& word, ProgramLine& line, BlockWords& block) {
-  const auto twice = [&] { return refuse_code(line, word, Code::nc_word_twice); };
+// Of LinuxCNC: $ is a spindle, @ a polar radius.
+bool read_code_sign(Reading& reading, const CodeWord& word, ProgramLine& line, BlockWords& block) {
+  const bool linuxcnc = reading.dialect.name == DialectName::linuxcnc;
+  if (word.letter == '$') {
+    if (!linuxcnc) return refuse_code(reading, line, word, Code::nc_syntax);
+  } else {
+    if (!linuxcnc || reading.trc_active())
+      return refuse_code(reading, line, word, Code::nc_unsupported, "polar coordinates");
+    block.unfollowed_word = word.begin;
+  }
+  add(line, word, WordRole::technology);
+  return true;
+}
+
+// I, J, K and R.
+bool read_code_center(Reading& reading, const CodeWord& word, ProgramLine& line,
+                      BlockWords& block) {
+  const bool is_radius = word.letter == 'R';
+  const auto axis = is_radius ? 0 : static_cast<std::size_t>(word.letter - 'I');
+  auto& target = is_radius ? block.move.radius : block.move.center[axis];
+  if (target) return refuse_code(reading, line, word, Code::nc_word_twice);
+  target = word.value;
+  see_whole(reading, word, is_radius ? WholeWord::radius : WholeWord::center + axis, block);
+  if (!block.center) block.center = word.begin;
+  add(line, word, WordRole::coordinate);
+  return true;
+}
+
+// T of FANUC may have the number of an offset behind a point, and stand twice.
+bool read_code_tool(Reading& reading, const CodeWord& word, ProgramLine& line, BlockWords& block) {
+  if (block.later_tool || (block.tool_number && reading.dialect.name != DialectName::fanuc))
+    return refuse_code(reading, line, word, Code::nc_word_twice);
+  if (!is_number_of_tool(std::floor(word.value)))
+    return refuse_code(reading, line, word, Code::nc_number);
+  (block.tool_number ? block.later_tool : block.tool_number) = {.value = std::floor(word.value),
+                                                                .begin = word.begin};
+  reading.code_modes.turning |= is_turning_tool(line.word({.begin = word.begin, .end = word.end}));
+  add(line, word, WordRole::technology);
+  return true;
+}
+
+bool read_code_machine_function(Reading& reading, const CodeWord& word, ProgramLine& line,
+                                BlockWords& block) {
+  const double m = word.value;
+  if (is_subprogram_call(m))
+    return refuse_code(reading, line, word, Code::nc_unsupported, "a subprogram call");
+  const bool linuxcnc = reading.dialect.name == DialectName::linuxcnc;
+  if (linuxcnc && (m == 70 || m == 71 || m == 72))
+    block.kept_modes = {.value = m, .begin = word.begin};
+  if (linuxcnc && m == 73)
+    return refuse_code(reading, line, word, Code::nc_unsupported,
+                       "modes as they were in front of a subprogram");
+  block.names_tool |= linuxcnc && m == 61;
+  const bool ends = m == 2 || m == 30 || m == 99;
+  line.ends_program |= ends;
+  if (m == 6) block.changes_tool = word.begin;
+  block.orients_spindle |= m == 19;
+  block.loads_tool |= m == 6;
+  add(line, word, ends || m == 0 || m == 1 ? WordRole::stop : WordRole::technology);
+  return true;
+}
+
+bool read_code_address(Reading& reading, const CodeWord& word, ProgramLine& line,
+                       BlockWords& block) {
+  const auto twice = [&] { return refuse_code(reading, line, word, Code::nc_word_twice); };
   const BlockWords::Value value{.value = word.value, .begin = word.begin};
-  if (word.comma) return read_comma_word(word, line, block);
+  if (word.comma) return read_comma_word(reading, word, line, block);
   const char letter = word.letter;
-  if (letter == '$' || letter == '@') return read_code_sign(word, line, block);
-  if (letter <= 'C' || letter >= 'U') return read_code_axis(word, line, block);
+  if (letter == '$' || letter == '@') return read_code_sign(reading, word, line, block);
+  if (letter <= 'C' || letter >= 'U') return read_code_axis(reading, word, line, block);
   switch (letter) {
     case 'I':
     case 'J':
     case 'K':
     case 'R':
-      return read_code_center(word, line, block);
+      return read_code_center(reading, word, line, block);
     case 'F':
       if (block.feed) return twice();
-      if (word.value < 0) return refuse_code(line, word, Code::nc_number);
+      if (word.value < 0) return refuse_code(reading, line, word, Code::nc_number);
       block.feed = value;
       if (word.whole) block.whole |= std::uint64_t{1} << WholeWord::feed;
       add(line, word, WordRole::feed);
       return true;
     case 'D':
       if (block.tool) return twice();
-      if (word.value >= first_named_tool) return refuse_code(line, word, Code::nc_number);
+      if (word.value >= first_named_tool) return refuse_code(reading, line, word, Code::nc_number);
       block.tool = value;
       break;
     case 'T':
-      return read_code_tool(word, line, block);
+      return read_code_tool(reading, word, line, block);
     case 'M':
-      return read_code_machine_function(word, line, block);
+      return read_code_machine_function(reading, word, line, block);
     case 'L':
       block.tool_data = value;
       break;
@@ -374,64 +355,94 @@ bool Interpreter::read_code_address(const CodeWord& word, ProgramLine& line, Blo
   return true;
 }
 
-// Of LinuxCNC: $ is a spindle, @ a polar radius.
-bool Interpreter::read_code_sign(const CodeWord& word, ProgramLine& line, BlockWords& block) {
-  const bool linuxcnc = dialect_.name == DialectName::linuxcnc;
-  if (word.letter == '$') {
-    if (!linuxcnc) return refuse_code(line, word, Code::nc_syntax);
-  } else {
-    if (!linuxcnc || trc_active())
-      return refuse_code(line, word, Code::nc_unsupported, "polar coordinates");
-    block.unfollowed_word = word.begin;
+}  // namespace
+
+bool refuse_code(Reading& reading, const ProgramLine& line, const CodeWord& word, Code code,
+                 std::string_view meaning) {
+  std::string detail(line.word({.begin = word.begin, .end = word.end}));
+  if (!meaning.empty()) detail.append(", ").append(meaning);
+  return reading.refuse(line,
+                        TextFault{.code = code, .begin = word.begin, .detail = std::move(detail)});
+}
+
+bool read_code_words(Reading& reading, ProgramLine& line, BlockWords& block) {
+  CodeReader reader(line.text, reading.dialect.name == DialectName::linuxcnc);
+  std::size_t faults = 0;
+  for (;;) {
+    const CodeWord word = reader.next();
+    switch (word.kind) {
+      case CodeWord::Kind::end:
+        return complete_code_block(reading, line, block) && faults == 0;
+      case CodeWord::Kind::fault:
+        if (reader.fault().code == Code::nc_unsupported &&
+            names_what_passes(reading, line.text, word.begin) &&
+            !cuts_off_words(reading, line, word.begin)) {
+          line.words.push_back(
+              {.begin = word.begin,
+               .end = static_cast<std::uint32_t>(without_blanks_behind(line.text).size())});
+          break;
+        }
+        reading.refuse(line, reader.fault());
+        ++faults;
+        break;
+      case CodeWord::Kind::comment:
+        if (reading.dialect.name == DialectName::fanuc && block.words > 0 &&
+            reads_as_block(std::string_view(line.text).substr(word.begin, word.end - word.begin))) {
+          refuse_code(reading, line, word, Code::nc_unsupported,
+                      "a second block in the line, or a comment that reads as one");
+          ++faults;
+          break;
+        }
+        add(line, word, WordRole::comment);
+        break;
+      case CodeWord::Kind::skip:
+        block.to_skip |= hangs_on_switch(reading, line.text, block);
+        add(line, word, WordRole::technology);
+        break;
+      case CodeWord::Kind::address:
+        faults += read_code_word(reading, word, line, block) ? 0 : 1;
+        break;
+    }
+    if (reading.diagnostics.stopped() || faults >= reading.limits.most_faults) return false;
   }
-  add(line, word, WordRole::technology);
-  return true;
 }
 
-// I, J, K and R.
-bool Interpreter::read_code_center(const CodeWord& word, ProgramLine& line, BlockWords& block) {
-  const bool is_radius = word.letter == 'R';
-  const auto axis = is_radius ? 0 : static_cast<std::size_t>(word.letter - 'I');
-  auto& target = is_radius ? block.move.radius : block.move.center[axis];
-  if (target) return refuse_code(line, word, Code::nc_word_twice);
-  target = word.value;
-  see_whole(word, is_radius ? WholeWord::radius : WholeWord::center + axis, block);
-  if (!block.center) block.center = word.begin;
-  add(line, word, WordRole::coordinate);
-  return true;
-}
-
-// T of FANUC may have the number of an offset behind a point, and stand twice.
-bool Interpreter::read_code_tool(const CodeWord& word, ProgramLine& line, BlockWords& block) {
-  if (block.later_tool || (block.tool_number && dialect_.name != DialectName::fanuc))
-    return refuse_code(line, word, Code::nc_word_twice);
-  if (!is_number_of_tool(std::floor(word.value))) return refuse_code(line, word, Code::nc_number);
-  (block.tool_number ? block.later_tool : block.tool_number) = {.value = std::floor(word.value),
-                                                                .begin = word.begin};
-  code_.turning |= is_turning_tool(line.word({.begin = word.begin, .end = word.end}));
-  add(line, word, WordRole::technology);
-  return true;
-}
-
-bool Interpreter::read_code_machine_function(const CodeWord& word, ProgramLine& line,
-                                             BlockWords& block) {
-  const double m = word.value;
-  if (is_subprogram_call(m))
-    return refuse_code(line, word, Code::nc_unsupported, "a subprogram call");
-  const bool linuxcnc = dialect_.name == DialectName::linuxcnc;
-  if (linuxcnc && (m == 70 || m == 71 || m == 72))
-    block.kept_modes = {.value = m, .begin = word.begin};
-  if (linuxcnc && m == 73)
-    return refuse_code(line, word, Code::nc_unsupported,
-                       "modes as they were in front of a subprogram");
-  block.names_tool |= linuxcnc && m == 61;
-  const bool ends = m == 2 || m == 30 || m == 99;
-  line.ends_program |= ends;
-  if (m == 6) block.changes_tool = word.begin;
-  block.orients_spindle |= m == 19;
-  block.loads_tool |= m == 6;
-  add(line, word, ends || m == 0 || m == 1 ? WordRole::stop : WordRole::technology);
-  return true;
+bool read_code_word(Reading& reading, const CodeWord& word, ProgramLine& line, BlockWords& block) {
+  switch (word.letter) {
+    case 'N':
+      // Some controls jump and call with N behind other words.
+      if (block.words > 0)
+        return refuse_code(reading, line, word, Code::nc_unsupported, "behind other words");
+      if (word.has_number && word.whole && is_whole(word.value))
+        line.source.number = static_cast<std::int64_t>(word.value);
+      add(line, word, WordRole::number);
+      return true;
+    case 'O':  // the number of the program
+      if (is_alignment_block(line.text, word)) {
+        add(line, word, WordRole::number);
+        return true;
+      }
+      if ((reading.blocks_read > 0 || line.text[word.end - 1] == '>') &&
+          reading.dialect.name == DialectName::linuxcnc)
+        return refuse_code(reading, line, word, Code::nc_unsupported, "a subprogram or a loop");
+      if (reading.blocks_read > 0)
+        return reading.refuse(
+            line, TextFault{.code = Code::nc_unsupported,
+                            .begin = word.begin,
+                            .detail = reading.code_modes.program_named
+                                          ? "O, a second program in one text"
+                                          : "O, behind blocks without a number of their "
+                                            "program"});
+      reading.code_modes.program_named = true;
+      add(line, word, WordRole::comment);
+      return true;
+    case 'G':
+      ++block.words;
+      return read_code_function(reading, word, line, block);
+    default:
+      ++block.words;
+      return read_code_address(reading, word, line, block);
+  }
 }
 
 }  // namespace trc

@@ -1,9 +1,13 @@
+#include "core/nc/dialect/full_turns.h"
+
 #include <cmath>
 #include <string>
 
 #include "core/geometry/segment.h"
 #include "core/geometry/turn.h"
+#include "core/nc/dialect/apply_block.h"
 #include "core/nc/dialect/block_words.h"
+#include "core/nc/dialect/reading.h"
 
 // A helix of several turns in one line: TURN= of Sinumerik, P of LinuxCNC.
 
@@ -22,36 +26,38 @@ double sweep_between(const Vector& from, const Vector& to, bool clockwise) {
 
 }  // namespace
 
-// Each further turn is a block of its own, in front of the arc that the other words say.
-bool Interpreter::move_in_full_turns(ProgramLine& line, const BlockWords& block) {
-  const PlaneAxes axes = axes_of(state_.mode().plane);
+bool move_in_full_turns(Reading& reading, ProgramLine& line, const BlockWords& block) {
+  const PlaneAxes axes = axes_of(reading.state.mode().plane);
   const MoveRequest& arc = block.move;
   const auto wrong = [&](Code code, const char* why) {
-    return refuse(line, TextFault{.code = code, .begin = block.turns->begin, .detail = why});
+    return reading.refuse(line,
+                          TextFault{.code = code, .begin = block.turns->begin, .detail = why});
   };
   const double turns = block.turns->value;
   if (!is_whole(turns) || turns < 0 || turns > most_turns)
     return wrong(Code::nc_number, "turns, at most 1000");
   MoveRequest rest = arc;
-  if (turns == 0) return move(line, rest);
-  const bool clockwise = motion_ == MotionKind::clockwise;
-  if (!clockwise && motion_ != MotionKind::counter_clockwise)
+  if (turns == 0) return move(reading, line, rest);
+  const bool clockwise = reading.motion == MotionKind::clockwise;
+  if (!clockwise && reading.motion != MotionKind::counter_clockwise)
     return wrong(Code::nc_unsupported, "turns of a straight motion");
   if (arc.radius || !(arc.center[axes.first] || arc.center[axes.second]) || !arc.tracking.empty())
     return wrong(Code::circle_incomplete, "turns without I J K alone");
-  const bool known = state_.is_known(axes.first) && state_.is_known(axes.second) &&
-                     (state_.is_known(axes.third) || !arc.end[axes.third]);
+  const bool known = reading.state.is_known(axes.first) && reading.state.is_known(axes.second) &&
+                     (reading.state.is_known(axes.third) || !arc.end[axes.third]);
   if (!known) return wrong(Code::position_unknown, "turns from a place that is not known");
 
-  const auto at = [&](std::size_t axis) { return state_.position()[axis] / length_unit(); };
+  const auto at = [&](std::size_t axis) {
+    return reading.state.position()[axis] / reading.length_unit();
+  };
   const auto end_of_axis = [&](std::size_t axis) {
     if (!arc.end[axis]) return at(axis);
-    return *arc.end[axis] + (incremental_ ? at(axis) : 0);
+    return *arc.end[axis] + (reading.incremental ? at(axis) : 0);
   };
   const Point start(at(axes.first), at(axes.second));
-  const Vector words(arc.center[axes.first].value_or(absolute_center_ ? start.x() : 0),
-                     arc.center[axes.second].value_or(absolute_center_ ? start.y() : 0));
-  const Point center = absolute_center_ ? Point(words) : Point(start + words);
+  const Vector words(arc.center[axes.first].value_or(reading.absolute_center ? start.x() : 0),
+                     arc.center[axes.second].value_or(reading.absolute_center ? start.y() : 0));
+  const Point center = reading.absolute_center ? Point(words) : Point(start + words);
   const double begin = at(axes.third);
   const double rise = end_of_axis(axes.third) - begin;
   const Point end(end_of_axis(axes.first), end_of_axis(axes.second));
@@ -60,11 +66,12 @@ bool Interpreter::move_in_full_turns(ProgramLine& line, const BlockWords& block)
   for (int turn = 1; turn <= static_cast<int>(turns); ++turn) {
     MoveRequest part;
     part.center = arc.center;
-    if (arc.end[axes.third]) part.end[axes.third] = incremental_ ? a_turn : begin + turn * a_turn;
-    if (!move(line, part)) return false;
+    if (arc.end[axes.third])
+      part.end[axes.third] = reading.incremental ? a_turn : begin + turn * a_turn;
+    if (!move(reading, line, part)) return false;
   }
-  if (arc.end[axes.third] && incremental_) rest.end[axes.third] = rise - turns * a_turn;
-  return move(line, rest);
+  if (arc.end[axes.third] && reading.incremental) rest.end[axes.third] = rise - turns * a_turn;
+  return move(reading, line, rest);
 }
 
 }  // namespace trc

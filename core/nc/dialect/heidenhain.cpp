@@ -1,3 +1,5 @@
+#include "core/nc/dialect/heidenhain.h"
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -7,6 +9,11 @@
 #include <utility>
 
 #include "core/nc/dialect/klartext_block.h"
+#include "core/nc/dialect/klartext_checks.h"
+#include "core/nc/dialect/klartext_functions.h"
+#include "core/nc/dialect/klartext_motion.h"
+#include "core/nc/dialect/klartext_statements.h"
+#include "core/nc/dialect/reading.h"
 #include "core/nc/text/characters.h"
 
 // How a block of Klartext is read. What it does: klartext_motion.cpp.
@@ -18,11 +25,11 @@ using Kind = KlartextWord::Kind;
 
 struct Motion {
   std::string_view name{};
-  Interpreter::KlartextStatement statement{};
+  KlartextStatement statement{};
 };
 
 constexpr auto motions = [] {
-  using enum Interpreter::KlartextStatement;
+  using enum KlartextStatement;
   return std::to_array<Motion>({{"L", straight},
                                 {"LP", polar_line},
                                 {"CC", center},
@@ -121,6 +128,255 @@ bool may_be_of_function(const KlartextWord& word, std::string_view text, bool li
   return in_upper_case(text) != "R0" && (limits || !is_place);
 }
 
+bool read_klartext_feed(Reading& reading, const KlartextWord& word, ProgramLine& line,
+                        KlartextBlock& block) {
+  const std::string text(line.word({.begin = word.begin, .end = word.end}));
+  if (word.name != "F") {
+    if (word.name != "FU" && word.name != "FZ" && word.name != "FT" && word.name != "FMAXT")
+      return refuse_klartext(reading, line, word.begin, text);
+    const bool of_a_motion = !block.is_corner();
+    if (of_a_motion && (word.name == "FU" || word.name == "FZ")) {
+      if (block.feed || block.open_feed)
+        return refuse_klartext(reading, line, word.begin, text, Code::nc_word_twice);
+      block.open_feed = word.begin;
+      add(line, word, WordRole::feed);
+      return true;
+    }
+    if (reading.trc_active())
+      return refuse_klartext(reading, line, word.begin,
+                             text + ", no feed per minute, while TRC is active");
+    block.feed_per_turn = true;
+    add(line, word, WordRole::technology);
+    return true;
+  }
+  if (block.feed || block.open_feed)
+    return refuse_klartext(reading, line, word.begin, text, Code::nc_word_twice);
+  block.feed = {.value = word.value, .begin = word.begin};
+  const bool of_the_corner = block.is_corner();
+  add(line, word,
+      reading.klartext_modes.feed_per_turn      ? WordRole::technology
+      : of_the_corner && reading.contour_open() ? WordRole::trc
+                                                : WordRole::feed);
+  if (reading.klartext_modes.feed_per_turn) block.feed.reset();
+  return true;
+}
+
+bool read_klartext_axis(Reading& reading, const KlartextWord& word, ProgramLine& line,
+                        KlartextBlock& block) {
+  const bool increment = word.name.size() == 2 && word.name[0] == 'I';
+  const char letter = word.name.back();
+  const std::string text(line.word({.begin = word.begin, .end = word.end}));
+  if (word.name.size() != (increment ? 2U : 1U))
+    return refuse_klartext(reading, line, word.begin, text);
+  const int axis = reading.axis_of_letter[static_cast<std::size_t>(letter - 'A')];
+  if (axis < 0) return refuse_klartext(reading, line, word.begin, text, Code::nc_axis_unknown);
+  const auto index = static_cast<std::size_t>(axis);
+  const auto twice = [&] {
+    return refuse_klartext(reading, line, word.begin, text, Code::nc_word_twice);
+  };
+  if (index < 3) {
+    if (block.end[index]) return twice();
+    block.end[index] = {.value = word.value, .increment = increment, .begin = word.begin};
+  } else {
+    if (block.tracking.empty()) block.tracking.resize(reading.state.setup().tracking_axes.size());
+    if (block.tracking[index - 3]) return twice();
+    block.tracking[index - 3] = word.value;
+    if (increment) block.tracking_increments |= std::uint64_t{1} << (index - 3);
+  }
+  add(line, word, WordRole::coordinate);
+  return true;
+}
+
+bool read_klartext_value(Reading& reading, const KlartextWord& word, ProgramLine& line,
+                         KlartextBlock& block) {
+  const std::string& name = word.name;
+  const auto take = [&](std::optional<KlartextBlock::Value>& value, bool increment = false) {
+    if (value)
+      return refuse_klartext(reading, line, word.begin,
+                             std::string(line.word({.begin = word.begin, .end = word.end})),
+                             Code::nc_word_twice);
+    value = {.value = word.value, .increment = increment, .begin = word.begin};
+    add(line, word, WordRole::coordinate);
+    return true;
+  };
+  if (name == "R" && word.value == 0 && line.text[word.end - 1] == '0' &&
+      line.text.find_first_of("+-.", word.begin) >= word.end) {
+    if (block.side)
+      return refuse_klartext(reading, line, word.begin, "R0", Code::compensation_side_twice);
+    block.side = Side::off;
+    block.side_begin = word.begin;
+    // Where there is nothing to end, R0 is a word of the program like any other.
+    add(line, word, reading.contour_open() ? WordRole::trc : WordRole::mode);
+    return true;
+  }
+  if (name == "R" || (name == "RND" && block.is(KlartextStatement::rounding)))
+    return take(block.radius);
+  if (name == "LEN" || (name == "CHF" && block.is(KlartextStatement::chamfer)))
+    return take(block.length);
+  if (name == "CCA") return take(block.center_angle);
+  if (name == "PR" || name == "IPR") return take(block.polar_radius, name == "IPR");
+  if (name == "PA" || name == "IPA") return take(block.polar_angle, name == "IPA");
+  if (name.starts_with('F')) return read_klartext_feed(reading, word, line, block);
+  if (name == "LA" && block.masks) {
+    block.masks = word.value > 0;
+    add(line, word, WordRole::trc);
+    return true;
+  }
+  return read_klartext_axis(reading, word, line, block);
+}
+
+// XQ1, X+Q1, FQ1. A feed moves nothing, whatever it is.
+bool read_klartext_parameter(Reading& reading, const KlartextWord& word, ProgramLine& line,
+                             KlartextBlock& block) {
+  const std::string text(line.word({.begin = word.begin, .end = word.end}));
+  std::string_view name = word.name;
+  if (const std::size_t parameter = name.find('Q', 1); parameter != std::string_view::npos)
+    name = name.substr(0, parameter);
+  const bool of_the_corner = block.is_corner();
+  if (name == "F" && !(of_the_corner && reading.contour_open())) {
+    if (block.feed || block.open_feed)
+      return refuse_klartext(reading, line, word.begin, text, Code::nc_word_twice);
+    block.open_feed = word.begin;
+    add(line, word, WordRole::feed);
+    return true;
+  }
+  constexpr std::string_view main_axes = "XYZ";
+  const std::size_t axis = name.size() == 1 ? main_axes.find(name[0]) : std::string_view::npos;
+  if (axis < main_axes.size())
+    block.by_parameter.at(axis) = true;
+  else
+    block.other_parameter = true;
+  add(line, word, WordRole::coordinate);
+  block.unfollowed = word.begin;
+  block.unfollowed_why = text + ", a variable";
+  return true;
+}
+
+bool read_klartext_name(Reading& reading, const KlartextWord& word, ProgramLine& line,
+                        KlartextBlock& block) {
+  const std::string& name = word.name;
+  // FMAX or F MAX.
+  const auto two_words = [&](WordRole role) {
+    if (block.feed) {
+      if (line.word(line.words.back()).size() != 1)
+        return refuse_klartext(reading, line, word.begin, name);
+      block.feed.reset();
+      line.words.back().end = word.end;
+      line.words.back().role = role;
+    } else {
+      add(line, word, role);
+    }
+    return true;
+  };
+  if (name == "RL" || name == "RR") {
+    if (block.side)
+      return refuse_klartext(reading, line, word.begin, name, Code::compensation_side_twice);
+    block.side = name == "RL" ? Side::left : Side::right;
+    block.side_begin = word.begin;
+    add(line, word, WordRole::trc);
+    return true;
+  }
+  if (name == "FMAX" || (name == "MAX" && block.feed && block.feed->begin == ~0U)) {
+    block.rapid = true;
+    return two_words(WordRole::motion);
+  }
+  // R of older controls: the compensation stays as it is.
+  if (name == "R" && block.is(KlartextStatement::straight)) {
+    add(line, word, reading.contour_open() ? WordRole::trc : WordRole::mode);
+    return true;
+  }
+  if (name == "FAUTO" || (name == "AUTO" && block.feed && block.feed->begin == ~0U)) {
+    block.called_feed = true;
+    return two_words(WordRole::feed);
+  }
+  if (name == "F" && !block.feed) {  // F MAX, F AUTO
+    block.feed = {.begin = ~0U};
+    add(line, word, WordRole::motion);
+    return true;
+  }
+  constexpr auto forms =
+      std::to_array<std::pair<std::string_view, Lead::Form>>({{"LT", Lead::Form::tangent},
+                                                              {"LN", Lead::Form::normal},
+                                                              {"CT", Lead::Form::arc},
+                                                              {"LCT", Lead::Form::arc_and_line}});
+  if (block.is_lead() && !line.words.empty() && line.words.back().role == WordRole::motion) {
+    const bool polar = name.starts_with('P');
+    const auto form = std::ranges::find(forms, std::string_view(name).substr(polar ? 1 : 0),
+                                        [](const auto& known) { return known.first; });
+    if (form != forms.end()) {
+      block.lead.form = form->second;
+      block.polar_lead = polar;
+      block.form = form->first;
+      add(line, word, WordRole::coordinate);
+      return true;
+    }
+  }
+  return refuse_klartext(reading, line, word.begin, name);
+}
+
+bool read_klartext_word(Reading& reading, const KlartextWord& word, ProgramLine& line,
+                        KlartextBlock& block) {
+  const std::string text(line.word({.begin = word.begin, .end = word.end}));
+  if (word.name == "M" && word.kind == Kind::value)
+    return read_klartext_function(reading, word, line, block);
+  if (block.ignores_words && may_be_of_function(word, text, block.ignores_places)) {
+    add(line, word, WordRole::technology);
+    return true;
+  }
+  switch (word.kind) {
+    case Kind::variable:
+      if (const auto known = with_value(word, text, reading.klartext_modes.parameters))
+        return read_klartext_value(reading, *known, line, block);
+      return read_klartext_parameter(reading, word, line, block);
+    case Kind::name:
+      return read_klartext_name(reading, word, line, block);
+    case Kind::sign:
+      if (word.name == "DR") {
+        if (block.clockwise)
+          return refuse_klartext(reading, line, word.begin, text, Code::nc_word_twice);
+        block.clockwise = word.negative;
+        add(line, word, WordRole::coordinate);
+        return true;
+      }
+      return refuse_klartext(reading, line, word.begin,
+                             text + (word.name == "R" ? ", a compensation along one axis" : ""));
+    case Kind::value:
+      return read_klartext_value(reading, word, line, block);
+    default:
+      return refuse_klartext(reading, line, word.begin, text, Code::nc_syntax);
+  }
+}
+
+// Behind the number; all words are read, also behind one that is refused.
+bool read_klartext_words(Reading& reading, ProgramLine& line, KlartextBlock& block) {
+  KlartextReader reader(std::string_view(line.text).substr(block.begin));
+  std::size_t faults = 0;
+  bool first = true;
+  for (;;) {
+    KlartextWord word = reader.next();
+    word.begin += block.begin;
+    word.end += block.begin;
+    if (word.kind == Kind::end) return faults == 0;
+    if (word.kind == Kind::fault) {
+      TextFault fault = reader.fault();
+      fault.begin += block.begin;
+      reading.refuse(line, fault);
+      return false;
+    }
+    if (word.kind == Kind::comment) {
+      add(line, word, WordRole::comment);
+      continue;
+    }
+    const bool names_statement = std::exchange(first, false) && !block.name.empty();
+    if (names_statement && word.kind == Kind::name) {
+      add(line, word, WordRole::motion);
+      continue;
+    }
+    faults += read_klartext_word(reading, word, line, block) ? 0 : 1;
+    if (reading.diagnostics.stopped() || faults >= reading.limits.most_faults) return false;
+  }
+}
+
 }  // namespace
 
 bool begins_klartext_block(std::string_view line) {
@@ -153,14 +409,14 @@ std::size_t place_of_klartext_side(std::string_view block) {
   return std::string_view::npos;
 }
 
-bool Interpreter::refuse_klartext(const ProgramLine& line, std::size_t begin, std::string detail,
-                                  Code code) {
-  return refuse(line, TextFault{.code = code,
-                                .begin = static_cast<std::uint32_t>(begin),
-                                .detail = std::move(detail)});
+bool refuse_klartext(Reading& reading, const ProgramLine& line, std::size_t begin,
+                     std::string detail, Code code) {
+  return reading.refuse(line, TextFault{.code = code,
+                                        .begin = static_cast<std::uint32_t>(begin),
+                                        .detail = std::move(detail)});
 }
 
-bool Interpreter::read_klartext(ProgramLine& line) {
+bool read_klartext(Reading& reading, ProgramLine& line) {
   KlartextBlock block;
   const std::optional<std::size_t> found = begin_of_statement(line, block.to_skip);
   if (!found) return true;
@@ -168,9 +424,10 @@ bool Interpreter::read_klartext(ProgramLine& line) {
   const std::string_view rest = line.text;
   // Some end their lines with one: all behind it would be one comment.
   if (const std::size_t no_end = rest.find_first_of("\v\f"); no_end != std::string_view::npos)
-    return refuse_klartext(line, no_end, name_of_character(rest.substr(no_end)), Code::nc_not_text);
+    return refuse_klartext(reading, line, no_end, name_of_character(rest.substr(no_end)),
+                           Code::nc_not_text);
   // Simulators write a setup sheet in parentheses in front of BEGIN PGM.
-  const bool setup_sheet = rest[at] == '(' && blocks_read_ == 0;
+  const bool setup_sheet = rest[at] == '(' && reading.blocks_read == 0;
   if (rest[at] == ';' || rest[at] == '*' || setup_sheet) {
     line.words.push_back({.begin = static_cast<std::uint32_t>(at),
                           .end = static_cast<std::uint32_t>(rest.size()),
@@ -188,11 +445,11 @@ bool Interpreter::read_klartext(ProgramLine& line) {
   const bool functions = statement.size() > 1 && statement[0] == 'M' &&
                          (is_digit(statement[1]) || statement[1] == ' ');
   if (begins_with_word(statement, "TOOL CALL"))
-    code_.skipped_tool = block.to_skip ? line.source.line : 0;
-  const bool along_one_axis =
-      !contour_open() && (motion == motions.end() || axis_alone) && moves_along_one_axis(statement);
+    reading.code_modes.skipped_tool = block.to_skip ? line.source.line : 0;
+  const bool along_one_axis = !reading.contour_open() && (motion == motions.end() || axis_alone) &&
+                              moves_along_one_axis(statement);
   if ((motion == motions.end() || axis_alone) && !functions && !along_one_axis)
-    return read_klartext_statement(line, at);
+    return read_klartext_statement(reading, line, at);
   if (along_one_axis) {
     block.statement = KlartextStatement::straight;
   } else if (!functions) {
@@ -200,268 +457,26 @@ bool Interpreter::read_klartext(ProgramLine& line) {
     block.name = motion->name;
   }
   block.begin = static_cast<std::uint32_t>(at);
-  const bool has_words = read_klartext_words(line, block);
+  const bool has_words = read_klartext_words(reading, line, block);
   if (has_words && !block.side && (has_side(statement) || has_glued_r0(statement)))
-    return refuse_klartext(line, at, "RL, RR, R0 without a blank in front");
+    return refuse_klartext(reading, line, at, "RL, RR, R0 without a blank in front");
   line.sum_up_roles();
-  const bool readable = has_words && check_klartext(line, block) &&
-                        (block.unfollowed || check_words_together(line, block));
-  return take_klartext(line, block, readable);
+  const bool readable = has_words && check_klartext(reading, line, block) &&
+                        (block.unfollowed || check_words_together(reading, line, block));
+  return take_klartext(reading, line, block, readable);
 }
 
-// What the words of the block say takes effect, unless something is wrong with them.
-bool Interpreter::take_klartext(ProgramLine& line, KlartextBlock& block, bool readable) {
-  if (!faults_.empty()) {
-    if (block.side) scanned_trc_ = *block.side != Side::off;
-    if (block.is(KlartextStatement::departure)) scanned_trc_ = false;
+bool take_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block, bool readable) {
+  if (!reading.faults.empty()) {
+    if (block.side) reading.scanned_trc = *block.side != Side::off;
+    if (block.is(KlartextStatement::departure)) reading.scanned_trc = false;
   }
-  if (!readable || !faults_.empty()) return false;
+  if (!readable || !reading.faults.empty()) return false;
   line.has_words = true;
-  ++blocks_read_;
-  const bool goes_on = apply_klartext(line, block);
+  ++reading.blocks_read;
+  const bool goes_on = apply_klartext(reading, line, block);
   line.has_trc_words = line.has(WordRole::trc);
   return goes_on;
-}
-
-// Behind the number; all words are read, also behind one that is refused.
-bool Interpreter::read_klartext_words(ProgramLine& line, KlartextBlock& block) {
-  KlartextReader reader(std::string_view(line.text).substr(block.begin));
-  std::size_t faults = 0;
-  bool first = true;
-  for (;;) {
-    KlartextWord word = reader.next();
-    word.begin += block.begin;
-    word.end += block.begin;
-    if (word.kind == Kind::end) return faults == 0;
-    if (word.kind == Kind::fault) {
-      TextFault fault = reader.fault();
-      fault.begin += block.begin;
-      refuse(line, fault);
-      return false;
-    }
-    if (word.kind == Kind::comment) {
-      add(line, word, WordRole::comment);
-      continue;
-    }
-    const bool names_statement = std::exchange(first, false) && !block.name.empty();
-    if (names_statement && word.kind == Kind::name) {
-      add(line, word, WordRole::motion);
-      continue;
-    }
-    faults += read_klartext_word(word, line, block) ? 0 : 1;
-    if (diagnostics_.stopped() || faults >= limits_.most_faults) return false;
-  }
-}
-
-bool Interpreter::read_klartext_word(const KlartextWord& word, ProgramLine& line,
-                                     KlartextBlock& block) {
-  const std::string text(line.word({.begin = word.begin, .end = word.end}));
-  if (word.name == "M" && word.kind == Kind::value)
-    return read_klartext_function(word, line, block);
-  if (block.ignores_words && may_be_of_function(word, text, block.ignores_places)) {
-    add(line, word, WordRole::technology);
-    return true;
-  }
-  switch (word.kind) {
-    case Kind::variable:
-      if (const auto known = with_value(word, text, klartext_.parameters))
-        return read_klartext_value(*known, line, block);
-      return read_klartext_parameter(word, line, block);
-    case Kind::name:
-      return read_klartext_name(word, line, block);
-    case Kind::sign:
-      if (word.name == "DR") {
-        if (block.clockwise) return refuse_klartext(line, word.begin, text, Code::nc_word_twice);
-        block.clockwise = word.negative;
-        add(line, word, WordRole::coordinate);
-        return true;
-      }
-      return refuse_klartext(line, word.begin,
-                             text + (word.name == "R" ? ", a compensation along one axis" : ""));
-    case Kind::value:
-      return read_klartext_value(word, line, block);
-    default:
-      return refuse_klartext(line, word.begin, text, Code::nc_syntax);
-  }
-}
-
-// XQ1, X+Q1, FQ1. A feed moves nothing, whatever it is.
-bool Interpreter::read_klartext_parameter(const KlartextWord& word, ProgramLine& line,
-                                          KlartextBlock& block) {
-  const std::string text(line.word({.begin = word.begin, .end = word.end}));
-  std::string_view name = word.name;
-  if (const std::size_t parameter = name.find('Q', 1); parameter != std::string_view::npos)
-    name = name.substr(0, parameter);
-  const bool of_the_corner = block.is_corner();
-  if (name == "F" && !(of_the_corner && contour_open())) {
-    if (block.feed || block.open_feed)
-      return refuse_klartext(line, word.begin, text, Code::nc_word_twice);
-    block.open_feed = word.begin;
-    add(line, word, WordRole::feed);
-    return true;
-  }
-  constexpr std::string_view main_axes = "XYZ";
-  const std::size_t axis = name.size() == 1 ? main_axes.find(name[0]) : std::string_view::npos;
-  if (axis < main_axes.size())
-    block.by_parameter.at(axis) = true;
-  else
-    block.other_parameter = true;
-  add(line, word, WordRole::coordinate);
-  block.unfollowed = word.begin;
-  block.unfollowed_why = text + ", a variable";
-  return true;
-}
-
-bool Interpreter::read_klartext_name(const KlartextWord& word, ProgramLine& line,
-                                     KlartextBlock& block) {
-  const std::string& name = word.name;
-  // FMAX or F MAX.
-  const auto two_words = [&](WordRole role) {
-    if (block.feed) {
-      if (line.word(line.words.back()).size() != 1) return refuse_klartext(line, word.begin, name);
-      block.feed.reset();
-      line.words.back().end = word.end;
-      line.words.back().role = role;
-    } else {
-      add(line, word, role);
-    }
-    return true;
-  };
-  if (name == "RL" || name == "RR") {
-    if (block.side) return refuse_klartext(line, word.begin, name, Code::compensation_side_twice);
-    block.side = name == "RL" ? Side::left : Side::right;
-    block.side_begin = word.begin;
-    add(line, word, WordRole::trc);
-    return true;
-  }
-  if (name == "FMAX" || (name == "MAX" && block.feed && block.feed->begin == ~0U)) {
-    block.rapid = true;
-    return two_words(WordRole::motion);
-  }
-  // R of older controls: the compensation stays as it is.
-  if (name == "R" && block.is(KlartextStatement::straight)) {
-    add(line, word, contour_open() ? WordRole::trc : WordRole::mode);
-    return true;
-  }
-  if (name == "FAUTO" || (name == "AUTO" && block.feed && block.feed->begin == ~0U)) {
-    block.called_feed = true;
-    return two_words(WordRole::feed);
-  }
-  if (name == "F" && !block.feed) {  // F MAX, F AUTO
-    block.feed = {.begin = ~0U};
-    add(line, word, WordRole::motion);
-    return true;
-  }
-  constexpr auto forms =
-      std::to_array<std::pair<std::string_view, Lead::Form>>({{"LT", Lead::Form::tangent},
-                                                              {"LN", Lead::Form::normal},
-                                                              {"CT", Lead::Form::arc},
-                                                              {"LCT", Lead::Form::arc_and_line}});
-  if (block.is_lead() && !line.words.empty() && line.words.back().role == WordRole::motion) {
-    const bool polar = name.starts_with('P');
-    const auto form = std::ranges::find(forms, std::string_view(name).substr(polar ? 1 : 0),
-                                        [](const auto& known) { return known.first; });
-    if (form != forms.end()) {
-      block.lead.form = form->second;
-      block.polar_lead = polar;
-      block.form = form->first;
-      add(line, word, WordRole::coordinate);
-      return true;
-    }
-  }
-  return refuse_klartext(line, word.begin, name);
-}
-
-bool Interpreter::read_klartext_value(const KlartextWord& word, ProgramLine& line,
-                                      KlartextBlock& block) {
-  const std::string& name = word.name;
-  const auto take = [&](std::optional<KlartextBlock::Value>& value, bool increment = false) {
-    if (value)
-      return refuse_klartext(line, word.begin,
-                             std::string(line.word({.begin = word.begin, .end = word.end})),
-                             Code::nc_word_twice);
-    value = {.value = word.value, .increment = increment, .begin = word.begin};
-    add(line, word, WordRole::coordinate);
-    return true;
-  };
-  if (name == "R" && word.value == 0 && line.text[word.end - 1] == '0' &&
-      line.text.find_first_of("+-.", word.begin) >= word.end) {
-    if (block.side) return refuse_klartext(line, word.begin, "R0", Code::compensation_side_twice);
-    block.side = Side::off;
-    block.side_begin = word.begin;
-    // Where there is nothing to end, R0 is a word of the program like any other.
-    add(line, word, contour_open() ? WordRole::trc : WordRole::mode);
-    return true;
-  }
-  if (name == "R" || (name == "RND" && block.is(KlartextStatement::rounding)))
-    return take(block.radius);
-  if (name == "LEN" || (name == "CHF" && block.is(KlartextStatement::chamfer)))
-    return take(block.length);
-  if (name == "CCA") return take(block.center_angle);
-  if (name == "PR" || name == "IPR") return take(block.polar_radius, name == "IPR");
-  if (name == "PA" || name == "IPA") return take(block.polar_angle, name == "IPA");
-  if (name.starts_with('F')) return read_klartext_feed(word, line, block);
-  if (name == "LA" && block.masks) {
-    block.masks = word.value > 0;
-    add(line, word, WordRole::trc);
-    return true;
-  }
-  return read_klartext_axis(word, line, block);
-}
-
-bool Interpreter::read_klartext_axis(const KlartextWord& word, ProgramLine& line,
-                                     KlartextBlock& block) {
-  const bool increment = word.name.size() == 2 && word.name[0] == 'I';
-  const char letter = word.name.back();
-  const std::string text(line.word({.begin = word.begin, .end = word.end}));
-  if (word.name.size() != (increment ? 2U : 1U)) return refuse_klartext(line, word.begin, text);
-  const int axis = axis_of_letter_[static_cast<std::size_t>(letter - 'A')];
-  if (axis < 0) return refuse_klartext(line, word.begin, text, Code::nc_axis_unknown);
-  const auto index = static_cast<std::size_t>(axis);
-  const auto twice = [&] { return refuse_klartext(line, word.begin, text, Code::nc_word_twice); };
-  if (index < 3) {
-    if (block.end[index]) return twice();
-    block.end[index] = {.value = word.value, .increment = increment, .begin = word.begin};
-  } else {
-    if (block.tracking.empty()) block.tracking.resize(state_.setup().tracking_axes.size());
-    if (block.tracking[index - 3]) return twice();
-    block.tracking[index - 3] = word.value;
-    if (increment) block.tracking_increments |= std::uint64_t{1} << (index - 3);
-  }
-  add(line, word, WordRole::coordinate);
-  return true;
-}
-
-bool Interpreter::read_klartext_feed(const KlartextWord& word, ProgramLine& line,
-                                     KlartextBlock& block) {
-  const std::string text(line.word({.begin = word.begin, .end = word.end}));
-  if (word.name != "F") {
-    if (word.name != "FU" && word.name != "FZ" && word.name != "FT" && word.name != "FMAXT")
-      return refuse_klartext(line, word.begin, text);
-    const bool of_a_motion = !block.is_corner();
-    if (of_a_motion && (word.name == "FU" || word.name == "FZ")) {
-      if (block.feed || block.open_feed)
-        return refuse_klartext(line, word.begin, text, Code::nc_word_twice);
-      block.open_feed = word.begin;
-      add(line, word, WordRole::feed);
-      return true;
-    }
-    if (trc_active())
-      return refuse_klartext(line, word.begin, text + ", no feed per minute, while TRC is active");
-    block.feed_per_turn = true;
-    add(line, word, WordRole::technology);
-    return true;
-  }
-  if (block.feed || block.open_feed)
-    return refuse_klartext(line, word.begin, text, Code::nc_word_twice);
-  block.feed = {.value = word.value, .begin = word.begin};
-  const bool of_the_corner = block.is_corner();
-  add(line, word,
-      klartext_.feed_per_turn           ? WordRole::technology
-      : of_the_corner && contour_open() ? WordRole::trc
-                                        : WordRole::feed);
-  if (klartext_.feed_per_turn) block.feed.reset();
-  return true;
 }
 
 }  // namespace trc

@@ -1,3 +1,5 @@
+#include "core/nc/dialect/isg_command.h"
+
 #include <algorithm>
 #include <array>
 #include <span>
@@ -7,6 +9,7 @@
 
 #include "core/nc/dialect/block_words.h"
 #include "core/nc/dialect/pass_words.h"
+#include "core/nc/dialect/reading.h"
 #include "core/nc/dialect/trc_command.h"
 #include "core/nc/text/characters.h"
 #include "core/nc/text/number_format.h"
@@ -120,20 +123,37 @@ bool is_time(std::string_view command) {
   return length > 0 && begin + length == command.size();
 }
 
+// Off the contour what changes the coordinates passes; nothing is known of the position then.
+bool copy_unfollowed_command(Reading& reading, const Word& word, std::string_view name,
+                             ProgramLine& line, BlockWords& block) {
+  const auto forbidden = std::ranges::find_if(
+      forbidden_commands, [&](const auto& candidate) { return name.starts_with(candidate.name); });
+  const bool is_forbidden = forbidden != forbidden_commands.end();
+  const bool is_unfollowed =
+      is_forbidden ? forbidden->copied_while_off : begins_with_any(name, unfollowed_commands);
+  if (is_unfollowed && !reading.contour_open()) {
+    block.forget = all_axes;
+    add(line, word, WordRole::technology);
+    return true;
+  }
+  const bool is_published = is_forbidden && reading.contour_open();
+  return reading.refuse(line, word, is_published ? forbidden->while_active : Code::nc_unsupported);
+}
+
 }  // namespace
 
-bool Interpreter::read_command(const Word& word, ProgramLine& line, BlockWords& block) {
+bool read_command(Reading& reading, const Word& word, ProgramLine& line, BlockWords& block) {
   const std::string_view command = line.word({.begin = word.begin, .end = word.end});
   const std::string name = command_name(command);
-  isg_word_seen_ |= !name.empty() && name != " ";
+  reading.isg_word_seen |= !name.empty() && name != " ";
   block.command = word.begin;
   block.has_command = true;
   const auto wrong = [&](TextFault fault) {
     fault.begin += word.begin;
-    return refuse(line, fault);
+    return reading.refuse(line, fault);
   };
   if (name.starts_with("TRC ")) {
-    block.options = state_.mode().options;
+    block.options = reading.state.mode().options;
     if (auto fault = read_trc_command(command, *block.options)) return wrong(std::move(*fault));
     add(line, word, WordRole::trc);
     return true;
@@ -146,7 +166,7 @@ bool Interpreter::read_command(const Word& word, ProgramLine& line, BlockWords& 
     return true;
   }
   if (name == "COMMENT BEGIN") {
-    comment_block_ = line.source.line;
+    reading.comment_block = line.source.line;
     add(line, word, WordRole::comment);
     return true;
   }
@@ -154,45 +174,26 @@ bool Interpreter::read_command(const Word& word, ProgramLine& line, BlockWords& 
       behind != std::string_view::npos && !holds_axis_words(name))
     return wrong(
         {.begin = static_cast<std::uint32_t>(behind), .detail = "a word behind a # command"});
-  if (name == "TIME " && !is_time(command)) return refuse(line, word, Code::nc_number);
-  if (name == "DISABLE MODAL") code_.modal_cycle.reset();
+  if (name == "TIME " && !is_time(command)) return reading.refuse(line, word, Code::nc_number);
+  if (name == "DISABLE MODAL") reading.code_modes.modal_cycle.reset();
   const bool passes = name == "TIME " || name == "DISABLE MODAL" ||
                       begins_with_any(name, passing_commands) ||
-                      passes_word(state_.setup(), command, 0);
-  if (!passes) return copy_unfollowed_command(word, name, line, block);
+                      passes_word(reading.state.setup(), command, 0);
+  if (!passes) return copy_unfollowed_command(reading, word, name, line, block);
   add(line, word, WordRole::technology);
   return true;
 }
 
-// Off the contour what changes the coordinates passes; nothing is known of the position then.
-bool Interpreter::copy_unfollowed_command(const Word& word, std::string_view name,
-                                          ProgramLine& line, BlockWords& block) {
-  const auto forbidden = std::ranges::find_if(
-      forbidden_commands, [&](const auto& candidate) { return name.starts_with(candidate.name); });
-  const bool is_forbidden = forbidden != forbidden_commands.end();
-  const bool is_unfollowed =
-      is_forbidden ? forbidden->copied_while_off : begins_with_any(name, unfollowed_commands);
-  if (is_unfollowed && !contour_open()) {
-    block.forget = all_axes;
-    add(line, word, WordRole::technology);
-    return true;
-  }
-  const bool is_published = is_forbidden && contour_open();
-  return refuse(line, word, is_published ? forbidden->while_active : Code::nc_unsupported);
-}
-
-// Between #COMMENT BEGIN and #COMMENT END. Whether such blocks nest depends on
-// the setting of the control, so a second beginning is refused.
-bool Interpreter::read_comment_block(ProgramLine& line) {
+bool read_comment_block(Reading& reading, ProgramLine& line) {
   const std::size_t sign = line.text.find('#');
   if (sign == std::string::npos) return true;
   const std::string name = command_name(std::string_view(line.text).substr(sign));
   const auto begin = static_cast<std::uint32_t>(sign);
   if (name == "COMMENT BEGIN")
-    return refuse(line, TextFault{.code = Code::nc_unsupported,
-                                  .begin = begin,
-                                  .detail = "#COMMENT BEGIN within a comment"});
-  if (name == "COMMENT END") comment_block_ = 0;
+    return reading.refuse(line, TextFault{.code = Code::nc_unsupported,
+                                          .begin = begin,
+                                          .detail = "#COMMENT BEGIN within a comment"});
+  if (name == "COMMENT END") reading.comment_block = 0;
   return true;
 }
 

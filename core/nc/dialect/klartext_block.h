@@ -7,7 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#include "core/nc/dialect/interpreter.h"
 #include "core/nc/dialect/line_words.h"
 #include "core/nc/state/lead.h"
 
@@ -43,8 +42,25 @@ struct KlartextLead {
   static constexpr std::uint32_t tool_data = 256;   // FN 17 has written a radius
 };
 
+// What a block of Klartext that may move begins with.
+enum class KlartextStatement : std::uint8_t {
+  none,  // M words alone
+  straight,
+  polar_line,
+  center,       // CC
+  circle,       // C
+  radius_arc,   // CR
+  tangent_arc,  // CT
+  polar_circle,
+  polar_tangent_arc,
+  rounding,
+  chamfer,
+  approach,
+  departure,
+};
+
 // What the words of a block that may move say, before any of it takes effect.
-struct Interpreter::KlartextBlock {
+struct KlartextBlock {
   struct Value {
     double value = 0;
     bool increment = false;
@@ -123,8 +139,8 @@ struct Interpreter::KlartextBlock {
 };
 
 // An arc that has its centre or its radius, not one that is tangential.
-[[nodiscard]] inline bool is_arc_of(Interpreter::KlartextStatement statement) {
-  using enum Interpreter::KlartextStatement;
+[[nodiscard]] inline bool is_arc_of(KlartextStatement statement) {
+  using enum KlartextStatement;
   return statement == circle || statement == radius_arc || statement == polar_circle;
 }
 

@@ -1,9 +1,13 @@
+#include "core/nc/dialect/klartext_checks.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
 
+#include "core/nc/dialect/heidenhain.h"
 #include "core/nc/dialect/klartext_block.h"
+#include "core/nc/dialect/reading.h"
 
 // What the words of a block of Klartext must be together, and whether the block is followed.
 
@@ -14,92 +18,27 @@ std::string word_at(const ProgramLine& line, std::size_t begin) {
   return std::string(line.text.substr(begin, line.text.find_first_of(" \t\r\n;", begin) - begin));
 }
 
-}  // namespace
-
-// What the words must be as the program stands, and whether the block is followed.
-bool Interpreter::check_klartext(ProgramLine& line, KlartextBlock& block) {
-  const auto wrong = [&](std::string detail, Code code) {
-    return refuse_klartext(line, block.begin, block.title() + std::move(detail), code);
-  };
-  if (block.feed && block.feed->begin == ~0U) return wrong(" with F alone", Code::nc_number);
-  const double unit = inch_ ? mm_per_inch / 10 : 1;
-  if (block.feed && !state_.is_feed(block.feed->value * unit))
-    return refuse_klartext(
-        line, block.feed->begin,
-        word_at(line, block.feed->begin) + ", more than 0 and at most 1000000000 mm/min",
-        Code::nc_number);
-  const bool active = trc_active();
-  const bool selects = block.side && *block.side != Side::off;
-  const bool moves = block.is_motion() || block.is_lead() || block.is_corner();
-  const auto adapts_feed = [&] {
-    return block.adapts_feed.value_or(state_.mode().feed_adaptation) != FeedAdaptation::off;
-  };
-  if (block.open_feed && active && adapts_feed())
-    return refuse_klartext(
-        line, *block.open_feed,
-        word_at(line, *block.open_feed) + ", no feed per minute, while TRC is active");
-  // `/ L M8` moves nothing.
-  const auto moves_nothing = [&] {
-    return block.is(KlartextStatement::straight) && !block.names_axes() && !block.side &&
-           !block.feed && !block.open_feed;
-  };
-  if (block.to_skip && (moves || block.is(KlartextStatement::center)) && !block.unfollowed &&
-      !moves_nothing()) {
-    block.unfollowed = block.begin;
-    block.unfollowed_why = block.title() + ", a motion that may be skipped";
-    block.unfollowed_code = Code::block_skip_undecided;
-  }
-  if (klartext_.unfollowed != 0 && moves && !block.unfollowed) {
-    block.unfollowed = block.begin;
-    const bool other_radius =
-        (klartext_.unfollowed & (KlartextLead::correction | KlartextLead::tool_data)) != 0;
-    block.unfollowed_why =
-        block.title() + (other_radius ? ", with a radius that the program has changed"
-                                      : ", in coordinates that are scaled or led by the "
-                                        "tool tip");
-  }
-  if (selects && block.not_in_contour && !block.unfollowed) {
-    block.unfollowed = block.not_in_contour;
-    block.unfollowed_why = std::move(block.why_not_in_contour);
-  }
-  if (!block.is(KlartextStatement::straight)) leave_plane_by_arc(block);
-  // R0 beside M91 ends TRC first.
-  const bool in_contour = (active && block.side != Side::off) || selects;
-  // RL under scaling or M128 has been told: what follows hangs on that.
-  const bool led = klartext_.unfollowed != 0 && block.unfollowed == block.begin;
-  if (block.unfollowed && in_contour && led && !selects && !faults_.empty()) return false;
-  if (block.unfollowed && in_contour)
-    return refuse_klartext(line, *block.unfollowed,
-                           block.unfollowed_why + (active ? ", while TRC is active" : ""),
-                           block.unfollowed_code);
-  return true;
-}
-
-bool Interpreter::check_words_together(const ProgramLine& line, const KlartextBlock& block) {
-  return check_klartext_form(line, block) && check_words_of_form(line, block);
-}
-
 // Arcs across the plane, as vertical leads are: only the control follows them (D-91).
-void Interpreter::leave_plane_by_arc(KlartextBlock& block) const {
+void leave_plane_by_arc(const Reading& reading, KlartextBlock& block) {
   using enum KlartextStatement;
   if (block.unfollowed) return;
-  const std::size_t third = axes_of(state_.mode().plane).third;
+  const std::size_t third = axes_of(reading.state.mode().plane).third;
   const bool by_pole = block.is(circle) || (block.is_polar() && !block.is_lead());  // C CP LP CTP
-  const bool pole_across = by_pole && klartext_.pole_across != 0;
+  const bool pole_across = by_pole && reading.klartext_modes.pole_across != 0;
   const bool end_across =
       (block.is(radius_arc) || block.is(tangent_arc)) && block.end[third].has_value();
   if (!(pole_across || end_across)) return;
   block.unfollowed = block.begin;
   block.unfollowed_why = block.title() + ", an arc or a pole across the plane";
-  if (pole_across) block.leaves_on = klartext_.pole_across;
+  if (pole_across) block.leaves_on = reading.klartext_modes.pole_across;
   for (std::size_t axis = 0; axis < block.end.size(); ++axis)
     if (block.end[axis]) block.leaves_on |= static_cast<AxisBits>(1U << axis);
 }
 
 // What the words must be together.
-bool Interpreter::check_klartext_form(const ProgramLine& line, const KlartextBlock& block) {
+bool check_klartext_form(Reading& reading, const ProgramLine& line, const KlartextBlock& block) {
   const auto wrong = [&](std::string detail, Code code) {
-    return refuse_klartext(line, block.begin, block.title() + std::move(detail), code);
+    return refuse_klartext(reading, line, block.begin, block.title() + std::move(detail), code);
   };
   if ((is_arc_of(block.statement)) && !block.clockwise)
     return wrong(" without DR", Code::circle_incomplete);
@@ -109,7 +48,7 @@ bool Interpreter::check_klartext_form(const ProgramLine& line, const KlartextBlo
   const auto& size = block.is(KlartextStatement::rounding) ? block.radius : block.length;
   if (corner && !size) return wrong(" without its size", Code::nc_number);
   if (corner && size->value < 0)
-    return refuse_klartext(line, size->begin, word_at(line, size->begin) + ", below 0",
+    return refuse_klartext(reading, line, size->begin, word_at(line, size->begin) + ", below 0",
                            Code::nc_number);
   if (!block.is_lead()) return true;
   if (block.form.empty()) return wrong(" without LT, LN, CT or LCT", Code::nc_syntax);
@@ -129,7 +68,7 @@ bool Interpreter::check_klartext_form(const ProgramLine& line, const KlartextBlo
 }
 
 // A word that the statement does not count on would be passed over.
-bool Interpreter::check_words_of_form(const ProgramLine& line, const KlartextBlock& block) {
+bool check_words_of_form(Reading& reading, const ProgramLine& line, const KlartextBlock& block) {
   using enum KlartextStatement;
   const bool lead = block.is_lead();
   const bool by_arc = lead && block.lead.form == Lead::Form::arc;
@@ -144,7 +83,8 @@ bool Interpreter::check_words_of_form(const ProgramLine& line, const KlartextBlo
   const auto counts = [&](const std::optional<KlartextBlock::Value>& word, const char* name,
                           bool is_asked_for) {
     return !word || is_asked_for ||
-           refuse_klartext(line, word->begin, std::string(name) + " beside " + block.title());
+           refuse_klartext(reading, line, word->begin,
+                           std::string(name) + " beside " + block.title());
   };
   if (!counts(block.polar_radius, "PR", polar) || !counts(block.polar_angle, "PA", polar) ||
       !counts(block.length, "LEN", block.is(chamfer) || by_line) ||
@@ -154,23 +94,87 @@ bool Interpreter::check_words_of_form(const ProgramLine& line, const KlartextBlo
     return false;
   for (std::size_t axis = 0; axis < block.tracking.size(); ++axis)
     if (block.tracking[axis] && !block.is_motion() && !block.is(center))
-      return refuse_klartext(line, block.begin,
-                             state_.setup().tracking_axes[axis] + " beside " + block.title());
+      return refuse_klartext(
+          reading, line, block.begin,
+          reading.state.setup().tracking_axes[axis] + " beside " + block.title());
   if (block.clockwise && !is_arc_of(block.statement))
-    return refuse_klartext(line, block.begin, "DR beside " + block.title());
+    return refuse_klartext(reading, line, block.begin, "DR beside " + block.title());
   return true;
 }
 
-// As for the dialects of G code: the approach is another line than the one that RND rounds into.
-bool Interpreter::check_corner_before(const ProgramLine& line, const KlartextBlock& block,
-                                      bool selects) {
-  WordPlace& open = klartext_.open_corner;
+}  // namespace
+
+bool check_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block) {
+  const auto wrong = [&](std::string detail, Code code) {
+    return refuse_klartext(reading, line, block.begin, block.title() + std::move(detail), code);
+  };
+  if (block.feed && block.feed->begin == ~0U) return wrong(" with F alone", Code::nc_number);
+  const double unit = reading.inch ? mm_per_inch / 10 : 1;
+  if (block.feed && !reading.state.is_feed(block.feed->value * unit))
+    return refuse_klartext(
+        reading, line, block.feed->begin,
+        word_at(line, block.feed->begin) + ", more than 0 and at most 1000000000 mm/min",
+        Code::nc_number);
+  const bool active = reading.trc_active();
+  const bool selects = block.side && *block.side != Side::off;
+  const bool moves = block.is_motion() || block.is_lead() || block.is_corner();
+  const auto adapts_feed = [&] {
+    return block.adapts_feed.value_or(reading.state.mode().feed_adaptation) != FeedAdaptation::off;
+  };
+  if (block.open_feed && active && adapts_feed())
+    return refuse_klartext(
+        reading, line, *block.open_feed,
+        word_at(line, *block.open_feed) + ", no feed per minute, while TRC is active");
+  // `/ L M8` moves nothing.
+  const auto moves_nothing = [&] {
+    return block.is(KlartextStatement::straight) && !block.names_axes() && !block.side &&
+           !block.feed && !block.open_feed;
+  };
+  if (block.to_skip && (moves || block.is(KlartextStatement::center)) && !block.unfollowed &&
+      !moves_nothing()) {
+    block.unfollowed = block.begin;
+    block.unfollowed_why = block.title() + ", a motion that may be skipped";
+    block.unfollowed_code = Code::block_skip_undecided;
+  }
+  if (reading.klartext_modes.unfollowed != 0 && moves && !block.unfollowed) {
+    block.unfollowed = block.begin;
+    const bool other_radius = (reading.klartext_modes.unfollowed &
+                               (KlartextLead::correction | KlartextLead::tool_data)) != 0;
+    block.unfollowed_why =
+        block.title() + (other_radius ? ", with a radius that the program has changed"
+                                      : ", in coordinates that are scaled or led by the "
+                                        "tool tip");
+  }
+  if (selects && block.not_in_contour && !block.unfollowed) {
+    block.unfollowed = block.not_in_contour;
+    block.unfollowed_why = std::move(block.why_not_in_contour);
+  }
+  if (!block.is(KlartextStatement::straight)) leave_plane_by_arc(reading, block);
+  // R0 beside M91 ends TRC first.
+  const bool in_contour = (active && block.side != Side::off) || selects;
+  // RL under scaling or M128 has been told: what follows hangs on that.
+  const bool led = reading.klartext_modes.unfollowed != 0 && block.unfollowed == block.begin;
+  if (block.unfollowed && in_contour && led && !selects && !reading.faults.empty()) return false;
+  if (block.unfollowed && in_contour)
+    return refuse_klartext(reading, line, *block.unfollowed,
+                           block.unfollowed_why + (active ? ", while TRC is active" : ""),
+                           block.unfollowed_code);
+  return true;
+}
+
+bool check_words_together(Reading& reading, const ProgramLine& line, const KlartextBlock& block) {
+  return check_klartext_form(reading, line, block) && check_words_of_form(reading, line, block);
+}
+
+bool check_corner_before(Reading& reading, const ProgramLine& line, const KlartextBlock& block,
+                         bool selects) {
+  WordPlace& open = reading.klartext_modes.open_corner;
   if (selects && open.source.line > 0)
-    return refuse_at(open, Code::nc_unsupported,
-                     "RND or CHF in front of the motion that selects TRC");
+    return reading.refuse_at(open, Code::nc_unsupported,
+                             "RND or CHF in front of the motion that selects TRC");
   const bool corner = block.is_corner();
-  if (corner && !contour_open())
-    open = place_of_word(line, block.begin);
+  if (corner && !reading.contour_open())
+    open = reading.place_of_word(line, block.begin);
   else if (block.is_motion() && block.names_axes())
     open = {};
   return true;

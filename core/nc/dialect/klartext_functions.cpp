@@ -1,6 +1,9 @@
+#include "core/nc/dialect/klartext_functions.h"
+
 #include <string_view>
 
 #include "core/nc/dialect/klartext_block.h"
+#include "core/nc/dialect/reading.h"
 
 // M functions of Klartext.
 
@@ -43,38 +46,13 @@ WordRole role_of_function(int m) {
   return stops ? WordRole::stop : shapes_contour ? WordRole::trc : WordRole::technology;
 }
 
-}  // namespace
-
-bool Interpreter::read_klartext_function(const KlartextWord& word, ProgramLine& line,
-                                         KlartextBlock& block) {
-  // Beyond what any control has it is a function of the machine like others that are not known.
-  constexpr double most = 9999;
-  const int m = word.value >= 0 && word.value <= most ? static_cast<int>(word.value) : -1;
-  const std::string_view why = why_unfollowed(m, trc_active());
-  if (!why.empty() && !block.unfollowed) {
-    block.unfollowed_why = line.word({.begin = word.begin, .end = word.end});
-    block.unfollowed_why += why;
-    block.unfollowed = word.begin;
-  }
-  if (const std::string_view within = why_unfollowed(m, true);
-      !within.empty() && !block.not_in_contour) {
-    block.why_not_in_contour = line.word({.begin = word.begin, .end = word.end});
-    block.why_not_in_contour += within;
-    block.not_in_contour = word.begin;
-  }
-  line.ends_program |= m == 2 || m == 30;
-  take_klartext_function(m, block);
-  add(line, word, role_of_function(m));
-  return true;
-}
-
-void Interpreter::take_klartext_function(int m, KlartextBlock& block) {
+void take_klartext_function(Reading& reading, int m, KlartextBlock& block) {
   switch (m) {
     case 89:
     case 99:
       block.calls_cycle = true;
-      if (m == 89) klartext_.modal_cycle = true;
-      if (m == 99) klartext_.modal_cycle = false;
+      if (m == 89) reading.klartext_modes.modal_cycle = true;
+      if (m == 99) reading.klartext_modes.modal_cycle = false;
       break;
     case 91:
     case 92:
@@ -92,19 +70,19 @@ void Interpreter::take_klartext_function(int m, KlartextBlock& block) {
       break;
     case 136:
       block.feed_per_turn = true;
-      klartext_.feed_per_turn = true;
+      reading.klartext_modes.feed_per_turn = true;
       break;
     case 137:
-      klartext_.feed_per_turn = false;
+      reading.klartext_modes.feed_per_turn = false;
       break;
     case 128:
     case 144:
-      klartext_.unfollowed |= m == 128 ? KlartextLead::tip : KlartextLead::table;
+      reading.klartext_modes.unfollowed |= m == 128 ? KlartextLead::tip : KlartextLead::table;
       block.ignores_words = true;
       break;
     case 129:
     case 145:
-      klartext_.unfollowed &= ~(m == 129 ? KlartextLead::tip : KlartextLead::table);
+      reading.klartext_modes.unfollowed &= ~(m == 129 ? KlartextLead::tip : KlartextLead::table);
       break;
     case 94:
     case 103:
@@ -123,6 +101,31 @@ void Interpreter::take_klartext_function(int m, KlartextBlock& block) {
     default:
       break;
   }
+}
+
+}  // namespace
+
+bool read_klartext_function(Reading& reading, const KlartextWord& word, ProgramLine& line,
+                            KlartextBlock& block) {
+  // Beyond what any control has it is a function of the machine like others that are not known.
+  constexpr double most = 9999;
+  const int m = word.value >= 0 && word.value <= most ? static_cast<int>(word.value) : -1;
+  const std::string_view why = why_unfollowed(m, reading.trc_active());
+  if (!why.empty() && !block.unfollowed) {
+    block.unfollowed_why = line.word({.begin = word.begin, .end = word.end});
+    block.unfollowed_why += why;
+    block.unfollowed = word.begin;
+  }
+  if (const std::string_view within = why_unfollowed(m, true);
+      !within.empty() && !block.not_in_contour) {
+    block.why_not_in_contour = line.word({.begin = word.begin, .end = word.end});
+    block.why_not_in_contour += within;
+    block.not_in_contour = word.begin;
+  }
+  line.ends_program |= m == 2 || m == 30;
+  take_klartext_function(reading, m, block);
+  add(line, word, role_of_function(m));
+  return true;
 }
 
 }  // namespace trc

@@ -1,14 +1,65 @@
+#include "core/nc/dialect/klartext_labels.h"
+
 #include <algorithm>
 #include <string>
 #include <string_view>
 
+#include "core/nc/dialect/heidenhain.h"
 #include "core/nc/dialect/klartext_block.h"
+#include "core/nc/dialect/klartext_statements.h"
+#include "core/nc/dialect/reading.h"
 #include "core/nc/text/characters.h"
 
 // Labels of Klartext: where they begin and end, what calls them, and which contours and tools hang
 // on such calls.
 
 namespace trc {
+namespace {
+
+// Which line calls the section that a label begins, and which one makes it the contour of cycles.
+void enter_section(Reading& reading, const std::string& label) {
+  const bool ends = label == "0";
+  if (ends)
+    reading.klartext_modes.open_labels.clear();
+  else
+    reading.klartext_modes.open_labels.emplace(label, 0);
+  if (const auto call = reading.klartext_modes.calls.find(label);
+      ends || call != reading.klartext_modes.calls.end())
+    reading.klartext_modes.called_section = ends ? 0 : call->second;
+  if (const auto cycle = reading.klartext_modes.labels_of_cycles.find(label);
+      ends || cycle != reading.klartext_modes.labels_of_cycles.end())
+    reading.klartext_modes.cycle_section = ends ? 0 : cycle->second;
+}
+
+// CALL LBL 1 runs the label to its LBL 0, CALL LBL 1 REP 3 all from the label to here. What a call
+// repeats is not written anew, so that no contour may be within it.
+bool call_label(Reading& reading, ProgramLine& line, std::size_t begin,
+                std::string_view statement) {
+  const std::string label = label_of(line.text, begin, statement);
+  if (reading.trc_active())
+    return refuse_klartext(reading, line, begin, "CALL LBL while TRC is active");
+  const auto known = reading.klartext_modes.labels.find(label);
+  const bool to_here = statement.find(" REP") != std::string_view::npos;
+  if (known != reading.klartext_modes.labels.end() &&
+      (to_here ? known->second.before != reading.klartext_modes.contours
+               : known->second.has_contour(reading.klartext_modes.contours)))
+    return refuse_klartext(reading, line, begin, "CALL LBL, which repeats a compensated contour");
+  const bool stands_behind = known == reading.klartext_modes.labels.end();
+  if (stands_behind) {
+    reading.klartext_modes.calls.try_emplace(label, line.source.line);
+    reading.klartext_modes.calls_behind_tool.try_emplace(label, line.source.line);
+  } else if (!to_here && known->second.calls_tool) {
+    reading.klartext_modes.tool_of_label = line.source.line;
+  }
+  hand_on_klartext_pole(reading, line);
+  forget_klartext_position(reading, line);
+  reading.klartext_modes.pole.reset();
+  reading.klartext_modes.polar_radius.reset();
+  line.feed_it_takes = std::exchange(reading.feed, 0);
+  return copy_klartext(reading, line, begin, WordRole::technology);
+}
+
+}  // namespace
 
 std::string label_of(std::string_view text, std::size_t begin, std::string_view statement) {
   const std::string_view name =
@@ -21,117 +72,76 @@ std::string label_of(std::string_view text, std::size_t begin, std::string_view 
   return label;
 }
 
-// Which line calls the section that a label begins, and which one makes it the contour of cycles.
-void Interpreter::enter_section(const std::string& label) {
-  const bool ends = label == "0";
-  if (ends)
-    klartext_.open_labels.clear();
-  else
-    klartext_.open_labels.emplace(label, 0);
-  if (const auto call = klartext_.calls.find(label); ends || call != klartext_.calls.end())
-    klartext_.called_section = ends ? 0 : call->second;
-  if (const auto cycle = klartext_.labels_of_cycles.find(label);
-      ends || cycle != klartext_.labels_of_cycles.end())
-    klartext_.cycle_section = ends ? 0 : cycle->second;
-}
-
-// Behind the end subprograms stand: one that is called is no leftover.
-bool Interpreter::enter_label_behind_end(const ProgramLine& line) {
+bool enter_label_behind_end(Reading& reading, const ProgramLine& line) {
   const std::size_t begin = line.text.find_first_not_of("0123456789 \tNn/");
   if (begin == std::string::npos) return true;
   const std::string statement = statement_of(std::string_view(line.text).substr(begin));
-  if (begins_with_word(statement, "LBL")) enter_section(label_of(line.text, begin, statement));
-  if (begins_with_word(statement, "TOOL CALL")) return take_tool_of_label(line, begin);
+  if (begins_with_word(statement, "LBL"))
+    enter_section(reading, label_of(line.text, begin, statement));
+  if (begins_with_word(statement, "TOOL CALL")) return take_tool_of_label(reading, line, begin);
   if (!begins_with_word(statement, "CALL LBL")) return true;
   // A section that a contour counts on calls another one.
-  for (const auto& [label, unused] : klartext_.open_labels)
-    if (const auto call = klartext_.calls_of_contours.find(label);
-        call != klartext_.calls_of_contours.end())
-      klartext_.calls_of_contours.try_emplace(label_of(line.text, begin, statement), call->second);
+  for (const auto& [label, unused] : reading.klartext_modes.open_labels)
+    if (const auto call = reading.klartext_modes.calls_of_contours.find(label);
+        call != reading.klartext_modes.calls_of_contours.end())
+      reading.klartext_modes.calls_of_contours.try_emplace(label_of(line.text, begin, statement),
+                                                           call->second);
   return true;
 }
 
-// TOOL CALL within a label. Called from elsewhere it changes the tool there.
-bool Interpreter::take_tool_of_label(const ProgramLine& line, std::size_t begin) {
-  for (const auto& [label, unused] : klartext_.open_labels) {
-    if (const auto known = klartext_.labels.find(label); known != klartext_.labels.end())
+bool take_tool_of_label(Reading& reading, const ProgramLine& line, std::size_t begin) {
+  for (const auto& [label, unused] : reading.klartext_modes.open_labels) {
+    if (const auto known = reading.klartext_modes.labels.find(label);
+        known != reading.klartext_modes.labels.end())
       known->second.calls_tool = true;
-    const auto call = klartext_.calls_of_contours.find(label);
-    if (call != klartext_.calls_of_contours.end())
-      return refuse_klartext(line, begin,
+    const auto call = reading.klartext_modes.calls_of_contours.find(label);
+    if (call != reading.klartext_modes.calls_of_contours.end())
+      return refuse_klartext(reading, line, begin,
                              "TOOL CALL in a section that line " + std::to_string(call->second) +
                                  " calls in front of a contour");
   }
   return true;
 }
 
-// LBL 1 … LBL 0.
-bool Interpreter::read_label(ProgramLine& line, std::size_t begin, std::string_view statement) {
+bool read_label(Reading& reading, ProgramLine& line, std::size_t begin,
+                std::string_view statement) {
   // Called from elsewhere it finds other values.
-  klartext_.parameters.clear();
-  if (statement.starts_with("CALL")) return call_label(line, begin, statement);
+  reading.klartext_modes.parameters.clear();
+  if (statement.starts_with("CALL")) return call_label(reading, line, begin, statement);
   const std::string label = label_of(line.text, begin, statement);
-  const std::uint64_t contours = klartext_.contours;
-  enter_section(label);
+  const std::uint64_t contours = reading.klartext_modes.contours;
+  enter_section(reading, label);
   if (label == "0") {
-    for (auto& [name, of_label] : klartext_.labels)
+    for (auto& [name, of_label] : reading.klartext_modes.labels)
       if (!of_label.behind) of_label.behind = contours;
   } else {
     // A contour that is open goes on behind the label.
-    klartext_.labels[label] = {.before = trc_active() ? contours - 1 : contours};
+    reading.klartext_modes.labels[label] = {.before =
+                                                reading.trc_active() ? contours - 1 : contours};
   }
-  if (klartext_.called_section != 0 && trc_active())
-    return refuse_klartext(line, begin, "LBL, which is called, while TRC is active");
-  if (label != "0") hand_on_klartext_pole(line);
-  if (klartext_.jump != 0) forget_klartext_position(line);
-  return copy_klartext(line, begin, WordRole::technology);
+  if (reading.klartext_modes.called_section != 0 && reading.trc_active())
+    return refuse_klartext(reading, line, begin, "LBL, which is called, while TRC is active");
+  if (label != "0") hand_on_klartext_pole(reading, line);
+  if (reading.klartext_modes.jump != 0) forget_klartext_position(reading, line);
+  return copy_klartext(reading, line, begin, WordRole::technology);
 }
 
-// FN 9 … FN 12, IF: the program goes on elsewhere, so that neither what stands in front of the jump
-// nor what stands behind it may be a contour (D-114).
-bool Interpreter::copy_jump(ProgramLine& line, std::size_t begin, std::string_view statement) {
-  if (klartext_.contours > 0) {
+bool copy_jump(Reading& reading, ProgramLine& line, std::size_t begin, std::string_view statement) {
+  if (reading.klartext_modes.contours > 0) {
     const std::size_t behind_name = statement.find_first_of(": ", statement.find(' ') + 1);
-    return refuse_klartext(line, begin,
+    return refuse_klartext(reading, line, begin,
                            std::string(statement.substr(0, behind_name)) + ", a jump to a label");
   }
-  if (klartext_.jump == 0) klartext_.jump = line.source.line;
-  klartext_.parameters.clear();
-  klartext_.pole.reset();
-  klartext_.polar_radius.reset();
-  forget_klartext_position(line);
-  return copy_klartext(line, begin, WordRole::technology);
+  if (reading.klartext_modes.jump == 0) reading.klartext_modes.jump = line.source.line;
+  reading.klartext_modes.parameters.clear();
+  reading.klartext_modes.pole.reset();
+  reading.klartext_modes.polar_radius.reset();
+  forget_klartext_position(reading, line);
+  return copy_klartext(reading, line, begin, WordRole::technology);
 }
 
-// CALL LBL 1 runs the label to its LBL 0, CALL LBL 1 REP 3 all from the label to here. What a call
-// repeats is not written anew, so that no contour may be within it.
-bool Interpreter::call_label(ProgramLine& line, std::size_t begin, std::string_view statement) {
-  const std::string label = label_of(line.text, begin, statement);
-  if (trc_active()) return refuse_klartext(line, begin, "CALL LBL while TRC is active");
-  const auto known = klartext_.labels.find(label);
-  const bool to_here = statement.find(" REP") != std::string_view::npos;
-  if (known != klartext_.labels.end() && (to_here ? known->second.before != klartext_.contours
-                                                  : known->second.has_contour(klartext_.contours)))
-    return refuse_klartext(line, begin, "CALL LBL, which repeats a compensated contour");
-  const bool stands_behind = known == klartext_.labels.end();
-  if (stands_behind) {
-    klartext_.calls.try_emplace(label, line.source.line);
-    klartext_.calls_behind_tool.try_emplace(label, line.source.line);
-  } else if (!to_here && known->second.calls_tool) {
-    klartext_.tool_of_label = line.source.line;
-  }
-  hand_on_klartext_pole(line);
-  forget_klartext_position(line);
-  klartext_.pole.reset();
-  klartext_.polar_radius.reset();
-  line.feed_it_takes = std::exchange(feed_, 0);
-  return copy_klartext(line, begin, WordRole::technology);
-}
-
-// CYCL DEF 14.1 CONTOUR LABEL 1/2, CONTOUR DEF P1 = LBL 1: cycles mill these contours, with RL and
-// RR in them, so that they stay as they are.
-bool Interpreter::take_labels_of_cycle(const ProgramLine& line, std::size_t begin,
-                                       std::string_view statement) {
+bool take_labels_of_cycle(Reading& reading, const ProgramLine& line, std::size_t begin,
+                          std::string_view statement) {
   const bool by_cycle = statement.starts_with("CYCL DEF 14.");
   if (!by_cycle && !statement.starts_with("CONTOUR DEF")) return true;
   const std::string_view word = by_cycle ? "LABEL" : " LBL";
@@ -145,11 +155,13 @@ bool Interpreter::take_labels_of_cycle(const ProgramLine& line, std::size_t begi
           std::min(statement.find_first_not_of("0123456789", at), statement.size());
       if (end == at) break;
       const std::string label(statement.substr(at, end - at));
-      const auto known = klartext_.labels.find(label);
-      if (known != klartext_.labels.end() && known->second.has_contour(klartext_.contours))
+      const auto known = reading.klartext_modes.labels.find(label);
+      if (known != reading.klartext_modes.labels.end() &&
+          known->second.has_contour(reading.klartext_modes.contours))
         return refuse_klartext(
-            line, begin, "a cycle with the contour of LBL " + label + ", which is compensated");
-      klartext_.labels_of_cycles.try_emplace(label, line.source.line);
+            reading, line, begin,
+            "a cycle with the contour of LBL " + label + ", which is compensated");
+      reading.klartext_modes.labels_of_cycles.try_emplace(label, line.source.line);
       at = end;
     }
     at = statement.find(word, at);

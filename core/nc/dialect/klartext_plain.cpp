@@ -1,9 +1,14 @@
+#include "core/nc/dialect/klartext_plain.h"
+
 #include <cmath>
 #include <cstdint>
 #include <string_view>
 #include <utility>
 
+#include "core/nc/dialect/heidenhain.h"
 #include "core/nc/dialect/klartext_block.h"
+#include "core/nc/dialect/klartext_checks.h"
+#include "core/nc/dialect/reading.h"
 #include "core/nc/text/decimal.h"
 
 // How most blocks of Klartext are read: those that say a line, an arc or a pole and nothing else.
@@ -11,7 +16,7 @@
 namespace trc {
 namespace {
 
-using Statement = Interpreter::KlartextStatement;
+using Statement = KlartextStatement;
 
 constexpr bool is_blank(char sign) { return sign == ' ' || sign == '\t'; }
 
@@ -89,12 +94,10 @@ std::string_view name_of(Statement statement) {
   }
 }
 
-}  // namespace
-
 // Reads the block in one pass, if it is plain: then it and the words of the line are as the reader
 // of any block leaves them, and the words belong together. False for any other, right or wrong:
 // then `block` means nothing.
-bool Interpreter::read_plain_klartext(ProgramLine& line, KlartextBlock& block) const {
+bool read_plain_klartext(const Reading& reading, ProgramLine& line, KlartextBlock& block) {
   PlainWords words(line.text);
   const auto add_word = [&](WordRole role) {
     line.words.push_back({.begin = words.begin(), .end = words.end(), .role = role});
@@ -105,7 +108,7 @@ bool Interpreter::read_plain_klartext(ProgramLine& line, KlartextBlock& block) c
     line.roles = 0;
     return false;
   };
-  if (ended_ || klartext_.feed_per_turn || !words.go_to_next()) return false;
+  if (reading.ended || reading.klartext_modes.feed_per_turn || !words.go_to_next()) return false;
   std::int64_t number = Source::no_number;
   if (words.sign() >= '0' && words.sign() <= '9') {
     if (!words.take_digits(number) || !words.ends_here()) return false;
@@ -156,7 +159,7 @@ bool Interpreter::read_plain_klartext(ProgramLine& line, KlartextBlock& block) c
         value = &block.radius;
         if (block.is(KlartextStatement::radius_arc)) return true;
         value = nullptr;
-        role = words.sign() != '0' || contour_open() ? WordRole::trc : WordRole::mode;
+        role = words.sign() != '0' || reading.contour_open() ? WordRole::trc : WordRole::mode;
         if (!block.is(KlartextStatement::straight) || block.side) return false;
         block.side = words.sign() == 'L'   ? Side::left
                      : words.sign() == 'R' ? Side::right
@@ -187,10 +190,12 @@ bool Interpreter::read_plain_klartext(ProgramLine& line, KlartextBlock& block) c
   return true;
 }
 
-std::optional<bool> Interpreter::take_plain_klartext(ProgramLine& line) {
+}  // namespace
+
+std::optional<bool> take_plain_klartext(Reading& reading, ProgramLine& line) {
   KlartextBlock block;
-  if (!read_plain_klartext(line, block)) return {};
-  return take_klartext(line, block, check_klartext(line, block));
+  if (!read_plain_klartext(reading, line, block)) return {};
+  return take_klartext(reading, line, block, check_klartext(reading, line, block));
 }
 
 }  // namespace trc

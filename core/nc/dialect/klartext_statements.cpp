@@ -1,12 +1,22 @@
+#include "core/nc/dialect/klartext_statements.h"
+
 #include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>
 #include <utility>
 
+#include "core/nc/dialect/apply_block.h"
+#include "core/nc/dialect/copied_block.h"
+#include "core/nc/dialect/heidenhain.h"
 #include "core/nc/dialect/klartext_block.h"
+#include "core/nc/dialect/klartext_labels.h"
+#include "core/nc/dialect/klartext_tools.h"
 #include "core/nc/dialect/pass_words.h"
+#include "core/nc/dialect/passing_calls.h"
+#include "core/nc/dialect/reading.h"
 #include "core/nc/text/characters.h"
+#include "core/nc/text/klartext_words.h"
 #include "core/nc/text/number_format.h"
 
 // Statements of Klartext that are no motion: what passes, what moves the machine, labels and calls.
@@ -124,6 +134,89 @@ std::string first_word(std::string_view statement) {
   return std::string(statement.substr(0, statement.find(' ')));
 }
 
+// Under scaling RL would be scaled too, with M128 and TCPM the tool tip is led.
+void take_klartext_scaling(Reading& reading, std::string_view statement) {
+  const auto set = [&](std::uint32_t lead, bool on) {
+    reading.klartext_modes.unfollowed =
+        on ? reading.klartext_modes.unfollowed | lead : reading.klartext_modes.unfollowed & ~lead;
+  };
+  constexpr std::string_view scale_axes = "CYCL DEF 26.";
+  constexpr std::string_view scale = "TRANS SCALE";
+  if (const std::size_t factor = statement.find(" SCL"); factor != std::string_view::npos)
+    set(KlartextLead::cycle, !is_one(statement.substr(factor + 4)));
+  if (begins_with_word(statement, scale))
+    set(KlartextLead::trans,
+        !statement.ends_with("RESET") && !is_one(statement.substr(scale.size())));
+  if (begins_with_word(statement, "FUNCTION TCPM")) set(KlartextLead::tip, true);
+  if (begins_with_word(statement, "FUNCTION RESET TCPM")) set(KlartextLead::tip, false);
+  // A row of a table of corrections, which has a DR of its own, up to the next tool.
+  if (begins_with_word(statement, "FUNCTION CORRDATA"))
+    set(KlartextLead::correction, statement.find("RESET") == std::string_view::npos);
+  if (begins_with_word(statement, "TOOL CALL")) set(KlartextLead::correction, false);
+  // CYCL DEF 26.0 has the name alone.
+  if (statement.starts_with(scale_axes) && !statement.starts_with("CYCL DEF 26.0")) {
+    const std::uint32_t before = reading.klartext_modes.unfollowed & KlartextLead::axes;
+    reading.klartext_modes.unfollowed &= ~KlartextLead::axes;
+    reading.klartext_modes.unfollowed |=
+        axes_scaled(statement.substr(scale_axes.size() + 1), before);
+  }
+}
+
+// CYCL CALL works where the tool stands, POS where its words say, and a pattern has places of its
+// own (D-74).
+bool leave_contour_by_cycle(Reading& reading, const ProgramLine& line, std::size_t begin,
+                            std::string_view statement) {
+  if (!statement.starts_with("CYCL CALL") || !reading.contour_open()) return true;
+  const bool pattern = statement.starts_with("CYCL CALL PAT");
+  std::array<bool, 3> named{};
+  for (std::size_t axis = 0; axis < named.size(); ++axis)
+    named[axis] = pattern || statement.find(std::string{' ', "XYZ"[axis]}) != std::string::npos;
+  if (!check_left_contour(reading, line, static_cast<std::uint32_t>(begin), named)) return false;
+  reading.state.have_left_contour(named);
+  return true;
+}
+
+// Of the programs in DIN/ISO that these controls read as well, of single axes and of contours with
+// a name.
+bool check_other_compensations(Reading& reading, const ProgramLine& line, std::size_t begin,
+                               std::string_view statement) {
+  const std::string first = first_word(statement);
+  if (statement.find("MODE TURN") != std::string::npos)
+    return refuse_klartext(reading, line, begin, "FUNCTION MODE TURN", Code::turning);
+  const bool is_function = first.size() > 1 && first[0] == 'G' && is_digit(first[1]);
+  if (is_function && reading.trc_active())
+    return refuse_klartext(reading, line, begin, first + ", a function of DIN/ISO");
+  if (statement.find("G41") != std::string::npos || statement.find("G42") != std::string::npos)
+    return refuse_klartext(reading, line, begin, first + ", TRC of DIN/ISO");
+  if (statement.size() == 1 || !is_letter(statement[1]) || statement[0] == 'I')
+    for (const char* side : {" R+", " R-", " RL", " RR"})
+      if (statement.find(side) != std::string::npos)
+        return refuse_klartext(reading, line, begin,
+                               std::string(side).substr(1) + ", a compensation along one axis");
+  return true;
+}
+
+// A statement whose end only the control knows: a cycle, a program that is called, a datum shift.
+bool copy_motion_of_machine(Reading& reading, ProgramLine& line, std::size_t begin,
+                            std::string_view statement) {
+  const std::string first = first_word(statement);
+  if (reading.trc_active())
+    return refuse_klartext(reading, line, begin, first + " while TRC is active");
+  if (!leave_contour_by_cycle(reading, line, begin, statement)) return false;
+  line.calls_the_machine = first == "CALL" || first == "PGM";
+  if (line.calls_the_machine || is_any(statement, contour_blocks) || first.size() == 1 ||
+      !is_letter(first[1]))
+    line.feed_it_takes = reading.feed;
+  if (line.calls_the_machine) {
+    hand_on_klartext_pole(reading, line);
+    const std::string_view call = std::string_view(line.text).substr(begin);
+    take_call(reading, line, call.substr(0, call.find(';')));
+  }
+  forget_klartext_position(reading, line);
+  reading.klartext_modes.pole.reset();
+  return copy_klartext(reading, line, begin, WordRole::technology);
+}
+
 }  // namespace
 
 bool has_side(std::string_view statement) {
@@ -173,168 +266,87 @@ bool begins_with_word(std::string_view statement, std::string_view word) {
          (statement.size() == word.size() || !is_letter(statement[word.size()]));
 }
 
-// The statement as it stands, with the place where it begins.
-bool Interpreter::copy_klartext(ProgramLine& line, std::size_t begin, WordRole role) {
+bool copy_klartext(Reading& reading, ProgramLine& line, std::size_t begin, WordRole role) {
   line.words.push_back({.begin = static_cast<std::uint32_t>(begin),
                         .end = static_cast<std::uint32_t>(without_blanks_behind(line.text).size()),
                         .role = role});
   line.sum_up_roles();
-  if (!faults_.empty()) return false;
+  if (!reading.faults.empty()) return false;
   line.has_words = true;
-  ++blocks_read_;
-  place(line, static_cast<std::uint32_t>(begin));
-  if (!pass_words(line, role)) return false;
+  ++reading.blocks_read;
+  reading.place(line, static_cast<std::uint32_t>(begin));
+  if (!pass_words(reading, line, role)) return false;
   if (!line.ends_program) return true;
-  ended_ = true;
-  state_.place(0);
-  return state_.end(line.source);
+  reading.ended = true;
+  reading.state.place(0);
+  return reading.state.end(line.source);
 }
 
-// What the line calls, or what calls it, may count on the pole.
-void Interpreter::hand_on_klartext_pole(ProgramLine& line) const {
-  if (!klartext_.pole || contour_open()) return;
+void hand_on_klartext_pole(const Reading& reading, ProgramLine& line) {
+  if (!reading.klartext_modes.pole || reading.contour_open()) return;
   line.klartext.emplace();
   line.klartext->hands_pole_on = true;
-  line.klartext->pole_x = klartext_.pole->x();
-  line.klartext->pole_y = klartext_.pole->y();
+  line.klartext->pole_x = reading.klartext_modes.pole->x();
+  line.klartext->pole_y = reading.klartext_modes.pole->y();
 }
 
-void Interpreter::forget_klartext_position(ProgramLine& line, const std::array<bool, 3>& axes) {
-  if (!faults_.empty()) return;
+void forget_klartext_position(Reading& reading, ProgramLine& line,
+                              const std::array<bool, 3>& axes) {
+  if (!reading.faults.empty()) return;
   if (!line.klartext) line.klartext.emplace();
   line.klartext->loses_pole = true;
-  state_.forget_position(axes, line.source);
-  klartext_.tangent.reset();
+  reading.state.forget_position(axes, line.source);
+  reading.klartext_modes.tangent.reset();
 }
 
-// Under scaling RL would be scaled too, with M128 and TCPM the tool tip is led.
-void Interpreter::take_klartext_scaling(std::string_view statement) {
-  const auto set = [&](std::uint32_t lead, bool on) {
-    klartext_.unfollowed = on ? klartext_.unfollowed | lead : klartext_.unfollowed & ~lead;
-  };
-  constexpr std::string_view scale_axes = "CYCL DEF 26.";
-  constexpr std::string_view scale = "TRANS SCALE";
-  if (const std::size_t factor = statement.find(" SCL"); factor != std::string_view::npos)
-    set(KlartextLead::cycle, !is_one(statement.substr(factor + 4)));
-  if (begins_with_word(statement, scale))
-    set(KlartextLead::trans,
-        !statement.ends_with("RESET") && !is_one(statement.substr(scale.size())));
-  if (begins_with_word(statement, "FUNCTION TCPM")) set(KlartextLead::tip, true);
-  if (begins_with_word(statement, "FUNCTION RESET TCPM")) set(KlartextLead::tip, false);
-  // A row of a table of corrections, which has a DR of its own, up to the next tool.
-  if (begins_with_word(statement, "FUNCTION CORRDATA"))
-    set(KlartextLead::correction, statement.find("RESET") == std::string_view::npos);
-  if (begins_with_word(statement, "TOOL CALL")) set(KlartextLead::correction, false);
-  // CYCL DEF 26.0 has the name alone.
-  if (statement.starts_with(scale_axes) && !statement.starts_with("CYCL DEF 26.0")) {
-    const std::uint32_t before = klartext_.unfollowed & KlartextLead::axes;
-    klartext_.unfollowed &= ~KlartextLead::axes;
-    klartext_.unfollowed |= axes_scaled(statement.substr(scale_axes.size() + 1), before);
-  }
-}
-
-// CYCL CALL works where the tool stands, POS where its words say, and a pattern has places of its
-// own (D-74).
-bool Interpreter::leave_contour_by_cycle(const ProgramLine& line, std::size_t begin,
-                                         std::string_view statement) {
-  if (!statement.starts_with("CYCL CALL") || !contour_open()) return true;
-  const bool pattern = statement.starts_with("CYCL CALL PAT");
-  std::array<bool, 3> named{};
-  for (std::size_t axis = 0; axis < named.size(); ++axis)
-    named[axis] = pattern || statement.find(std::string{' ', "XYZ"[axis]}) != std::string::npos;
-  if (!check_left_contour(line, static_cast<std::uint32_t>(begin), named)) return false;
-  state_.have_left_contour(named);
-  return true;
-}
-
-// Of the programs in DIN/ISO that these controls read as well, of single axes and of contours with
-// a name.
-bool Interpreter::check_other_compensations(const ProgramLine& line, std::size_t begin,
-                                            std::string_view statement) {
-  const std::string first = first_word(statement);
-  if (statement.find("MODE TURN") != std::string::npos)
-    return refuse_klartext(line, begin, "FUNCTION MODE TURN", Code::turning);
-  const bool is_function = first.size() > 1 && first[0] == 'G' && is_digit(first[1]);
-  if (is_function && trc_active())
-    return refuse_klartext(line, begin, first + ", a function of DIN/ISO");
-  if (statement.find("G41") != std::string::npos || statement.find("G42") != std::string::npos)
-    return refuse_klartext(line, begin, first + ", TRC of DIN/ISO");
-  if (statement.size() == 1 || !is_letter(statement[1]) || statement[0] == 'I')
-    for (const char* side : {" R+", " R-", " RL", " RR"})
-      if (statement.find(side) != std::string::npos)
-        return refuse_klartext(line, begin,
-                               std::string(side).substr(1) + ", a compensation along one axis");
-  return true;
-}
-
-// A statement whose end only the control knows: a cycle, a program that is called, a datum shift.
-bool Interpreter::copy_motion_of_machine(ProgramLine& line, std::size_t begin,
-                                         std::string_view statement) {
-  const std::string first = first_word(statement);
-  if (trc_active()) return refuse_klartext(line, begin, first + " while TRC is active");
-  if (!leave_contour_by_cycle(line, begin, statement)) return false;
-  line.calls_the_machine = first == "CALL" || first == "PGM";
-  if (line.calls_the_machine || is_any(statement, contour_blocks) || first.size() == 1 ||
-      !is_letter(first[1]))
-    line.feed_it_takes = feed_;
-  if (line.calls_the_machine) {
-    hand_on_klartext_pole(line);
-    const std::string_view call = std::string_view(line.text).substr(begin);
-    take_call(line, call.substr(0, call.find(';')));
-  }
-  forget_klartext_position(line);
-  klartext_.pole.reset();
-  return copy_klartext(line, begin, WordRole::technology);
-}
-
-// Everything that is no contour.
-bool Interpreter::read_klartext_statement(ProgramLine& line, std::size_t begin) {
+bool read_klartext_statement(Reading& reading, ProgramLine& line, std::size_t begin) {
   const std::string statement = statement_of(std::string_view(line.text).substr(begin));
   if (statement.empty())  // nothing but a comment goes on below
-    return refuse_klartext(line, begin, "~", Code::nc_syntax);
+    return refuse_klartext(reading, line, begin, "~", Code::nc_syntax);
   const std::string first = first_word(statement);
   if (has_side(statement))  // D-121
-    return refuse_klartext(line, begin, first + " with RL or RR");
+    return refuse_klartext(reading, line, begin, first + " with RL or RR");
   if (begins_with_word(statement, "BEGIN")) {
-    if (blocks_read_ > 0)
-      return refuse_klartext(line, begin, "BEGIN PGM, a second program in one text");
-    if (faults_.empty()) count_in(line, statement.ends_with(" INCH"));
-    return copy_klartext(line, begin, WordRole::mode);
+    if (reading.blocks_read > 0)
+      return refuse_klartext(reading, line, begin, "BEGIN PGM, a second program in one text");
+    if (reading.faults.empty()) reading.count_in(line, statement.ends_with(" INCH"));
+    return copy_klartext(reading, line, begin, WordRole::mode);
   }
   if (begins_with_word(statement, "END")) {
     line.ends_program = true;
-    return copy_klartext(line, begin, WordRole::stop);
+    return copy_klartext(reading, line, begin, WordRole::stop);
   }
   if (begins_with_word(statement, "TOOL")) {
-    take_klartext_scaling(statement);
-    if (begins_with_word(statement, "TOOL CALL")) return read_tool_call(line, begin, statement);
+    take_klartext_scaling(reading, statement);
+    if (begins_with_word(statement, "TOOL CALL"))
+      return read_tool_call(reading, line, begin, statement);
     if (begins_with_word(statement, "TOOL DEF"))
-      return read_tool_definition(line, begin, statement);
-    return refuse_klartext(line, begin, statement, Code::nc_syntax);
+      return read_tool_definition(reading, line, begin, statement);
+    return refuse_klartext(reading, line, begin, statement, Code::nc_syntax);
   }
   if (begins_with_word(statement, "LBL") || begins_with_word(statement, "CALL LBL"))
-    return read_label(line, begin, statement);
-  if (jumps(statement)) return copy_jump(line, begin, statement);
+    return read_label(reading, line, begin, statement);
+  if (jumps(statement)) return copy_jump(reading, line, begin, statement);
   if (writes_radius(statement)) {
-    if (trc_active())
-      return refuse_klartext(line, begin, "FN 17, which writes the radius of a tool");
-    klartext_.unfollowed |= KlartextLead::tool_data;
+    if (reading.trc_active())
+      return refuse_klartext(reading, line, begin, "FN 17, which writes the radius of a tool");
+    reading.klartext_modes.unfollowed |= KlartextLead::tool_data;
   }
   // A coordinate that needs it is refused at its own word.
   if (assigns(statement)) {
-    take_assignment(line, statement);
-    return copy_klartext(line, begin, WordRole::technology);
+    take_assignment(reading, line, statement);
+    return copy_klartext(reading, line, begin, WordRole::technology);
   }
-  forget_parameters(statement);
-  take_klartext_scaling(statement);
-  if (!take_labels_of_cycle(line, begin, statement)) return false;
-  if (!check_other_compensations(line, begin, statement)) return false;
+  forget_parameters(reading, statement);
+  take_klartext_scaling(reading, statement);
+  if (!take_labels_of_cycle(reading, line, begin, statement)) return false;
+  if (!check_other_compensations(reading, line, begin, statement)) return false;
   if (acts_at_once(statement) || (is_any(statement, moving) && !is_any(statement, passing)))
-    return copy_motion_of_machine(line, begin, statement);
-  if (is_any(statement, passing) || state_.setup().copies_unknown_words ||
-      passes_word(state_.setup(), line.text, begin))
-    return copy_klartext(line, begin, WordRole::technology);
-  return refuse_klartext(line, begin, first, Code::nc_unsupported);
+    return copy_motion_of_machine(reading, line, begin, statement);
+  if (is_any(statement, passing) || reading.state.setup().copies_unknown_words ||
+      passes_word(reading.state.setup(), line.text, begin))
+    return copy_klartext(reading, line, begin, WordRole::technology);
+  return refuse_klartext(reading, line, begin, first, Code::nc_unsupported);
 }
 
 }  // namespace trc

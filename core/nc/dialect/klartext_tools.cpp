@@ -1,3 +1,5 @@
+#include "core/nc/dialect/klartext_tools.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,8 +10,14 @@
 #include <utility>
 
 #include "core/nc/dialect/block_words.h"
+#include "core/nc/dialect/code_tools.h"
+#include "core/nc/dialect/heidenhain.h"
 #include "core/nc/dialect/klartext_block.h"
 #include "core/nc/dialect/klartext_formula.h"
+#include "core/nc/dialect/klartext_labels.h"
+#include "core/nc/dialect/klartext_statements.h"
+#include "core/nc/dialect/passing_calls.h"
+#include "core/nc/dialect/reading.h"
 #include "core/nc/text/characters.h"
 #include "core/nc/text/klartext_tool_words.h"
 
@@ -32,10 +40,8 @@ bool is_function_beside_the_path(const KlartextToolWord& word) {
          word.value <= last && word.value != 2;
 }
 
-}  // namespace
-
 // What TOOL CALL says, before any of it takes effect.
-struct Interpreter::ToolCall {
+struct ToolCall {
   bool named = false;
   std::int64_t number = 0;  // as row_of_edge() has it, unless it has a name
   std::string name{};       // in quotes, or a parameter
@@ -47,8 +53,8 @@ struct Interpreter::ToolCall {
 };
 
 // The tool is the first word; `at`: in quotes and parameters, from there on in the line.
-bool Interpreter::take_called_tool(const std::string& line, std::size_t at,
-                                   const KlartextToolWord& word, ToolCall& call) const {
+bool take_called_tool(const Reading& reading, const std::string& line, std::size_t at,
+                      const KlartextToolWord& word, ToolCall& call) {
   call.named = true;
   if (word.kind == Kind::number) {
     const double tenths = std::round(10 * word.value);
@@ -58,8 +64,8 @@ bool Interpreter::take_called_tool(const std::string& line, std::size_t at,
                               static_cast<std::int64_t>(tenths - 10 * tool) + 1);
     return true;
   }
-  if (const auto known = klartext_.parameters.find(word.text);
-      known != klartext_.parameters.end()) {
+  if (const auto known = reading.klartext_modes.parameters.find(word.text);
+      known != reading.klartext_modes.parameters.end()) {
     call.number = static_cast<std::int64_t>(known->second);
     return is_number_of_tool(known->second);
   }
@@ -73,20 +79,20 @@ bool Interpreter::take_called_tool(const std::string& line, std::size_t at,
 }
 
 // DR-0.05, DR+Q5.
-void Interpreter::take_radius_delta(const KlartextToolWord& word, ToolCall& call) const {
+void take_radius_delta(const Reading& reading, const KlartextToolWord& word, ToolCall& call) {
   call.changes_delta = true;
   call.open_delta.clear();
   call.delta = word.value;
   if (word.has != Value::parameter) return;
-  const auto known = klartext_.parameters.find(word.parameter);
-  if (known == klartext_.parameters.end())
+  const auto known = reading.klartext_modes.parameters.find(word.parameter);
+  if (known == reading.klartext_modes.parameters.end())
     call.open_delta = word.text;
   else
     call.delta = word.negative ? -known->second : known->second;
 }
 
 // A word of TOOL CALL behind the tool; false: it is none.
-bool Interpreter::take_word_of_call(const KlartextToolWord& word, ToolCall& call) const {
+bool take_word_of_call(const Reading& reading, const KlartextToolWord& word, ToolCall& call) {
   if (word.kind != Kind::name) return false;
   if (word.name == "X" || word.name == "Y" || word.name == "Z") {
     if (call.plane) return false;
@@ -96,7 +102,7 @@ bool Interpreter::take_word_of_call(const KlartextToolWord& word, ToolCall& call
   if (word.has == Value::none) return false;
   if (word.name == "DR") {
     if (call.changes_delta) return false;
-    take_radius_delta(word, call);
+    take_radius_delta(reading, word, call);
     return true;
   }
   if (word.name.starts_with('F')) {
@@ -110,111 +116,155 @@ bool Interpreter::take_word_of_call(const KlartextToolWord& word, ToolCall& call
 }
 
 // Every word counts: one that is not understood might be the tool, or its radius.
-bool Interpreter::read_words_of_call(const ProgramLine& line, std::size_t begin,
-                                     std::string_view statement, ToolCall& call) {
+bool read_words_of_call(Reading& reading, const ProgramLine& line, std::size_t begin,
+                        std::string_view statement, ToolCall& call) {
   KlartextToolReader reader(statement.substr(tool_call.size()));
   bool first = true;
   for (KlartextToolWord word = reader.next(); word.kind != Kind::end; word = reader.next()) {
     const bool is_tool =
         std::exchange(first, false) &&
         (word.kind == Kind::number || word.kind == Kind::text || word.kind == Kind::parameter);
-    const bool taken = is_tool ? take_called_tool(line.text, begin + tool_call.size(), word, call)
-                               : take_word_of_call(word, call);
+    const bool taken =
+        is_tool ? take_called_tool(reading, line.text, begin + tool_call.size(), word, call)
+                : take_word_of_call(reading, word, call);
     if (!taken)
       return refuse_klartext(
-          line, begin, std::string(word.text).append(" of TOOL CALL"),
+          reading, line, begin, std::string(word.text).append(" of TOOL CALL"),
           is_tool || word.kind == Kind::name ? Code::nc_number : Code::nc_syntax);
   }
   return true;
 }
 
-bool Interpreter::read_tool_call(ProgramLine& line, std::size_t begin, std::string_view statement) {
+// R + DR + DR: radius and wear of the tool in the table, or the radius of TOOL DEF, and the
+// allowance of TOOL CALL.
+bool choose_called_tool(Reading& reading, const ProgramLine& line, std::size_t begin) {
+  KlartextModes& modes = reading.klartext_modes;
+  if (!modes.tool) return true;
+  const ProgramSetup& setup = reading.state.setup();
+  const auto unknown = [&](const std::string& tool) {
+    return reading.refuse_at(modes.tool_place, Code::tool_unknown, tool);
+  };
+  const auto number_text = [&](std::int64_t tool) {
+    if (tool <= no_tool_number) return name_not_in_table(reading, modes.tool_name);
+    const std::int64_t index = edge_of_row(tool) - 1;
+    const std::string number = std::to_string(tool - row_of_edge(0, index + 1));
+    return index > 0 ? number + "." + std::to_string(index) : number;
+  };
+  reading.place(line, static_cast<std::uint32_t>(begin));
+  if (!modes.open_delta.empty())
+    return reading.refuse_at(modes.tool_place, Code::nc_unsupported,
+                             modes.open_delta + " of TOOL CALL, a variable");
+  if (*modes.tool == 0) return reading.state.set_tool(0, line.source);
+  std::optional<ToolRow> row = reading.state.tool().row_of_tool(*modes.tool);
+  // The radius of the setup stands for the one tool that the program selects with.
+  if (!row && setup.tools.empty() && setup.mode.tool_radius != 0) {
+    const std::int64_t number = *modes.tool;
+    if (modes.only_tool_name.empty()) modes.only_tool_name = modes.tool_name;
+    if (reading.code_modes.only_register.value_or(number) != number ||
+        modes.only_tool_name != modes.tool_name)
+      return unknown(number_text(number));
+    reading.code_modes.only_register = number;
+    row = ToolRow(setup.mode.tool_radius, setup.wear);
+  }
+  if (!row && !setup.tools.empty()) return unknown(number_text(*modes.tool));
+  if (!row) return true;  // nobody has given one, or it is 0
+  if (row->radius + row->wear + modes.radius_delta < 0)
+    return refuse_klartext(reading, line, begin, "R + DR of TOOL CALL is less than 0",
+                           Code::tool_radius_out_of_range);
+  return reading.state.call_tool(*row, line.source) &&
+         reading.state.set_allowance_of_program(modes.radius_delta, line.source);
+}
+
+}  // namespace
+
+bool read_tool_call(Reading& reading, ProgramLine& line, std::size_t begin,
+                    std::string_view statement) {
   ToolCall call;
-  if (!read_words_of_call(line, begin, statement, call)) return false;
-  if (trc_active() && (call.named || call.changes_delta))
-    return refuse_klartext(line, begin, "TOOL CALL while TRC is active");
-  KlartextModes& modes = klartext_;
+  if (!read_words_of_call(reading, line, begin, statement, call)) return false;
+  if (reading.trc_active() && (call.named || call.changes_delta))
+    return refuse_klartext(reading, line, begin, "TOOL CALL while TRC is active");
+  KlartextModes& modes = reading.klartext_modes;
   const bool changes_radius = call.named || call.changes_delta;
-  if (changes_radius && !take_tool_of_label(line, begin)) return false;
-  if (!faults_.empty()) return false;
-  const Plane plane = call.plane.value_or(state_.mode().plane);
+  if (changes_radius && !take_tool_of_label(reading, line, begin)) return false;
+  if (!reading.faults.empty()) return false;
+  const Plane plane = call.plane.value_or(reading.state.mode().plane);
   // It holds from here on, not only for F AUTO.
-  if (call.feed) feed_ = modes.called_feed = *call.feed * (inch_ ? mm_per_inch / 10 : 1);
+  if (call.feed)
+    reading.feed = modes.called_feed = *call.feed * (reading.inch ? mm_per_inch / 10 : 1);
   if (call.named) {
     modes.calls_behind_tool.clear();
     modes.tool_of_label = 0;
-    if (const std::int64_t number = number_of_tool_named(call.name, state_.tool()); number > 0) {
+    if (const std::int64_t number = number_of_tool_named(call.name, reading.state.tool());
+        number > 0) {
       call.number = number;
       call.name.clear();
     }
     modes.tool_name = call.name;
-    modes.tool_place = place_of_word(line, static_cast<std::uint32_t>(begin));
-    modes.tool = call.name.empty() ? call.number : state_.tool().tool_named(call.name);
+    modes.tool_place = reading.place_of_word(line, static_cast<std::uint32_t>(begin));
+    modes.tool = call.name.empty() ? call.number : reading.state.tool().tool_named(call.name);
     modes.modal_cycle = false;
     modes.radius_delta = 0;
     modes.open_delta.clear();
-    code_.tool_said = true;
+    reading.code_modes.tool_said = true;
     std::array<bool, 3> third{};
     third[axes_of(plane).third] = true;
-    state_.forget_position(third, line.source);
+    reading.state.forget_position(third, line.source);
   }
   if (call.changes_delta) {
-    modes.radius_delta = call.delta * length_unit();
+    modes.radius_delta = call.delta * reading.length_unit();
     modes.open_delta = std::move(call.open_delta);
   }
-  if (plane != state_.mode().plane) {
+  if (plane != reading.state.mode().plane) {
     modes.pole.reset();
     modes.tangent.reset();
     line.klartext.emplace().loses_pole = true;
-    if (!state_.set_plane(plane, line.source)) return false;
+    if (!reading.state.set_plane(plane, line.source)) return false;
   }
-  const bool goes_on = copy_klartext(line, begin, WordRole::technology);
+  const bool goes_on = copy_klartext(reading, line, begin, WordRole::technology);
   if (call.feed) line.roles |= bit(WordRole::feed);
   return goes_on;
 }
 
-// Q5 = +0.05, FN 0: Q5 = +0.05 (D-79), also of a formula (D-85). What is computed otherwise, read
-// from the machine or may be skipped is not followed.
-void Interpreter::take_assignment(const ProgramLine& line, std::string_view statement) {
+void take_assignment(Reading& reading, const ProgramLine& line, std::string_view statement) {
   const std::size_t equals = statement.find('=');
   if (equals == std::string_view::npos) return;
   std::string_view name = without_blanks_behind(statement.substr(0, equals));
   name.remove_prefix(name.find_last_of(" :") + 1);
-  const auto result = value_of_formula(statement.substr(equals + 1), klartext_.parameters);
-  if (const auto known = klartext_.parameters.find(name); known != klartext_.parameters.end())
-    klartext_.parameters.erase(known);
+  const auto result =
+      value_of_formula(statement.substr(equals + 1), reading.klartext_modes.parameters);
+  if (const auto known = reading.klartext_modes.parameters.find(name);
+      known != reading.klartext_modes.parameters.end())
+    reading.klartext_modes.parameters.erase(known);
   const bool may_be_skipped = std::ranges::any_of(
       line.words, [&](const WordRange& word) { return line.word(word) == "/"; });
   if (!may_be_skipped && name.starts_with('Q') && result)
-    klartext_.parameters.emplace(name, *result);
+    reading.klartext_modes.parameters.emplace(name, *result);
 }
 
-// Cycles set the parameters they are given and others that they measure; programs set any.
-void Interpreter::forget_parameters(std::string_view statement) {
+void forget_parameters(Reading& reading, std::string_view statement) {
   const bool defines = begins_with_word(statement, "CYCL DEF");
   if (!defines && (begins_with_word(statement, "CALL") || begins_with_word(statement, "CYCL") ||
                    begins_with_word(statement, "TCH") || begins_with_word(statement, "PGM")))
-    klartext_.parameters.clear();
+    reading.klartext_modes.parameters.clear();
   if (defines)
-    std::erase_if(klartext_.parameters, [&](const auto& known) {
+    std::erase_if(reading.klartext_modes.parameters, [&](const auto& known) {
       return statement.find(known.first + "=") != std::string_view::npos ||
              statement.find(known.first + " =") != std::string_view::npos;
     });
 }
 
-// TOOL DEF 5 L+0 R+4 gives a tool its radius; TOOL DEF 5 and TOOL DEF "MILL" prepare it.
-bool Interpreter::read_tool_definition(ProgramLine& line, std::size_t begin,
-                                       std::string_view statement) {
+bool read_tool_definition(Reading& reading, ProgramLine& line, std::size_t begin,
+                          std::string_view statement) {
   KlartextToolReader reader(statement.substr(tool_definition.size()));
   const KlartextToolWord tool = reader.next();
   const auto wrong = [&](const KlartextToolWord& word, std::string_view why, Code code) {
-    return refuse_klartext(line, begin, std::string(word.text).append(" of TOOL DEF").append(why),
-                           code);
+    return refuse_klartext(reading, line, begin,
+                           std::string(word.text).append(" of TOOL DEF").append(why), code);
   };
   const bool prepares =
       tool.kind == Kind::number || tool.kind == Kind::text || tool.kind == Kind::parameter;
   if (tool.kind == Kind::end)
-    return refuse_klartext(line, begin, "TOOL DEF without a tool", Code::nc_number);
+    return refuse_klartext(reading, line, begin, "TOOL DEF without a tool", Code::nc_number);
   if (!prepares) return wrong(tool, "", Code::nc_syntax);
   std::optional<double> radius;
   for (KlartextToolWord word = reader.next(); word.kind != Kind::end; word = reader.next()) {
@@ -223,8 +273,8 @@ bool Interpreter::read_tool_definition(ProgramLine& line, std::size_t begin,
     if (!is_length && !is_radius) return wrong(word, "", Code::nc_syntax);
     if (word.has == Value::none) return wrong(word, "", Code::nc_number);
     if (is_length) continue;
-    const auto known = klartext_.parameters.find(word.parameter);
-    if (word.has == Value::parameter && known == klartext_.parameters.end())
+    const auto known = reading.klartext_modes.parameters.find(word.parameter);
+    if (word.has == Value::parameter && known == reading.klartext_modes.parameters.end())
       return wrong(word, ", a variable", Code::nc_unsupported);
     const double value = word.has == Value::parameter ? known->second : word.value;
     radius = word.has == Value::parameter && word.negative ? -value : value;
@@ -232,86 +282,50 @@ bool Interpreter::read_tool_definition(ProgramLine& line, std::size_t begin,
   if (radius) {
     if (tool.kind != Kind::number || !is_number_of_tool(tool.value))
       return wrong(tool, " with a radius", Code::nc_number);
-    if (faults_.empty() && !state_.define_tool(static_cast<std::int64_t>(tool.value),
-                                               *radius * length_unit(), line.source))
+    if (reading.faults.empty() &&
+        !reading.state.define_tool(static_cast<std::int64_t>(tool.value),
+                                   *radius * reading.length_unit(), line.source))
       return false;
   }
-  return copy_klartext(line, begin, WordRole::technology);
+  return copy_klartext(reading, line, begin, WordRole::technology);
 }
 
-// R + DR + DR: radius and wear of the tool in the table, or the radius of TOOL DEF, and the
-// allowance of TOOL CALL.
-bool Interpreter::choose_called_tool(const ProgramLine& line, std::size_t begin) {
-  KlartextModes& modes = klartext_;
-  if (!modes.tool) return true;
-  const ProgramSetup& setup = state_.setup();
-  const auto unknown = [&](const std::string& tool) {
-    return refuse_at(modes.tool_place, Code::tool_unknown, tool);
-  };
-  const auto number_text = [&](std::int64_t tool) {
-    if (tool <= no_tool_number) return name_not_in_table(modes.tool_name);
-    const std::int64_t index = edge_of_row(tool) - 1;
-    const std::string number = std::to_string(tool - row_of_edge(0, index + 1));
-    return index > 0 ? number + "." + std::to_string(index) : number;
-  };
-  place(line, static_cast<std::uint32_t>(begin));
-  if (!modes.open_delta.empty())
-    return refuse_at(modes.tool_place, Code::nc_unsupported,
-                     modes.open_delta + " of TOOL CALL, a variable");
-  if (*modes.tool == 0) return state_.set_tool(0, line.source);
-  std::optional<ToolRow> row = state_.tool().row_of_tool(*modes.tool);
-  // The radius of the setup stands for the one tool that the program selects with.
-  if (!row && setup.tools.empty() && setup.mode.tool_radius != 0) {
-    const std::int64_t number = *modes.tool;
-    if (modes.only_tool_name.empty()) modes.only_tool_name = modes.tool_name;
-    if (code_.only_register.value_or(number) != number || modes.only_tool_name != modes.tool_name)
-      return unknown(number_text(number));
-    code_.only_register = number;
-    row = ToolRow(setup.mode.tool_radius, setup.wear);
-  }
-  if (!row && !setup.tools.empty()) return unknown(number_text(*modes.tool));
-  if (!row) return true;  // nobody has given one, or it is 0
-  if (row->radius + row->wear + modes.radius_delta < 0)
-    return refuse_klartext(line, begin, "R + DR of TOOL CALL is less than 0",
-                           Code::tool_radius_out_of_range);
-  return state_.call_tool(*row, line.source) &&
-         state_.set_allowance_of_program(modes.radius_delta, line.source);
-}
-
-bool Interpreter::select_in_klartext(const ProgramLine& line, Side side, std::size_t begin) {
-  if (side != Side::off && code_.skipped_tool > 0)
-    return refuse_klartext(
-        line, begin,
-        "TRC behind what may be skipped, in line " + std::to_string(code_.skipped_tool),
-        Code::block_skip_undecided);
-  if (klartext_.unfollowed != 0)
-    return refuse_klartext(line, begin,
+bool select_in_klartext(Reading& reading, const ProgramLine& line, Side side, std::size_t begin) {
+  if (side != Side::off && reading.code_modes.skipped_tool > 0)
+    return refuse_klartext(reading, line, begin,
+                           "TRC behind what may be skipped, in line " +
+                               std::to_string(reading.code_modes.skipped_tool),
+                           Code::block_skip_undecided);
+  if (reading.klartext_modes.unfollowed != 0)
+    return refuse_klartext(reading, line, begin,
                            "RL, RR while coordinates are scaled or the tool tip is led");
-  if (klartext_.called_section != 0)
-    return refuse_klartext(
-        line, begin,
-        "RL, RR in a section that line " + std::to_string(klartext_.called_section) + " calls");
-  if (klartext_.cycle_section != 0)
-    return refuse_klartext(line, begin,
+  if (reading.klartext_modes.called_section != 0)
+    return refuse_klartext(reading, line, begin,
+                           "RL, RR in a section that line " +
+                               std::to_string(reading.klartext_modes.called_section) + " calls");
+  if (reading.klartext_modes.cycle_section != 0)
+    return refuse_klartext(reading, line, begin,
                            "RL, RR in the contour of the cycles of line " +
-                               std::to_string(klartext_.cycle_section) +
+                               std::to_string(reading.klartext_modes.cycle_section) +
                                ", in front of the end of the program");
-  if (klartext_.tool_of_label != 0)
-    return refuse_klartext(line, begin,
+  if (reading.klartext_modes.tool_of_label != 0)
+    return refuse_klartext(reading, line, begin,
                            "RL, RR with the tool of the section that line " +
-                               std::to_string(klartext_.tool_of_label) + " calls");
-  if (klartext_.jump != 0)
-    return refuse_klartext(
-        line, begin,
-        "RL, RR behind line " + std::to_string(klartext_.jump) + ", a jump to a label");
-  klartext_.calls_of_contours.merge(klartext_.calls_behind_tool);
-  if (!trc_active()) {
-    ++klartext_.contours;
+                               std::to_string(reading.klartext_modes.tool_of_label) + " calls");
+  if (reading.klartext_modes.jump != 0)
+    return refuse_klartext(reading, line, begin,
+                           "RL, RR behind line " + std::to_string(reading.klartext_modes.jump) +
+                               ", a jump to a label");
+  reading.klartext_modes.calls_of_contours.merge(reading.klartext_modes.calls_behind_tool);
+  if (!reading.trc_active()) {
+    ++reading.klartext_modes.contours;
     const auto place_of_side = static_cast<std::uint32_t>(begin);
-    if (!choose_called_tool(line, begin) || !warn_of_other_tool(line, place_of_side)) return false;
+    if (!choose_called_tool(reading, line, begin) ||
+        !warn_of_other_tool(reading, line, place_of_side))
+      return false;
   }
-  place(line, static_cast<std::uint32_t>(begin));
-  return state_.select(side, line.source);
+  reading.place(line, static_cast<std::uint32_t>(begin));
+  return reading.state.select(side, line.source);
 }
 
 }  // namespace trc

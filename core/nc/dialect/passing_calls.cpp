@@ -1,3 +1,5 @@
+#include "core/nc/dialect/passing_calls.h"
+
 #include <algorithm>
 #include <string>
 #include <string_view>
@@ -5,6 +7,7 @@
 
 #include "core/nc/dialect/block_words.h"
 #include "core/nc/dialect/pass_words.h"
+#include "core/nc/dialect/reading.h"
 #include "core/nc/text/characters.h"
 
 // Lines that pass while TRC is off. Of ISG (D-47): calls of subprograms, which are not looked into,
@@ -149,7 +152,7 @@ bool changes_nothing(const ProgramSetup& setup, std::string_view call) {
 
 }  // namespace
 
-bool Interpreter::read_passing_line(ProgramLine& line, BlockWords& block) {
+bool read_passing_line(Reading& reading, ProgramLine& line, BlockWords& block) {
   const std::string_view text = line.text;
   std::size_t begin = 0;
   const auto skip_blanks = [&] {
@@ -168,11 +171,12 @@ bool Interpreter::read_passing_line(ProgramLine& line, BlockWords& block) {
   const std::string_view words = text.substr(begin);
   const bool calls_alone = calls_subprogram(words);
   // What such a subprogram asks for of a program that computes is not written in front of it.
-  const bool calls = calls_alone || (!reads_flat_ && calls_by_function(words, isg_word_seen_));
+  const bool calls =
+      calls_alone || (!reading.reads_flat && calls_by_function(words, reading.isg_word_seen));
   const auto tool = tool_data_of(words);
   if (tool)
     block.edge_radii.push_back({.row = tool->first,
-                                .radius = tool->second * length_unit(),
+                                .radius = tool->second * reading.length_unit(),
                                 .begin = static_cast<std::uint32_t>(begin)});
   const bool passes = (calls || tool || assigns_variable(words)) &&
                       first_byte_that_is_no_text(text) == std::string_view::npos;
@@ -180,20 +184,19 @@ bool Interpreter::read_passing_line(ProgramLine& line, BlockWords& block) {
     line.source.number = Source::no_number;
     return false;
   }
-  isg_word_seen_ |= !calls || calls_alone;
+  reading.isg_word_seen |= !calls || calls_alone;
   line.words.push_back({.begin = static_cast<std::uint32_t>(begin),
                         .end = static_cast<std::uint32_t>(text.size()),
                         .role = WordRole::technology});
   if (!calls) return true;
   const std::string_view call = words.substr(0, words.find_first_of("(;"));
-  if (begins_modal_cycle(call)) code_.modal_cycle = line.source;
-  forget_what_a_call_may_change(line, block, call);
+  if (begins_modal_cycle(call)) reading.code_modes.modal_cycle = line.source;
+  forget_what_a_call_may_change(reading, line, block, call);
   return true;
 }
 
-// T5 LM06: a call behind words that do not move. `begin` is where it stands.
-bool Interpreter::read_call_behind_words(std::uint32_t begin, ProgramLine& line,
-                                         BlockWords& block) {
+bool read_call_behind_words(Reading& reading, std::uint32_t begin, ProgramLine& line,
+                            BlockWords& block) {
   const std::string_view text = line.text;
   if (begin + 2 >= text.size()) return false;
   std::size_t end = begin + 1;
@@ -201,22 +204,22 @@ bool Interpreter::read_call_behind_words(std::uint32_t begin, ProgramLine& line,
     return is_letter(sign) || is_digit(sign) || sign == '_' || sign == '.';
   };
   while (end < text.size() && is_part_of_name(text[end])) ++end;
-  const bool is_call = dialect_.name == DialectName::isg && upper(text[begin]) == 'L' &&
+  const bool is_call = reading.dialect.name == DialectName::isg && upper(text[begin]) == 'L' &&
                        end > begin + 2 && is_letter(text[begin + 1]) &&
                        without_blanks_in_front(text.substr(end)).empty();
-  if (!is_call || contour_open() || block.axis || block.center) return false;
+  if (!is_call || reading.contour_open() || block.axis || block.center) return false;
   line.words.push_back(
       {.begin = begin, .end = static_cast<std::uint32_t>(end), .role = WordRole::technology});
   // T5 LM06 changes tools as M06 does (D-76).
-  const bool dimension_was_known = !called_dimension_;
-  const bool had_unknown_call = code_.unknown_call.has_value();
-  forget_what_a_call_may_change(line, block, text.substr(begin, end - begin));
-  if (block.tool_number && dimension_was_known) called_dimension_ = false;
-  if (block.tool_number && !had_unknown_call) code_.unknown_call.reset();
+  const bool dimension_was_known = !reading.called_dimension;
+  const bool had_unknown_call = reading.code_modes.unknown_call.has_value();
+  forget_what_a_call_may_change(reading, line, block, text.substr(begin, end - begin));
+  if (block.tool_number && dimension_was_known) reading.called_dimension = false;
+  if (block.tool_number && !had_unknown_call) reading.code_modes.unknown_call.reset();
   return true;
 }
 
-bool Interpreter::read_call_of_machine(ProgramLine& line, BlockWords& block) {
+bool read_call_of_machine(Reading& reading, ProgramLine& line, BlockWords& block) {
   const std::string_view text = line.text;
   const auto behind_blanks = [&](std::size_t at) {
     return text.size() - without_blanks_in_front(text.substr(at)).size();
@@ -229,19 +232,21 @@ bool Interpreter::read_call_of_machine(ProgramLine& line, BlockWords& block) {
                           .end = static_cast<std::uint32_t>(begin),
                           .role = WordRole::number});
   }
-  const char comment = dialect_.name == DialectName::sinumerik ? ';' : '(';
+  const char comment = reading.dialect.name == DialectName::sinumerik ? ';' : '(';
   const std::string_view call =
       without_blanks_behind(text.substr(begin, text.find(comment, begin) - begin));
-  if (contour_open())
-    return refuse(line, TextFault{.code = Code::nc_unsupported,
-                                  .begin = static_cast<std::uint32_t>(begin),
-                                  .detail = std::string(call) +
-                                            ", a call of what only the machine has while TRC is "
-                                            "active"});
+  if (reading.contour_open())
+    return reading.refuse(line,
+                          TextFault{.code = Code::nc_unsupported,
+                                    .begin = static_cast<std::uint32_t>(begin),
+                                    .detail = std::string(call) +
+                                              ", a call of what only the machine has while TRC is "
+                                              "active"});
   if (const std::size_t place = place_of_side(text); place != std::string_view::npos)
-    return refuse(line, TextFault{.code = Code::nc_unsupported,
-                                  .begin = static_cast<std::uint32_t>(place),
-                                  .detail = "TRC in a line that calls what only the machine has"});
+    return reading.refuse(
+        line, TextFault{.code = Code::nc_unsupported,
+                        .begin = static_cast<std::uint32_t>(place),
+                        .detail = "TRC in a line that calls what only the machine has"});
   line.words.push_back({.begin = static_cast<std::uint32_t>(begin),
                         .end = static_cast<std::uint32_t>(begin + call.size()),
                         .role = WordRole::technology});
@@ -249,60 +254,59 @@ bool Interpreter::read_call_of_machine(ProgramLine& line, BlockWords& block) {
     line.words.push_back({.begin = static_cast<std::uint32_t>(begin + call.size()),
                           .end = static_cast<std::uint32_t>(text.size()),
                           .role = WordRole::comment});
-  forget_what_a_call_may_change(line, block, call);
+  forget_what_a_call_may_change(reading, line, block, call);
   return true;
 }
 
-void Interpreter::forget_what_a_call_may_change(ProgramLine& line, BlockWords& block,
-                                                std::string_view call) {
+void forget_what_a_call_may_change(Reading& reading, ProgramLine& line, BlockWords& block,
+                                   std::string_view call) {
   line.calls_the_machine = true;
-  line.feed_it_takes = feed_mode_ == 94 ? feed_ : 0;
-  take_call(line, call);
-  const bool isg = dialect_.name == DialectName::isg;
-  if (isg && changes_nothing(state_.setup(), call)) return;
+  line.feed_it_takes = reading.feed_mode == 94 ? reading.feed : 0;
+  take_call(reading, line, call);
+  const bool isg = reading.dialect.name == DialectName::isg;
+  if (isg && changes_nothing(reading.state.setup(), call)) return;
   // The call behind a T word changes the tool.
-  if (isg && !code_.unknown_call && !std::exchange(code_.tool_awaits_call, false))
-    code_.unknown_call = code_.call;
+  if (isg && !reading.code_modes.unknown_call &&
+      !std::exchange(reading.code_modes.tool_awaits_call, false))
+    reading.code_modes.unknown_call = reading.code_modes.call;
   block.forget = all_axes;
-  code_.work_offset = 0;
-  called_motion_ = called_dimension_ = true;
-  reads_plain_lines_ = false;
+  reading.code_modes.work_offset = 0;
+  reading.called_motion = reading.called_dimension = true;
+  reading.reads_plain_lines = false;
 }
 
-// Of those that pass_words declares none changes the tool.
-void Interpreter::take_call(const ProgramLine& line, std::string_view call) {
-  code_.call = without_blanks_behind(call);
-  code_.call_place = {.source = line.source};
-  if (changes_nothing(state_.setup(), call)) return;
-  code_.call_behind_contour = true;
+void take_call(Reading& reading, const ProgramLine& line, std::string_view call) {
+  reading.code_modes.call = without_blanks_behind(call);
+  reading.code_modes.call_place = {.source = line.source};
+  if (changes_nothing(reading.state.setup(), call)) return;
+  reading.code_modes.call_behind_contour = true;
   // A radius that the program has written is that of the tool before a change.
-  if (code_.only_radius_said) code_.tool_said = false;
-  code_.radius_doubtful |= std::exchange(code_.only_radius_said, false);
+  if (reading.code_modes.only_radius_said) reading.code_modes.tool_said = false;
+  reading.code_modes.radius_doubtful |= std::exchange(reading.code_modes.only_radius_said, false);
 }
 
-// Whether G00 or G01, G90 or G91 holds behind a call, the subprogram has decided: until the program
-// says it anew a motion leads to where only the control knows.
-bool Interpreter::restate_modes(ProgramLine& line, BlockWords& block) {
-  if (!called_motion_ && !called_dimension_) return true;
-  called_motion_ = called_motion_ && !block.has(GGroup::motion);
-  called_dimension_ = called_dimension_ && !block.has(GGroup::dimension);
-  if (!called_motion_ && !called_dimension_) {
-    reads_plain_lines_ = faults_.empty();
+bool restate_modes(Reading& reading, ProgramLine& line, BlockWords& block) {
+  if (!reading.called_motion && !reading.called_dimension) return true;
+  reading.called_motion = reading.called_motion && !block.has(GGroup::motion);
+  reading.called_dimension = reading.called_dimension && !block.has(GGroup::dimension);
+  if (!reading.called_motion && !reading.called_dimension) {
+    reading.reads_plain_lines = reading.faults.empty();
     return true;
   }
-  if (contour_open() || !(block.axis || block.center)) return true;
+  if (reading.contour_open() || !(block.axis || block.center)) return true;
   const bool selects = block.has(GGroup::side) && !block.of(GGroup::side).is(40);
-  if (selects && machine_follows_) {  // which is refused for that
+  if (selects && reading.machine_follows) {  // which is refused for that
     block.forget = all_axes;
     return true;
   }
   if (selects)
-    return refuse(line,
-                  TextFault{.code = Code::position_unknown,
-                            .begin = block.of(GGroup::side).begin,
-                            .detail = std::string(called_dimension_ ? "G90 or G91" : "G00 or G01") +
-                                      ", which was not programmed anew behind " + code_.call + " " +
-                                      place_of(code_.call_place.source)});
+    return reading.refuse(
+        line,
+        TextFault{.code = Code::position_unknown,
+                  .begin = block.of(GGroup::side).begin,
+                  .detail = std::string(reading.called_dimension ? "G90 or G91" : "G00 or G01") +
+                            ", which was not programmed anew behind " + reading.code_modes.call +
+                            " " + place_of(reading.code_modes.call_place.source)});
   block.copied = true;
   block.forget = all_axes;
   for (WordRange& word : line.words)
@@ -310,64 +314,70 @@ bool Interpreter::restate_modes(ProgramLine& line, BlockWords& block) {
   return true;
 }
 
-bool Interpreter::watch_tool(const ProgramLine& line, const BlockWords& block) {
+bool watch_tool(Reading& reading, const ProgramLine& line, const BlockWords& block) {
   // D of Sinumerik is an edge of whatever tool there is.
-  const bool names_radius = block.tool && dialect_.name != DialectName::sinumerik;
-  code_.tool_said |= block.tool_number || block.loads_tool || block.names_tool || names_radius ||
-                     block.tool_radius;
+  const bool names_radius = block.tool && reading.dialect.name != DialectName::sinumerik;
+  reading.code_modes.tool_said |= block.tool_number || block.loads_tool || block.names_tool ||
+                                  names_radius || block.tool_radius;
   if (block.tool_number || block.tool || block.loads_tool || block.names_tool) {
-    code_.only_radius_said = code_.radius_doubtful = false;
-  } else if (block.tool_radius && dialect_.name == DialectName::isg) {
-    code_.only_radius_said = true;
-    code_.radius_doubtful = false;
+    reading.code_modes.only_radius_said = reading.code_modes.radius_doubtful = false;
+  } else if (block.tool_radius && reading.dialect.name == DialectName::isg) {
+    reading.code_modes.only_radius_said = true;
+    reading.code_modes.radius_doubtful = false;
   }
-  if (dialect_.name == DialectName::isg && block.tool_number) {
-    code_.next_tool = whole_number(block.tool_number->value);
-    code_.next_tool_place = place_of_word(line, block.tool_number->begin);
-    code_.tool_awaits_call = !block.changes_tool;
+  if (reading.dialect.name == DialectName::isg && block.tool_number) {
+    reading.code_modes.next_tool = whole_number(block.tool_number->value);
+    reading.code_modes.next_tool_place = reading.place_of_word(line, block.tool_number->begin);
+    reading.code_modes.tool_awaits_call = !block.changes_tool;
   }
   const bool selects = block.has(GGroup::side) && !block.of(GGroup::side).is(40);
-  if (!selects || trc_active()) return true;
+  if (!selects || reading.trc_active()) return true;
   const std::uint32_t begin = block.of(GGroup::side).begin;
-  if (code_.modal_cycle)
-    return refuse(line, TextFault{.code = Code::nc_unsupported,
-                                  .begin = begin,
-                                  .detail = "TRC under a modal cycle of the machine, " +
-                                            place_of(*code_.modal_cycle)});
-  return warn_of_other_tool(line, begin);
+  if (reading.code_modes.modal_cycle)
+    return reading.refuse(line, TextFault{.code = Code::nc_unsupported,
+                                          .begin = begin,
+                                          .detail = "TRC under a modal cycle of the machine, " +
+                                                    place_of(*reading.code_modes.modal_cycle)});
+  return warn_of_other_tool(reading, line, begin);
 }
 
-// At the begin of a contour (D-78).
-bool Interpreter::warn_of_other_tool(const ProgramLine& line, std::uint32_t begin) {
-  const bool may_be_another = (code_.contour_seen || code_.radius_doubtful) &&
-                              code_.call_behind_contour && !code_.tool_said;
-  code_.contour_seen = true;
-  code_.call_behind_contour = code_.tool_said = code_.radius_doubtful = false;
-  std::string change = code_.call + " " + place_of(code_.call_place.source);
+bool warn_of_other_tool(Reading& reading, const ProgramLine& line, std::uint32_t begin) {
+  const bool may_be_another =
+      (reading.code_modes.contour_seen || reading.code_modes.radius_doubtful) &&
+      reading.code_modes.call_behind_contour && !reading.code_modes.tool_said;
+  reading.code_modes.contour_seen = true;
+  reading.code_modes.call_behind_contour = reading.code_modes.tool_said =
+      reading.code_modes.radius_doubtful = false;
+  std::string change =
+      reading.code_modes.call + " " + place_of(reading.code_modes.call_place.source);
   bool is_another = false;
   // Other dialects refuse a second tool that has no radius of its own.
-  if (dialect_.name == DialectName::isg && state_.tool().is_of_setup(code_.next_tool)) {
-    const std::int64_t before = code_.only_spindle_tool.value_or(code_.next_tool);
-    is_another = before != code_.next_tool;
-    code_.only_spindle_tool = code_.next_tool;
+  if (reading.dialect.name == DialectName::isg &&
+      reading.state.tool().is_of_setup(reading.code_modes.next_tool)) {
+    const std::int64_t before =
+        reading.code_modes.only_spindle_tool.value_or(reading.code_modes.next_tool);
+    is_another = before != reading.code_modes.next_tool;
+    reading.code_modes.only_spindle_tool = reading.code_modes.next_tool;
     if (is_another)
-      change = "T" + std::to_string(code_.next_tool) + " " + place_of(code_.next_tool_place.source);
+      change = "T" + std::to_string(reading.code_modes.next_tool) + " " +
+               place_of(reading.code_modes.next_tool_place.source);
   }
-  if ((!may_be_another && !is_another) || !faults_.empty()) return true;
+  if ((!may_be_another && !is_another) || !reading.faults.empty()) return true;
   Diagnostic warned = diagnostic(Code::tool_may_have_changed, line.source, std::move(change));
-  warned.column = place_of_word(line, begin).column;
-  return diagnostics_.report(std::move(warned));
+  warned.column = reading.place_of_word(line, begin).column;
+  return reading.diagnostics.report(std::move(warned));
 }
 
-// Once (D-81): what holds behind a call is what held before it, unless the program says it anew.
-bool Interpreter::note_unknown_call(const ProgramLine& line, const BlockWords& block) {
-  const bool selects = block.has(GGroup::side) && !block.of(GGroup::side).is(40) && !trc_active();
-  if (!selects || !code_.unknown_call || code_.unknown_call->empty() || !faults_.empty())
+bool note_unknown_call(Reading& reading, const ProgramLine& line, const BlockWords& block) {
+  const bool selects =
+      block.has(GGroup::side) && !block.of(GGroup::side).is(40) && !reading.trc_active();
+  if (!selects || !reading.code_modes.unknown_call || reading.code_modes.unknown_call->empty() ||
+      !reading.faults.empty())
     return true;
   Diagnostic noted = diagnostic(Code::call_taken_as_harmless, line.source,
-                                std::exchange(*code_.unknown_call, std::string()));
-  noted.column = place_of_word(line, block.of(GGroup::side).begin).column;
-  return diagnostics_.report(std::move(noted));
+                                std::exchange(*reading.code_modes.unknown_call, std::string()));
+  noted.column = reading.place_of_word(line, block.of(GGroup::side).begin).column;
+  return reading.diagnostics.report(std::move(noted));
 }
 
 }  // namespace trc

@@ -1,9 +1,12 @@
+#include "core/nc/dialect/sinumerik_arcs.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
 
 #include "core/nc/dialect/block_words.h"
+#include "core/nc/dialect/reading.h"
 #include "core/nc/text/named_words.h"
 
 // Polar words and the forms of arcs that Sinumerik has beside centres and radii.
@@ -13,153 +16,26 @@ namespace {
 
 using enum GGroup;
 
-}  // namespace
-
-bool Interpreter::read_polar_word(const NamedWord& word, ProgramLine& line, BlockWords& block) {
-  auto& target = word.name == "AP" ? block.polar_angle : block.polar_radius;
-  if (target)
-    return refuse(line, TextFault{.code = Code::nc_word_twice,
-                                  .begin = word.begin,
-                                  .detail = std::string(word.name)});
-  target = {.value = word.value, .begin = word.begin};
-  if (word.reference == NamedWord::Reference::incremental)
-    (word.name == "AP" ? block.increments_angle : block.increments_radius) = true;
-  add(line, word, WordRole::coordinate);
-  return true;
-}
-
-// G110 counts from where the machine stands, G111 from the zero point, G112 from the last pole.
-void Interpreter::take_pole(const BlockWords& block) {
-  const bool clears = block.has(plane) || block.has(frame) || block.has(unit) ||
-                      block.has(zero_shift) || block.has(unfollowed);
-  const BlockWords::Function& pole = block.of(axis_technology);
-  const int number = pole.function == nullptr ? 0 : pole.function->number;
-  const bool sets = number >= 110 && number <= 112;
-  if (!clears && !sets) return;
-  code_.polar_angle.reset();
-  code_.polar_radius.reset();
-  const PlaneAxes axes = axes_of(state_.mode().plane);
-  const auto& x = block.move.end[axes.first];
-  const auto& y = block.move.end[axes.second];
-  // Without a pole of its own a program counts from its zero point.
-  if (clears && (code_.pole != Point(0, 0) || sets)) code_.pole.reset();
-  if (clears || !sets) return;
-  Point base = Point::Zero();
-  bool known = x && y && !block.polar_angle && !block.polar_radius;
-  if (number == 110) {
-    base = to_plane(state_.mode().plane, state_.position()) / length_unit();
-    known &= state_.is_known(axes.first) && state_.is_known(axes.second) && !contour_open();
-  }
-  if (number == 112) {
-    known &= code_.pole.has_value();
-    base = code_.pole.value_or(base);
-  }
-  code_.pole.reset();
-  if (known) code_.pole = base + Point(*x, *y);
-}
-
-// AP= and RP= become the coordinates of the plane; an arc among them has the pole for its centre.
-bool Interpreter::resolve_polar_words(ProgramLine& line, BlockWords& block) {
-  const PlaneAxes axes = axes_of(state_.mode().plane);
-  auto& x = block.move.end[axes.first];
-  auto& y = block.move.end[axes.second];
-  const bool polar = block.polar_angle || block.polar_radius;
-  if (!polar && (x || y)) {
-    code_.polar_angle.reset();
-    code_.polar_radius.reset();
-  }
-  if (!polar) return true;
-  const std::uint32_t begin = std::min(block.polar_angle ? block.polar_angle->begin : ~0U,
-                                       block.polar_radius ? block.polar_radius->begin : ~0U);
-  const bool selects = block.has(side) && !block.of(side).is(40);
-  const bool both = block.polar_angle && block.polar_radius;
-  // A line that is copied would count on a word that the written program has no longer.
-  const bool counts_on = !both || block.increments_angle || block.increments_radius;
-  if (code_.polar_rewritten && counts_on && !contour_open() && !selects)
-    return refuse(line, TextFault{.code = Code::nc_unsupported,
-                                  .begin = begin,
-                                  .detail = "AP= or RP= alone behind a contour: write both"});
-  if (selects || contour_open()) code_.polar_rewritten = true;
-  if (both && !contour_open() && !selects) code_.polar_rewritten = false;
-  // AP=IC(…) and RP=IC(…) count from the word before.
-  const auto take = [](const std::optional<BlockWords::Value>& word, bool increment,
-                       std::optional<double>& value) {
-    if (word && (!increment || value)) value = word->value + (increment ? *value : 0);
-    return !word || !increment || value;
-  };
-  const bool angle_known = take(block.polar_angle, block.increments_angle, code_.polar_angle);
-  const bool radius_known = take(block.polar_radius, block.increments_radius, code_.polar_radius);
-  const MotionKind kind =
-      block.has(motion) ? static_cast<MotionKind>(block.of(motion).function->number) : motion_;
-  const bool circle = kind == MotionKind::clockwise || kind == MotionKind::counter_clockwise;
-  const bool start_known = state_.is_known(axes.first) && state_.is_known(axes.second);
-  const bool followed = code_.pole && code_.polar_angle && code_.polar_radius && !x && !y &&
-                        !block.center && !incremental_ && !block.of(dimension).is(91) &&
-                        angle_known && radius_known && !block.to_skip && (!circle || start_known);
-  if (!followed) {
-    block.unfollowed_word = begin;
-    code_.polar_angle.reset();
-    code_.polar_radius.reset();
-    return true;
-  }
-  const double angle = *code_.polar_angle * std::numbers::pi / 180;
-  const Point end = *code_.pole + *code_.polar_radius * Point(std::cos(angle), std::sin(angle));
-  x = end.x();
-  y = end.y();
-  if (!block.axis || begin < *block.axis) block.axis = begin;
-  if (!circle) return true;
-  const Point start = to_plane(state_.mode().plane, state_.position()) / length_unit();
-  block.move.center[axes.first] = code_.pole->x() - start.x();
-  block.move.center[axes.second] = code_.pole->y() - start.y();
-  block.center = begin;
-  return true;
-}
-
-// AC() and IC() become coordinates as G90 and G91 have them; AR= and CIP become a centre.
-bool Interpreter::resolve_references(ProgramLine& line, BlockWords& block) {
-  MoveRequest& move = block.move;
-  const Position& start = state_.position();
-  const double unit = length_unit();
-  const auto refuse_unknown = [&](std::size_t axis) {
-    return refuse(line, TextFault{.code = Code::position_unknown,
-                                  .begin = block.axis.value_or(block.center.value_or(0)),
-                                  .detail = std::string(1, static_cast<char>('X' + axis))});
-  };
-  for (std::size_t axis = 0; axis < move.end.size(); ++axis) {
-    const bool to_increment = block.end_reference[axis] > 0 && incremental_;
-    const bool to_absolute = block.end_reference[axis] < 0 && !incremental_;
-    if (!move.end[axis] || (!to_increment && !to_absolute)) continue;
-    if (!state_.is_known(axis)) return refuse_unknown(axis);
-    *move.end[axis] += (to_increment ? -1 : 1) * start[axis] / unit;
-  }
-  for (std::size_t axis = 0; axis < move.center.size(); ++axis) {
-    if (!move.center[axis] || block.center_reference[axis] <= 0) continue;
-    if (!state_.is_known(axis)) return refuse_unknown(axis);
-    *move.center[axis] -= start[axis] / unit;
-  }
-  return (!block.sweep || take_sweep(line, block)) &&
-         (!block.is_through || take_point_between(line, block));
-}
-
 // AR=: the angle of the arc, with its end or its centre.
-bool Interpreter::take_sweep(ProgramLine& line, BlockWords& block) {
-  const PlaneAxes axes = axes_of(state_.mode().plane);
+bool take_sweep(Reading& reading, ProgramLine& line, BlockWords& block) {
+  const PlaneAxes axes = axes_of(reading.state.mode().plane);
   MoveRequest& move = block.move;
   const double sweep = *block.sweep * std::numbers::pi / 180;
-  const Point start = to_plane(state_.mode().plane, state_.position()) / length_unit();
+  const Point start =
+      to_plane(reading.state.mode().plane, reading.state.position()) / reading.length_unit();
   const bool has_center = move.center[axes.first] || move.center[axes.second];
   const bool has_end = move.end[axes.first] || move.end[axes.second];
   if (!(*block.sweep > 0 && *block.sweep < 360))
-    return refuse(line, TextFault{.code = Code::nc_number,
-                                  .begin = *block.center,
-                                  .detail = "AR=, more than 0 and below 360"});
+    return reading.refuse(line, TextFault{.code = Code::nc_number,
+                                          .begin = *block.center,
+                                          .detail = "AR=, more than 0 and below 360"});
   if (has_center == has_end || move.radius)
-    return refuse(line, TextFault{.code = Code::circle_incomplete,
-                                  .begin = *block.center,
-                                  .detail = "AR= with either its end or its centre"});
+    return reading.refuse(line, TextFault{.code = Code::circle_incomplete,
+                                          .begin = *block.center,
+                                          .detail = "AR= with either its end or its centre"});
   if (has_end) {
     const auto end_on = [&](std::size_t axis, double from) {
-      return move.end[axis] ? *move.end[axis] + (incremental_ ? from : 0) : from;
+      return move.end[axis] ? *move.end[axis] + (reading.incremental ? from : 0) : from;
     };
     const Point end(end_on(axes.first, start.x()), end_on(axes.second, start.y()));
     const double radius = (end - start).norm() / (2 * std::sin(sweep / 2));
@@ -168,81 +44,29 @@ bool Interpreter::take_sweep(ProgramLine& line, BlockWords& block) {
   }
   const Vector arm =
       -Vector(move.center[axes.first].value_or(0), move.center[axes.second].value_or(0));
-  const double turn = motion_ == MotionKind::clockwise ? -sweep : sweep;
+  const double turn = reading.motion == MotionKind::clockwise ? -sweep : sweep;
   const Vector turned = std::cos(turn) * arm + std::sin(turn) * left_of(arm);
   const Point end = start - arm + turned;
-  move.end[axes.first] = end.x() - (incremental_ ? start.x() : 0);
-  move.end[axes.second] = end.y() - (incremental_ ? start.y() : 0);
-  return true;
-}
-
-// CT: the arc goes on where the contour has led. Where that is straight ahead it is a line.
-bool Interpreter::take_tangent(ProgramLine& line, BlockWords& block) {
-  const PlaneAxes axes = axes_of(state_.mode().plane);
-  MoveRequest& move = block.move;
-  const auto wrong = [&](const char* why) {
-    return refuse(line, TextFault{.code = Code::nc_unsupported,
-                                  .begin = block.axis.value_or(block.center.value_or(0)),
-                                  .detail = std::string("CT").append(why)});
-  };
-  const auto tangent = state_.tangent_of_contour();
-  if (!tangent) return wrong(" without a motion in the plane before it");
-  if (block.center) return wrong(" beside a centre or a radius");
-  const Point start = to_plane(state_.mode().plane, state_.position()) / length_unit();
-  const auto on = [&](const std::optional<double>& value, double from) {
-    return value ? *value + (incremental_ ? from : 0) : from;
-  };
-  const Vector chord =
-      Point(on(move.end[axes.first], start.x()), on(move.end[axes.second], start.y())) - start;
-  const double across = cross(*tangent, chord);
-  constexpr double straight = 1e-6;
-  motion_ = MotionKind::linear;
-  if (std::abs(across) <= straight) return chord.dot(*tangent) >= 0 || wrong(" straight back");
-  const Vector to_center = chord.squaredNorm() / (2 * across) * left_of(*tangent);
-  move.center[axes.first] = to_center.x();
-  move.center[axes.second] = to_center.y();
-  motion_ = across > 0 ? MotionKind::counter_clockwise : MotionKind::clockwise;
-  return true;
-}
-
-// ANG= of Sinumerik and ,A of Fanuc: the angle of a line, with one of its coordinates.
-bool Interpreter::take_angle(ProgramLine& line, BlockWords& block) {
-  const PlaneAxes axes = axes_of(state_.mode().plane);
-  auto& first = block.move.end[axes.first];
-  auto& second = block.move.end[axes.second];
-  const bool straight = motion_ == MotionKind::rapid || motion_ == MotionKind::linear;
-  const double angle = block.angle->value * std::numbers::pi / 180;
-  const double along = first ? std::cos(angle) : std::sin(angle);
-  constexpr double parallel = 1e-6;
-  if (!straight || code_.tangent_arcs || first.has_value() == second.has_value() ||
-      std::abs(along) < parallel)
-    return refuse(line, TextFault{.code = Code::nc_unsupported,
-                                  .begin = block.angle->begin,
-                                  .detail = "the angle of a motion without one of its coordinates "
-                                            "alone"});
-  const Point start = to_plane(state_.mode().plane, state_.position()) / length_unit();
-  const double from = first ? start.x() : start.y();
-  const double travel = (first ? *first : *second) - (incremental_ ? 0 : from);
-  const double across = travel / along * (first ? std::sin(angle) : std::cos(angle));
-  const double other = first ? start.y() : start.x();
-  (first ? second : first) = across + (incremental_ ? 0 : other);
+  move.end[axes.first] = end.x() - (reading.incremental ? start.x() : 0);
+  move.end[axes.second] = end.y() - (reading.incremental ? start.y() : 0);
   return true;
 }
 
 // CIP: the circle through start, a point between and end.
-bool Interpreter::take_point_between(ProgramLine& line, BlockWords& block) {
-  const PlaneAxes axes = axes_of(state_.mode().plane);
+bool take_point_between(Reading& reading, ProgramLine& line, BlockWords& block) {
+  const PlaneAxes axes = axes_of(reading.state.mode().plane);
   MoveRequest& move = block.move;
   const auto wrong = [&](const char* why) {
-    return refuse(line, TextFault{.code = Code::circle_incomplete,
-                                  .begin = block.axis.value_or(0),
-                                  .detail = std::string("CIP, ").append(why)});
+    return reading.refuse(line, TextFault{.code = Code::circle_incomplete,
+                                          .begin = block.axis.value_or(0),
+                                          .detail = std::string("CIP, ").append(why)});
   };
   if (block.through[axes.third] || !block.through[axes.first] || !block.through[axes.second])
     return wrong("whose point between names the two axes of the plane");
-  const Point start = to_plane(state_.mode().plane, state_.position()) / length_unit();
+  const Point start =
+      to_plane(reading.state.mode().plane, reading.state.position()) / reading.length_unit();
   const auto on = [&](const std::optional<double>& value, double from) {
-    return value ? *value + (incremental_ ? from : 0) : from;
+    return value ? *value + (reading.incremental ? from : 0) : from;
   };
   const Point between(on(block.through[axes.first]->value, start.x()),
                       on(block.through[axes.second]->value, start.y()));
@@ -255,7 +79,196 @@ bool Interpreter::take_point_between(ProgramLine& line, BlockWords& block) {
                       (a.x() * b.squaredNorm() - b.x() * a.squaredNorm()) / twice_area);
   move.center[axes.first] = center.x();
   move.center[axes.second] = center.y();
-  motion_ = twice_area > 0 ? MotionKind::counter_clockwise : MotionKind::clockwise;
+  reading.motion = twice_area > 0 ? MotionKind::counter_clockwise : MotionKind::clockwise;
+  return true;
+}
+
+}  // namespace
+
+bool read_polar_word(Reading& reading, const NamedWord& word, ProgramLine& line,
+                     BlockWords& block) {
+  auto& target = word.name == "AP" ? block.polar_angle : block.polar_radius;
+  if (target)
+    return reading.refuse(line, TextFault{.code = Code::nc_word_twice,
+                                          .begin = word.begin,
+                                          .detail = std::string(word.name)});
+  target = {.value = word.value, .begin = word.begin};
+  if (word.reference == NamedWord::Reference::incremental)
+    (word.name == "AP" ? block.increments_angle : block.increments_radius) = true;
+  add(line, word, WordRole::coordinate);
+  return true;
+}
+
+void take_pole(Reading& reading, const BlockWords& block) {
+  const bool clears = block.has(plane) || block.has(frame) || block.has(unit) ||
+                      block.has(zero_shift) || block.has(unfollowed);
+  const BlockWords::Function& pole = block.of(axis_technology);
+  const int number = pole.function == nullptr ? 0 : pole.function->number;
+  const bool sets = number >= 110 && number <= 112;
+  if (!clears && !sets) return;
+  reading.code_modes.polar_angle.reset();
+  reading.code_modes.polar_radius.reset();
+  const PlaneAxes axes = axes_of(reading.state.mode().plane);
+  const auto& x = block.move.end[axes.first];
+  const auto& y = block.move.end[axes.second];
+  // Without a pole of its own a program counts from its zero point.
+  if (clears && (reading.code_modes.pole != Point(0, 0) || sets)) reading.code_modes.pole.reset();
+  if (clears || !sets) return;
+  Point base = Point::Zero();
+  bool known = x && y && !block.polar_angle && !block.polar_radius;
+  if (number == 110) {
+    base = to_plane(reading.state.mode().plane, reading.state.position()) / reading.length_unit();
+    known &= reading.state.is_known(axes.first) && reading.state.is_known(axes.second) &&
+             !reading.contour_open();
+  }
+  if (number == 112) {
+    known &= reading.code_modes.pole.has_value();
+    base = reading.code_modes.pole.value_or(base);
+  }
+  reading.code_modes.pole.reset();
+  if (known) reading.code_modes.pole = base + Point(*x, *y);
+}
+
+bool resolve_polar_words(Reading& reading, ProgramLine& line, BlockWords& block) {
+  const PlaneAxes axes = axes_of(reading.state.mode().plane);
+  auto& x = block.move.end[axes.first];
+  auto& y = block.move.end[axes.second];
+  const bool polar = block.polar_angle || block.polar_radius;
+  if (!polar && (x || y)) {
+    reading.code_modes.polar_angle.reset();
+    reading.code_modes.polar_radius.reset();
+  }
+  if (!polar) return true;
+  const std::uint32_t begin = std::min(block.polar_angle ? block.polar_angle->begin : ~0U,
+                                       block.polar_radius ? block.polar_radius->begin : ~0U);
+  const bool selects = block.has(side) && !block.of(side).is(40);
+  const bool both = block.polar_angle && block.polar_radius;
+  // A line that is copied would count on a word that the written program has no longer.
+  const bool counts_on = !both || block.increments_angle || block.increments_radius;
+  if (reading.code_modes.polar_rewritten && counts_on && !reading.contour_open() && !selects)
+    return reading.refuse(line,
+                          TextFault{.code = Code::nc_unsupported,
+                                    .begin = begin,
+                                    .detail = "AP= or RP= alone behind a contour: write both"});
+  if (selects || reading.contour_open()) reading.code_modes.polar_rewritten = true;
+  if (both && !reading.contour_open() && !selects) reading.code_modes.polar_rewritten = false;
+  // AP=IC(…) and RP=IC(…) count from the word before.
+  const auto take = [](const std::optional<BlockWords::Value>& word, bool increment,
+                       std::optional<double>& value) {
+    if (word && (!increment || value)) value = word->value + (increment ? *value : 0);
+    return !word || !increment || value;
+  };
+  const bool angle_known =
+      take(block.polar_angle, block.increments_angle, reading.code_modes.polar_angle);
+  const bool radius_known =
+      take(block.polar_radius, block.increments_radius, reading.code_modes.polar_radius);
+  const MotionKind kind = block.has(motion)
+                              ? static_cast<MotionKind>(block.of(motion).function->number)
+                              : reading.motion;
+  const bool circle = kind == MotionKind::clockwise || kind == MotionKind::counter_clockwise;
+  const bool start_known =
+      reading.state.is_known(axes.first) && reading.state.is_known(axes.second);
+  const bool followed = reading.code_modes.pole && reading.code_modes.polar_angle &&
+                        reading.code_modes.polar_radius && !x && !y && !block.center &&
+                        !reading.incremental && !block.of(dimension).is(91) && angle_known &&
+                        radius_known && !block.to_skip && (!circle || start_known);
+  if (!followed) {
+    block.unfollowed_word = begin;
+    reading.code_modes.polar_angle.reset();
+    reading.code_modes.polar_radius.reset();
+    return true;
+  }
+  const double angle = *reading.code_modes.polar_angle * std::numbers::pi / 180;
+  const Point end = *reading.code_modes.pole +
+                    *reading.code_modes.polar_radius * Point(std::cos(angle), std::sin(angle));
+  x = end.x();
+  y = end.y();
+  if (!block.axis || begin < *block.axis) block.axis = begin;
+  if (!circle) return true;
+  const Point start =
+      to_plane(reading.state.mode().plane, reading.state.position()) / reading.length_unit();
+  block.move.center[axes.first] = reading.code_modes.pole->x() - start.x();
+  block.move.center[axes.second] = reading.code_modes.pole->y() - start.y();
+  block.center = begin;
+  return true;
+}
+
+bool resolve_references(Reading& reading, ProgramLine& line, BlockWords& block) {
+  MoveRequest& move = block.move;
+  const Position& start = reading.state.position();
+  const double unit = reading.length_unit();
+  const auto refuse_unknown = [&](std::size_t axis) {
+    return reading.refuse(line, TextFault{.code = Code::position_unknown,
+                                          .begin = block.axis.value_or(block.center.value_or(0)),
+                                          .detail = std::string(1, static_cast<char>('X' + axis))});
+  };
+  for (std::size_t axis = 0; axis < move.end.size(); ++axis) {
+    const bool to_increment = block.end_reference[axis] > 0 && reading.incremental;
+    const bool to_absolute = block.end_reference[axis] < 0 && !reading.incremental;
+    if (!move.end[axis] || (!to_increment && !to_absolute)) continue;
+    if (!reading.state.is_known(axis)) return refuse_unknown(axis);
+    *move.end[axis] += (to_increment ? -1 : 1) * start[axis] / unit;
+  }
+  for (std::size_t axis = 0; axis < move.center.size(); ++axis) {
+    if (!move.center[axis] || block.center_reference[axis] <= 0) continue;
+    if (!reading.state.is_known(axis)) return refuse_unknown(axis);
+    *move.center[axis] -= start[axis] / unit;
+  }
+  return (!block.sweep || take_sweep(reading, line, block)) &&
+         (!block.is_through || take_point_between(reading, line, block));
+}
+
+bool take_tangent(Reading& reading, ProgramLine& line, BlockWords& block) {
+  const PlaneAxes axes = axes_of(reading.state.mode().plane);
+  MoveRequest& move = block.move;
+  const auto wrong = [&](const char* why) {
+    return reading.refuse(line, TextFault{.code = Code::nc_unsupported,
+                                          .begin = block.axis.value_or(block.center.value_or(0)),
+                                          .detail = std::string("CT").append(why)});
+  };
+  const auto tangent = reading.state.tangent_of_contour();
+  if (!tangent) return wrong(" without a motion in the plane before it");
+  if (block.center) return wrong(" beside a centre or a radius");
+  const Point start =
+      to_plane(reading.state.mode().plane, reading.state.position()) / reading.length_unit();
+  const auto on = [&](const std::optional<double>& value, double from) {
+    return value ? *value + (reading.incremental ? from : 0) : from;
+  };
+  const Vector chord =
+      Point(on(move.end[axes.first], start.x()), on(move.end[axes.second], start.y())) - start;
+  const double across = cross(*tangent, chord);
+  constexpr double straight = 1e-6;
+  reading.motion = MotionKind::linear;
+  if (std::abs(across) <= straight) return chord.dot(*tangent) >= 0 || wrong(" straight back");
+  const Vector to_center = chord.squaredNorm() / (2 * across) * left_of(*tangent);
+  move.center[axes.first] = to_center.x();
+  move.center[axes.second] = to_center.y();
+  reading.motion = across > 0 ? MotionKind::counter_clockwise : MotionKind::clockwise;
+  return true;
+}
+
+bool take_angle(Reading& reading, ProgramLine& line, BlockWords& block) {
+  const PlaneAxes axes = axes_of(reading.state.mode().plane);
+  auto& first = block.move.end[axes.first];
+  auto& second = block.move.end[axes.second];
+  const bool straight = reading.motion == MotionKind::rapid || reading.motion == MotionKind::linear;
+  const double angle = block.angle->value * std::numbers::pi / 180;
+  const double along = first ? std::cos(angle) : std::sin(angle);
+  constexpr double parallel = 1e-6;
+  if (!straight || reading.code_modes.tangent_arcs || first.has_value() == second.has_value() ||
+      std::abs(along) < parallel)
+    return reading.refuse(
+        line, TextFault{.code = Code::nc_unsupported,
+                        .begin = block.angle->begin,
+                        .detail = "the angle of a motion without one of its coordinates "
+                                  "alone"});
+  const Point start =
+      to_plane(reading.state.mode().plane, reading.state.position()) / reading.length_unit();
+  const double from = first ? start.x() : start.y();
+  const double travel = (first ? *first : *second) - (reading.incremental ? 0 : from);
+  const double across = travel / along * (first ? std::sin(angle) : std::cos(angle));
+  const double other = first ? start.y() : start.x();
+  (first ? second : first) = across + (reading.incremental ? 0 : other);
   return true;
 }
 

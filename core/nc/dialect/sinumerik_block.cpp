@@ -1,9 +1,16 @@
+#include "core/nc/dialect/sinumerik_block.h"
+
 #include <algorithm>
 #include <string>
 
 #include "core/nc/dialect/block_words.h"
+#include "core/nc/dialect/code_block.h"
+#include "core/nc/dialect/code_block_words.h"
 #include "core/nc/dialect/pass_words.h"
+#include "core/nc/dialect/reading.h"
+#include "core/nc/dialect/sinumerik_functions.h"
 #include "core/nc/dialect/sinumerik_names.h"
+#include "core/nc/dialect/sinumerik_values.h"
 #include "core/nc/dialect/sinumerik_words.h"
 #include "core/nc/text/characters.h"
 #include "core/nc/text/named_words.h"
@@ -17,18 +24,148 @@ namespace {
 
 bool is_center_letter(char letter) { return letter >= 'I' && letter <= 'K'; }
 
+// X1=5, where the setup has an axis X1: its place among the tracking axes; else -1.
+int axis_of_index(const Reading& reading, const NamedWord& word) {
+  if (word.index < 0) return -1;
+  const std::string name = word.letter + std::to_string(word.index);
+  const auto& names = reading.state.setup().tracking_axes;
+  const auto found = std::ranges::find_if(
+      names, [&](const std::string& candidate) { return same_name(candidate, name); });
+  return found == names.end() ? -1 : static_cast<int>(found - names.begin());
+}
+
+// T1=5 and M1=6 are those of the spindle; further ones have tools of their own, which no contour of
+// G41 counts on. Beside them S, H and M of one spindle pass; axes are looked at by their names.
+bool check_index(Reading& reading, const NamedWord& word, const ProgramLine& line) {
+  if (word.index < 0 || word.letter <= 'C' || word.letter >= 'U') return true;
+  if (is_center_letter(word.letter) || axis_of_index(reading, word) >= 0) return true;
+  const auto wrong = [&](std::string_view why) {
+    return refuse_code(reading, line, as_code(word), Code::nc_unsupported, why);
+  };
+  const bool changes = word.letter == 'M' && word.value == 6;
+  if (word.letter == 'T' || changes) return word.index == 1 || wrong("the tool of another spindle");
+  const bool ends = word.letter == 'M' && (word.value <= 2 || word.value == 17 || word.value == 30);
+  const bool passes = word.letter == 'S' || word.letter == 'H' || (word.letter == 'M' && !ends);
+  return passes || wrong("with the number of a spindle");
+}
+
+// T="MILL"
+bool read_tool_name(Reading& reading, const NamedWord& word, ProgramLine& line, BlockWords& block) {
+  if (word.letter != 'T')
+    return refuse_code(reading, line, as_code(word), Code::nc_syntax, "a text");
+  if (block.tool_number) return refuse_code(reading, line, as_code(word), Code::nc_word_twice);
+  const std::int64_t number = number_of_tool_named(word.name, reading.state.tool());
+  if (number > 0) {
+    reading.code_modes.tool_name.clear();
+    block.tool_number = {.value = static_cast<double>(number), .begin = word.begin};
+  } else {
+    reading.code_modes.tool_name = word.name;
+    block.tool_number = {.value = -1, .begin = word.begin};
+    block.named_tool = reading.state.tool().tool_named(word.name);
+  }
+  add(line, word, WordRole::technology);
+  return true;
+}
+
+// L10 calls a subprogram. What only the machine has passes.
+bool read_call_by_letter(Reading& reading, const NamedWord& word, ProgramLine& line,
+                         BlockWords& block) {
+  const bool passes =
+      word.letter == 'L' &&
+      (passes_word(reading.state.setup(), line.text, word.begin) ||
+       in_upper_case(line.word({.begin = word.begin, .end = word.end})) == standard_tool_change);
+  if (!passes)
+    return refuse_code(reading, line, as_code(word), Code::nc_unsupported, "a subprogram call");
+  block.calls_the_machine = true;
+  return read_as(call_name, word, line, block);
+}
+
+// S1=500 and M1=3 are of a spindle, X1=0 of G74 and G75 names an axis.
+bool read_word_of_index(Reading& reading, const NamedWord& word, ProgramLine& line,
+                        BlockWords& block) {
+  if (const int axis = axis_of_index(reading, word); axis >= 0 && !block.has(GGroup::single_move)) {
+    const auto index = static_cast<std::size_t>(axis);
+    if (word.reference != NamedWord::Reference::modal)
+      return refuse_code(reading, line, as_code(word), Code::nc_unsupported,
+                         "AC or IC of a further axis");
+    block.move.tracking.resize(reading.state.setup().tracking_axes.size());
+    if (block.move.tracking[index])
+      return refuse_code(reading, line, as_code(word), Code::nc_word_twice);
+    block.move.tracking[index] = word.value;
+    if (!block.axis) block.axis = word.begin;
+    ++block.words;
+    add(line, word, WordRole::coordinate);
+    return true;
+  }
+  const bool names_axis = word.letter <= 'C' || word.letter >= 'U' || is_center_letter(word.letter);
+  if (names_axis && !block.has(GGroup::single_move))
+    return refuse_code(reading, line, as_code(word), Code::nc_axis_unknown);
+  if (!names_axis) ++block.words;
+  add(line, word, WordRole::technology);
+  return true;
+}
+
+// X=AC(10), I=IC(5)
+bool take_reference(Reading& reading, const NamedWord& word, const ProgramLine& line,
+                    BlockWords& block) {
+  if (word.reference == NamedWord::Reference::modal) return true;
+  const bool incremental = word.reference == NamedWord::Reference::incremental;
+  if (word.letter >= 'X' && word.letter <= 'Z') {
+    block.end_reference[static_cast<std::size_t>(word.letter - 'X')] = incremental ? -1 : 1;
+  } else if (is_center_letter(word.letter)) {
+    block.center_reference[static_cast<std::size_t>(word.letter - 'I')] = incremental ? -1 : 1;
+  } else if (incremental || reading.incremental) {
+    return refuse_code(reading, line, as_code(word), Code::nc_unsupported,
+                       "AC or IC of a further axis");
+  }
+  return true;
+}
+
+bool read_named_address(Reading& reading, const NamedWord& word, ProgramLine& line,
+                        BlockWords& block) {
+  const char letter = word.letter;
+  if (!check_index(reading, word, line)) return false;
+  if (word.is_text) return read_tool_name(reading, word, line, block);
+  if (letter == 'T') reading.code_modes.tool_name.clear();
+  if (letter == 'L' || letter == 'E') return read_call_by_letter(reading, word, line, block);
+  if (is_center_letter(letter) && word.index == 1) {  // the point between of CIP
+    block.through[static_cast<std::size_t>(letter - 'I')] = {.value = word.value,
+                                                             .begin = word.begin};
+    add(line, word, WordRole::coordinate);
+    return true;
+  }
+  if (word.is_variable) {
+    if (reading.contour_open())
+      return refuse_code(reading, line, as_code(word), Code::nc_unsupported,
+                         "a variable or an expression");
+    block.unfollowed_word = word.begin;
+    add(line, word, WordRole::technology);
+    return true;
+  }
+  const bool chooses_tool = letter == 'T' || (letter == 'M' && word.value == 6);
+  if (word.index >= 0 && !chooses_tool) return read_word_of_index(reading, word, line, block);
+  if (word.is_way_round && !block.way_round) block.way_round = word.begin;
+  if (!take_reference(reading, word, line, block)) return false;
+  if (letter == 'M' && word.value == 17) {
+    line.ends_program = true;
+    add(line, word, WordRole::stop);
+    return true;
+  }
+  return read_code_word(reading, as_code(word), line, block);
+}
+
 }  // namespace
 
-bool Interpreter::read_named_words(ProgramLine& line, BlockWords& block) {
+bool read_named_words(Reading& reading, ProgramLine& line, BlockWords& block) {
   NamedWordReader reader(line.text);
   std::size_t faults = 0;
   for (;;) {
     const NamedWord word = reader.next();
     switch (word.kind) {
       case NamedWord::Kind::end:
-        return complete_code_block(line, block) && faults == 0;
+        return complete_code_block(reading, line, block) && faults == 0;
       case NamedWord::Kind::fault:
-        refuse(line, reader.fault());
+        reading.refuse(line, reader.fault());
         ++faults;
         break;
       case NamedWord::Kind::comment:
@@ -42,148 +179,28 @@ bool Interpreter::read_named_words(ProgramLine& line, BlockWords& block) {
         add(line, word, WordRole::technology);
         break;
       case NamedWord::Kind::address:
-        faults += read_named_address(word, line, block) ? 0 : 1;
+        faults += read_named_address(reading, word, line, block) ? 0 : 1;
         break;
       case NamedWord::Kind::assignment:
-        faults += read_assignment(word, line, block) ? 0 : 1;
+        faults += read_assignment(reading, word, line, block) ? 0 : 1;
         break;
       case NamedWord::Kind::name:
         if (word.name == "EXTERN") {  // of a subprogram that only the machine has
           NamedWord declaration = word;
           declaration.end = static_cast<std::uint32_t>(line.text.size());
           add(line, declaration, WordRole::technology);
-          return complete_code_block(line, block) && faults == 0;
+          return complete_code_block(reading, line, block) && faults == 0;
         }
-        faults += read_name(word, line, block) ? 0 : 1;
+        faults += read_name(reading, word, line, block) ? 0 : 1;
         // What follows is part of the statement.
         if (is_sinumerik_statement(word.name)) return false;
         break;
       case NamedWord::Kind::call:
-        faults += read_named_call(word, line, block) ? 0 : 1;
+        faults += read_named_call(reading, word, line, block) ? 0 : 1;
         break;
     }
-    if (diagnostics_.stopped() || faults >= limits_.most_faults) return false;
+    if (reading.diagnostics.stopped() || faults >= reading.limits.most_faults) return false;
   }
-}
-
-// X1=5, where the setup has an axis X1: its place among the tracking axes; else -1.
-int Interpreter::axis_of_index(const NamedWord& word) const {
-  if (word.index < 0) return -1;
-  const std::string name = word.letter + std::to_string(word.index);
-  const auto& names = state_.setup().tracking_axes;
-  const auto found = std::ranges::find_if(
-      names, [&](const std::string& candidate) { return same_name(candidate, name); });
-  return found == names.end() ? -1 : static_cast<int>(found - names.begin());
-}
-
-// T1=5 and M1=6 are those of the spindle; further ones have tools of their own, which no contour of
-// G41 counts on. Beside them S, H and M of one spindle pass; axes are looked at by their names.
-bool Interpreter::check_index(const NamedWord& word, const ProgramLine& line) {
-  if (word.index < 0 || word.letter <= 'C' || word.letter >= 'U') return true;
-  if (is_center_letter(word.letter) || axis_of_index(word) >= 0) return true;
-  const auto wrong = [&](std::string_view why) {
-    return refuse_code(line, as_code(word), Code::nc_unsupported, why);
-  };
-  const bool changes = word.letter == 'M' && word.value == 6;
-  if (word.letter == 'T' || changes) return word.index == 1 || wrong("the tool of another spindle");
-  const bool ends = word.letter == 'M' && (word.value <= 2 || word.value == 17 || word.value == 30);
-  const bool passes = word.letter == 'S' || word.letter == 'H' || (word.letter == 'M' && !ends);
-  return passes || wrong("with the number of a spindle");
-}
-bool Interpreter::read_named_address(const NamedWord& word, ProgramLine& line, BlockWords& block) {
-  const char letter = word.letter;
-  if (!check_index(word, line)) return false;
-  if (word.is_text) return read_tool_name(word, line, block);
-  if (letter == 'T') code_.tool_name.clear();
-  if (letter == 'L' || letter == 'E') return read_call_by_letter(word, line, block);
-  if (is_center_letter(letter) && word.index == 1) {  // the point between of CIP
-    block.through[static_cast<std::size_t>(letter - 'I')] = {.value = word.value,
-                                                             .begin = word.begin};
-    add(line, word, WordRole::coordinate);
-    return true;
-  }
-  if (word.is_variable) {
-    if (contour_open())
-      return refuse_code(line, as_code(word), Code::nc_unsupported, "a variable or an expression");
-    block.unfollowed_word = word.begin;
-    add(line, word, WordRole::technology);
-    return true;
-  }
-  const bool chooses_tool = letter == 'T' || (letter == 'M' && word.value == 6);
-  if (word.index >= 0 && !chooses_tool) return read_word_of_index(word, line, block);
-  if (word.is_way_round && !block.way_round) block.way_round = word.begin;
-  if (!take_reference(word, line, block)) return false;
-  if (letter == 'M' && word.value == 17) {
-    line.ends_program = true;
-    add(line, word, WordRole::stop);
-    return true;
-  }
-  return read_code_word(as_code(word), line, block);
-}
-
-// T="MILL"
-bool Interpreter::read_tool_name(const NamedWord& word, ProgramLine& line, BlockWords& block) {
-  if (word.letter != 'T') return refuse_code(line, as_code(word), Code::nc_syntax, "a text");
-  if (block.tool_number) return refuse_code(line, as_code(word), Code::nc_word_twice);
-  const std::int64_t number = number_of_tool_named(word.name, state_.tool());
-  if (number > 0) {
-    code_.tool_name.clear();
-    block.tool_number = {.value = static_cast<double>(number), .begin = word.begin};
-  } else {
-    code_.tool_name = word.name;
-    block.tool_number = {.value = -1, .begin = word.begin};
-    block.named_tool = state_.tool().tool_named(word.name);
-  }
-  add(line, word, WordRole::technology);
-  return true;
-}
-
-// L10 calls a subprogram. What only the machine has passes.
-bool Interpreter::read_call_by_letter(const NamedWord& word, ProgramLine& line, BlockWords& block) {
-  const bool passes =
-      word.letter == 'L' &&
-      (passes_word(state_.setup(), line.text, word.begin) ||
-       in_upper_case(line.word({.begin = word.begin, .end = word.end})) == standard_tool_change);
-  if (!passes) return refuse_code(line, as_code(word), Code::nc_unsupported, "a subprogram call");
-  block.calls_the_machine = true;
-  return read_as(call_name, word, line, block);
-}
-
-// S1=500 and M1=3 are of a spindle, X1=0 of G74 and G75 names an axis.
-bool Interpreter::read_word_of_index(const NamedWord& word, ProgramLine& line, BlockWords& block) {
-  if (const int axis = axis_of_index(word); axis >= 0 && !block.has(GGroup::single_move)) {
-    const auto index = static_cast<std::size_t>(axis);
-    if (word.reference != NamedWord::Reference::modal)
-      return refuse_code(line, as_code(word), Code::nc_unsupported, "AC or IC of a further axis");
-    block.move.tracking.resize(state_.setup().tracking_axes.size());
-    if (block.move.tracking[index]) return refuse_code(line, as_code(word), Code::nc_word_twice);
-    block.move.tracking[index] = word.value;
-    if (!block.axis) block.axis = word.begin;
-    ++block.words;
-    add(line, word, WordRole::coordinate);
-    return true;
-  }
-  const bool names_axis = word.letter <= 'C' || word.letter >= 'U' || is_center_letter(word.letter);
-  if (names_axis && !block.has(GGroup::single_move))
-    return refuse_code(line, as_code(word), Code::nc_axis_unknown);
-  if (!names_axis) ++block.words;
-  add(line, word, WordRole::technology);
-  return true;
-}
-
-// X=AC(10), I=IC(5)
-bool Interpreter::take_reference(const NamedWord& word, const ProgramLine& line,
-                                 BlockWords& block) {
-  if (word.reference == NamedWord::Reference::modal) return true;
-  const bool incremental = word.reference == NamedWord::Reference::incremental;
-  if (word.letter >= 'X' && word.letter <= 'Z') {
-    block.end_reference[static_cast<std::size_t>(word.letter - 'X')] = incremental ? -1 : 1;
-  } else if (is_center_letter(word.letter)) {
-    block.center_reference[static_cast<std::size_t>(word.letter - 'I')] = incremental ? -1 : 1;
-  } else if (incremental || incremental_) {
-    return refuse_code(line, as_code(word), Code::nc_unsupported, "AC or IC of a further axis");
-  }
-  return true;
 }
 
 }  // namespace trc

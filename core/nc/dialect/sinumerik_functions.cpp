@@ -1,6 +1,9 @@
+#include "core/nc/dialect/sinumerik_functions.h"
+
 #include <string>
 
 #include "core/nc/dialect/block_words.h"
+#include "core/nc/dialect/reading.h"
 #include "core/nc/dialect/sinumerik_names.h"
 #include "core/nc/dialect/sinumerik_words.h"
 #include "core/nc/text/named_words.h"
@@ -38,77 +41,15 @@ constexpr GFunction unknown_name{
     .number = 1007, .group = single_move, .meaning = "an unknown name"};
 constexpr GFunction cycle_end_name{.number = 1005, .group = cycle_end};
 
-}  // namespace
-
-bool Interpreter::refuse_name(const ProgramLine& line, const NamedWord& word,
-                              std::string_view why) {
-  return refuse(line, TextFault{.code = Code::nc_unsupported,
-                                .begin = word.begin,
-                                .detail = std::string(word.name).append(", ").append(why)});
+bool refuse_name(Reading& reading, const ProgramLine& line, const NamedWord& word,
+                 std::string_view why) {
+  return reading.refuse(line, TextFault{.code = Code::nc_unsupported,
+                                        .begin = word.begin,
+                                        .detail = std::string(word.name).append(", ").append(why)});
 }
 
-bool Interpreter::read_as(const GFunction& function, const NamedWord& word, ProgramLine& line,
-                          BlockWords& block) {
-  block.set(function, word.begin);
-  add(line, word, WordRole::technology);
-  return true;
-}
-
-bool Interpreter::read_name(const NamedWord& word, ProgramLine& line, BlockWords& block) {
-  ++block.words;
-  const std::string& name = word.name;
-  if (name == "CIP") {
-    block.set(*dialect_.function(2), word.begin);
-    block.is_through = true;
-    add(line, word, WordRole::motion);
-    return true;
-  }
-  if (name == "CT") {
-    block.begins_tangent_arcs = true;
-    add(line, word, WordRole::motion);
-    return true;
-  }
-  if (name == "CFC") return read_as(feed_at_contour, word, line, block);
-  if (name == "CFTCP") return read_as(feed_at_center, word, line, block);
-  if (name == "CFIN") return read_as(feed_at_inside_arcs, word, line, block);
-  if (name == "KONTC" || name == "KONTT")
-    return refuse_name(line, word, "an approach that goes on smoothly: NORM or KONT");
-  // D-51. Without G41 and G42 the word says nothing: it stays.
-  if (name == "KONT") return read_as(around_the_corner, word, line, block);
-  if (name == "NORM") return read_as(straight_to_the_contour, word, line, block);
-  if (name == "CDON" || name == "CDOF" || name == "CDOF2") {
-    block.masks = name == "CDON";
-    add(line, word, WordRole::technology);
-    return true;
-  }
-  if (const auto meaning = meaning_of_sinumerik_name(name))
-    return read_known_name(*meaning, word, line, block);
-  if (state_.setup().pass_words.contains(name)) {
-    add(line, word, WordRole::technology);
-    return true;
-  }
-  if (state_.setup().copies_unknown_words) return read_as(unknown_name, word, line, block);
-  return refuse_name(line, word, "a name");
-}
-
-// NAME(…)
-bool Interpreter::read_named_call(const NamedWord& word, ProgramLine& line, BlockWords& block) {
-  ++block.words;
-  const bool passes = is_passing_sinumerik_call(word.name);
-  const bool is_cycle = is_sinumerik_cycle(word.name) && !passes;
-  if (word.name == "TRAORI" || (is_cycle && word.name.starts_with("TRA")))
-    return read_as(unfollowed_name, word, line, block);
-  if (is_cycle && !block.has(cycle)) return read_as(single_name, word, line, block);
-  if (!is_cycle && !passes && !state_.setup().pass_words.contains(word.name)) {
-    block.calls_the_machine = true;
-    return read_as(call_name, word, line, block);
-  }
-  add(line, word, WordRole::technology);
-  return true;
-}
-
-bool Interpreter::read_known_name(SinumerikMeaning meaning, const NamedWord& word,
-                                  ProgramLine& line, BlockWords& block) {
+bool read_known_name(Reading& reading, SinumerikMeaning meaning, const NamedWord& word,
+                     ProgramLine& line, BlockWords& block) {
   const auto stands_for = [&](const GFunction& function) {
     return read_as(function, word, line, block);
   };
@@ -126,7 +67,8 @@ bool Interpreter::read_known_name(SinumerikMeaning meaning, const NamedWord& wor
     case SinumerikMeaning::spatial:
       return stands_for(spatial_name);
     case SinumerikMeaning::spatial_end:
-      if (code_.is_unfollowed(compensation_in_space * 10)) return stands_for(spatial_end_name);
+      if (reading.code_modes.is_unfollowed(compensation_in_space * 10))
+        return stands_for(spatial_end_name);
       break;
     case SinumerikMeaning::unfollowed_end:
       return stands_for(unfollowed_end_name);
@@ -138,13 +80,75 @@ bool Interpreter::read_known_name(SinumerikMeaning meaning, const NamedWord& wor
       return stands_for(ends ? cycle_end_name : cycle_name);
     }
     case SinumerikMeaning::statement:
-      return refuse_name(line, word, "a statement");
+      return refuse_name(reading, line, word, "a statement");
     case SinumerikMeaning::turning:
-      code_.turning = true;
-      return refuse(line,
-                    TextFault{.code = Code::turning, .begin = word.begin, .detail = word.name});
+      reading.code_modes.turning = true;
+      return reading.refuse(
+          line, TextFault{.code = Code::turning, .begin = word.begin, .detail = word.name});
     case SinumerikMeaning::technology:
       break;
+  }
+  add(line, word, WordRole::technology);
+  return true;
+}
+
+}  // namespace
+
+bool read_as(const GFunction& function, const NamedWord& word, ProgramLine& line,
+             BlockWords& block) {
+  block.set(function, word.begin);
+  add(line, word, WordRole::technology);
+  return true;
+}
+
+bool read_name(Reading& reading, const NamedWord& word, ProgramLine& line, BlockWords& block) {
+  ++block.words;
+  const std::string& name = word.name;
+  if (name == "CIP") {
+    block.set(*reading.dialect.function(2), word.begin);
+    block.is_through = true;
+    add(line, word, WordRole::motion);
+    return true;
+  }
+  if (name == "CT") {
+    block.begins_tangent_arcs = true;
+    add(line, word, WordRole::motion);
+    return true;
+  }
+  if (name == "CFC") return read_as(feed_at_contour, word, line, block);
+  if (name == "CFTCP") return read_as(feed_at_center, word, line, block);
+  if (name == "CFIN") return read_as(feed_at_inside_arcs, word, line, block);
+  if (name == "KONTC" || name == "KONTT")
+    return refuse_name(reading, line, word, "an approach that goes on smoothly: NORM or KONT");
+  // D-51. Without G41 and G42 the word says nothing: it stays.
+  if (name == "KONT") return read_as(around_the_corner, word, line, block);
+  if (name == "NORM") return read_as(straight_to_the_contour, word, line, block);
+  if (name == "CDON" || name == "CDOF" || name == "CDOF2") {
+    block.masks = name == "CDON";
+    add(line, word, WordRole::technology);
+    return true;
+  }
+  if (const auto meaning = meaning_of_sinumerik_name(name))
+    return read_known_name(reading, *meaning, word, line, block);
+  if (reading.state.setup().pass_words.contains(name)) {
+    add(line, word, WordRole::technology);
+    return true;
+  }
+  if (reading.state.setup().copies_unknown_words) return read_as(unknown_name, word, line, block);
+  return refuse_name(reading, line, word, "a name");
+}
+
+bool read_named_call(Reading& reading, const NamedWord& word, ProgramLine& line,
+                     BlockWords& block) {
+  ++block.words;
+  const bool passes = is_passing_sinumerik_call(word.name);
+  const bool is_cycle = is_sinumerik_cycle(word.name) && !passes;
+  if (word.name == "TRAORI" || (is_cycle && word.name.starts_with("TRA")))
+    return read_as(unfollowed_name, word, line, block);
+  if (is_cycle && !block.has(cycle)) return read_as(single_name, word, line, block);
+  if (!is_cycle && !passes && !reading.state.setup().pass_words.contains(word.name)) {
+    block.calls_the_machine = true;
+    return read_as(call_name, word, line, block);
   }
   add(line, word, WordRole::technology);
   return true;

@@ -1,9 +1,12 @@
+#include "core/nc/dialect/sinumerik_leads.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
 
 #include "core/nc/dialect/block_words.h"
+#include "core/nc/dialect/reading.h"
 
 // Smooth approach and retraction of Sinumerik: G147 … G348 with DISR=, DISCL= and FAD=. Programming
 // manual of SINUMERIK ONE, 2.10.4: P0 is where the tool comes from or goes to, P4 where the contour
@@ -18,16 +21,108 @@ constexpr const char* words_alone = "beside none of G147, G148, G247, G248, G347
 
 bool is_approach(int number) { return number % 10 == 7; }
 
+bool check_soft_lead(Reading& reading, ProgramLine& line, const BlockWords& block) {
+  const BlockWords::Function& lead = block.of(soft_lead);
+  const std::string name = "G" + std::to_string(lead.function->number);
+  const auto wrong = [&](std::uint32_t begin, const std::string& why) {
+    return reading.refuse(
+        line, TextFault{.code = Code::nc_unsupported, .begin = begin, .detail = name + why});
+  };
+  const bool approaches = is_approach(lead.function->number);
+  if (!approaches && !reading.trc_active())
+    return wrong(lead.begin, " behind G40: write both into one block");
+  if (!approaches && !block.of(side).is(40))
+    return wrong(lead.begin, " without G40: write G40 beside it");
+  if (approaches && block.of(side).is(40)) return wrong(lead.begin, " beside G40");
+  if (block.to_skip)
+    return reading.refuse(line, TextFault{.code = Code::block_skip_undecided,
+                                          .begin = lead.begin,
+                                          .detail = name + " in a block that may be skipped"});
+  if (block.center || block.corner)
+    return wrong(lead.begin, " beside words of an arc, a rounding or a chamfer");
+  if (reading.feed_mode != 94 || block.has(feed_mode))
+    return wrong(lead.begin, " beside or behind G93, G95: only feeds per minute are followed");
+  if (block.soft_return)
+    return wrong(*block.soft_return,
+                 " with DISRP=, the plane it returns to: program that height "
+                 "in blocks of its own");
+  const bool straight = lead.function->number < 200;
+  if (!block.soft_length || (!straight && !(block.soft_length->value > 0)))
+    return wrong(block.soft_length ? block.soft_length->begin : lead.begin,
+                 straight ? " without DISR=, its length" : " without DISR=, its radius, above 0");
+  if (block.soft_feed && !reading.state.is_feed(block.soft_feed->value))
+    return wrong(block.soft_feed->begin, " with FAD= that is no feed");
+  if (block.soft_clearance && !block.clearance_is_absolute && block.soft_clearance->value < 0)
+    return wrong(block.soft_clearance->begin, " with DISCL= below 0");
+  return true;
+}
+
+Lead soft_lead_of(const Reading& reading, const BlockWords& block) {
+  const int number = block.of(soft_lead).function->number;
+  const double length = block.soft_length->value * reading.length_unit();
+  if (number < 200) return {.form = Lead::Form::tangent, .length = length, .from_edge = true};
+  const bool left = reading.state.mode().side == Side::left;
+  const bool other_side = (reading.code_modes.soft_direction == 141 && !left) ||
+                          (reading.code_modes.soft_direction == 142 && left);
+  return {.form = Lead::Form::arc,
+          .radius = other_side ? -length : length,
+          .angle = number > 300 ? std::numbers::pi : std::numbers::pi / 2,
+          .bends_to_tool = reading.code_modes.soft_direction == 143};
+}
+
+// The part of DISCL= in a block that leads to or from a contour.
+std::optional<SoftClearance> clearance_of(const Reading& reading, const BlockWords& block) {
+  if (!block.soft_clearance) return {};
+  return SoftClearance{.distance = block.soft_clearance->value * reading.length_unit(),
+                       .absolute = block.clearance_is_absolute};
+}
+
+// Where the third axis is by DISCL=: between `plane`, that of the contour, and `away`, from where
+// it comes or to where it goes. Nothing where it is not between them, which controls refuse too.
+std::optional<double> height_of(const std::optional<SoftClearance>& clearance, double plane,
+                                double away) {
+  if (!clearance) return plane;
+  const double height = clearance->absolute ? clearance->distance
+                        : away < plane      ? plane - clearance->distance
+                                            : plane + clearance->distance;
+  const bool between = (height - plane) * (away - height) >= -1e-9;
+  return between ? std::optional(height) : std::nullopt;
+}
+
+bool refuse_clearance(Reading& reading, const ProgramLine& line, std::uint32_t begin) {
+  return reading.refuse(
+      line, TextFault{.code = Code::nc_unsupported,
+                      .begin = begin,
+                      .detail = "DISCL= that is not between the plane of the contour and "
+                                "where the tool comes from or goes to"});
+}
+
+// Absolute and in mm: where the axes named end.
+bool find_soft_end(Reading& reading, const ProgramLine& line, const BlockWords& block,
+                   std::array<std::optional<double>, 3>& end) {
+  for (std::size_t axis = 0; axis < end.size(); ++axis) {
+    if (!block.move.end[axis]) continue;
+    if (reading.incremental && !reading.state.is_known(axis))
+      return reading.refuse(line,
+                            TextFault{.code = Code::position_unknown,
+                                      .begin = *block.axis,
+                                      .detail = std::string(1, static_cast<char>('X' + axis))});
+    end[axis] = *block.move.end[axis] * reading.length_unit() +
+                (reading.incremental ? reading.state.position()[axis] : 0);
+  }
+  return true;
+}
+
 }  // namespace
 
-bool Interpreter::read_soft_word(const NamedWord& word, ProgramLine& line, BlockWords& block) {
+bool read_soft_word(Reading& reading, const NamedWord& word, ProgramLine& line, BlockWords& block) {
   const auto refused = [&](Code code, std::string_view why) {
-    return refuse(line,
-                  TextFault{.code = code,
-                            .begin = word.begin,
-                            .detail = std::string(line.word({.begin = word.begin, .end = word.end}))
-                                          .append(", ")
-                                          .append(why)});
+    return reading.refuse(
+        line, TextFault{.code = code,
+                        .begin = word.begin,
+                        .detail = std::string(line.word({.begin = word.begin, .end = word.end}))
+                                      .append(", ")
+                                      .append(why)});
   };
   const bool clearance = word.name == "DISCL";
   if (word.reference != NamedWord::Reference::modal && word.name != "DISRP" &&
@@ -47,34 +142,34 @@ bool Interpreter::read_soft_word(const NamedWord& word, ProgramLine& line, Block
   return true;
 }
 
-// Whether the block leads to a contour or from it, or is copied as what it is without TRC.
-bool Interpreter::take_soft_lead(ProgramLine& line, BlockWords& block) {
-  if (block.has(soft_direction)) code_.soft_direction = block.of(soft_direction).function->number;
-  if (block.has(soft_steps)) code_.soft_in_space = block.of(soft_steps).is(340);
+bool take_soft_lead(Reading& reading, ProgramLine& line, BlockWords& block) {
+  if (block.has(soft_direction))
+    reading.code_modes.soft_direction = block.of(soft_direction).function->number;
+  if (block.has(soft_steps)) reading.code_modes.soft_in_space = block.of(soft_steps).is(340);
   const BlockWords::Function& lead = block.of(soft_lead);
   const bool selects = block.has(side) && !block.of(side).is(40);
   if (!block.has(soft_lead)) {
     for (const auto& word : {block.soft_length, block.soft_clearance, block.soft_feed})
-      if (word && (selects || contour_open()))
-        return refuse(
+      if (word && (selects || reading.contour_open()))
+        return reading.refuse(
             line, TextFault{.code = Code::nc_unsupported,
                             .begin = word->begin,
                             .detail = std::string("DISR=, DISCL= or FAD= ").append(words_alone)});
-    if (code_.soft_approach && faults_.empty() && block.has(side))
-      return refuse(line,
-                    TextFault{.code = Code::nc_unsupported,
-                              .begin = block.of(side).begin,
-                              .detail = "G40 … G42 between a smooth approach and its contour"});
+    if (reading.code_modes.soft_approach && reading.faults.empty() && block.has(side))
+      return reading.refuse(
+          line, TextFault{.code = Code::nc_unsupported,
+                          .begin = block.of(side).begin,
+                          .detail = "G40 … G42 between a smooth approach and its contour"});
     return true;
   }
   const bool approaches = is_approach(lead.function->number);
-  block.leads_softly = approaches ? selects || trc_active() : trc_active();
-  if (!block.leads_softly && !contour_open()) {
+  block.leads_softly = approaches ? selects || reading.trc_active() : reading.trc_active();
+  if (!block.leads_softly && !reading.contour_open()) {
     // Only the control knows where it ends: its contour is not compensated here.
     block.functions[static_cast<std::size_t>(single_move)] = lead;
     return true;
   }
-  if (!check_soft_lead(line, block)) return false;
+  if (!check_soft_lead(reading, line, block)) return false;
   for (WordRange& word : line.words)
     for (const auto& mine : {std::optional(BlockWords::Value{.begin = lead.begin}),
                              block.soft_length, block.soft_clearance, block.soft_feed})
@@ -82,191 +177,101 @@ bool Interpreter::take_soft_lead(ProgramLine& line, BlockWords& block) {
   return true;
 }
 
-bool Interpreter::check_soft_lead(ProgramLine& line, const BlockWords& block) {
-  const BlockWords::Function& lead = block.of(soft_lead);
-  const std::string name = "G" + std::to_string(lead.function->number);
-  const auto wrong = [&](std::uint32_t begin, const std::string& why) {
-    return refuse(line,
-                  TextFault{.code = Code::nc_unsupported, .begin = begin, .detail = name + why});
-  };
-  const bool approaches = is_approach(lead.function->number);
-  if (!approaches && !trc_active())
-    return wrong(lead.begin, " behind G40: write both into one block");
-  if (!approaches && !block.of(side).is(40))
-    return wrong(lead.begin, " without G40: write G40 beside it");
-  if (approaches && block.of(side).is(40)) return wrong(lead.begin, " beside G40");
-  if (block.to_skip)
-    return refuse(line, TextFault{.code = Code::block_skip_undecided,
-                                  .begin = lead.begin,
-                                  .detail = name + " in a block that may be skipped"});
-  if (block.center || block.corner)
-    return wrong(lead.begin, " beside words of an arc, a rounding or a chamfer");
-  if (feed_mode_ != 94 || block.has(feed_mode))
-    return wrong(lead.begin, " beside or behind G93, G95: only feeds per minute are followed");
-  if (block.soft_return)
-    return wrong(*block.soft_return,
-                 " with DISRP=, the plane it returns to: program that height "
-                 "in blocks of its own");
-  const bool straight = lead.function->number < 200;
-  if (!block.soft_length || (!straight && !(block.soft_length->value > 0)))
-    return wrong(block.soft_length ? block.soft_length->begin : lead.begin,
-                 straight ? " without DISR=, its length" : " without DISR=, its radius, above 0");
-  if (block.soft_feed && !state_.is_feed(block.soft_feed->value))
-    return wrong(block.soft_feed->begin, " with FAD= that is no feed");
-  if (block.soft_clearance && !block.clearance_is_absolute && block.soft_clearance->value < 0)
-    return wrong(block.soft_clearance->begin, " with DISCL= below 0");
-  return true;
-}
-
-Lead Interpreter::soft_lead_of(const BlockWords& block) const {
-  const int number = block.of(soft_lead).function->number;
-  const double length = block.soft_length->value * length_unit();
-  if (number < 200) return {.form = Lead::Form::tangent, .length = length, .from_edge = true};
-  const bool left = state_.mode().side == Side::left;
-  const bool other_side =
-      (code_.soft_direction == 141 && !left) || (code_.soft_direction == 142 && left);
-  return {.form = Lead::Form::arc,
-          .radius = other_side ? -length : length,
-          .angle = number > 300 ? std::numbers::pi : std::numbers::pi / 2,
-          .bends_to_tool = code_.soft_direction == 143};
-}
-
-// The part of DISCL= in a block that leads to or from a contour.
-std::optional<SoftClearance> Interpreter::clearance_of(const BlockWords& block) const {
-  if (!block.soft_clearance) return {};
-  return SoftClearance{.distance = block.soft_clearance->value * length_unit(),
-                       .absolute = block.clearance_is_absolute};
-}
-
-// Where the third axis is by DISCL=: between `plane`, that of the contour, and `away`, from where
-// it comes or to where it goes. Nothing where it is not between them, which controls refuse too.
-std::optional<double> Interpreter::height_of(const std::optional<SoftClearance>& clearance,
-                                             double plane, double away) {
-  if (!clearance) return plane;
-  const double height = clearance->absolute ? clearance->distance
-                        : away < plane      ? plane - clearance->distance
-                                            : plane + clearance->distance;
-  const bool between = (height - plane) * (away - height) >= -1e-9;
-  return between ? std::optional(height) : std::nullopt;
-}
-
-bool Interpreter::refuse_clearance(const ProgramLine& line, std::uint32_t begin) {
-  return refuse(line, TextFault{.code = Code::nc_unsupported,
-                                .begin = begin,
-                                .detail = "DISCL= that is not between the plane of the contour and "
-                                          "where the tool comes from or goes to"});
-}
-
-// Absolute and in mm: where the axes named end.
-bool Interpreter::find_soft_end(const ProgramLine& line, const BlockWords& block,
-                                std::array<std::optional<double>, 3>& end) {
-  for (std::size_t axis = 0; axis < end.size(); ++axis) {
-    if (!block.move.end[axis]) continue;
-    if (incremental_ && !state_.is_known(axis))
-      return refuse(line, TextFault{.code = Code::position_unknown,
-                                    .begin = *block.axis,
-                                    .detail = std::string(1, static_cast<char>('X' + axis))});
-    end[axis] =
-        *block.move.end[axis] * length_unit() + (incremental_ ? state_.position()[axis] : 0);
-  }
-  return true;
-}
-
-bool Interpreter::approach_softly(ProgramLine& line, BlockWords& block) {
-  if (!state_.awaits_approach() || code_.soft_approach)
-    return refuse(line,
-                  TextFault{.code = Code::nc_unsupported,
-                            .begin = block.of(soft_lead).begin,
-                            .detail = "a smooth approach within a contour or behind another"});
-  SoftApproach approach{.lead = soft_lead_of(block),
-                        .clearance = clearance_of(block),
-                        .along_the_lead = code_.soft_in_space,
+bool approach_softly(Reading& reading, ProgramLine& line, BlockWords& block) {
+  if (!reading.state.awaits_approach() || reading.code_modes.soft_approach)
+    return reading.refuse(
+        line, TextFault{.code = Code::nc_unsupported,
+                        .begin = block.of(soft_lead).begin,
+                        .detail = "a smooth approach within a contour or behind another"});
+  SoftApproach approach{.lead = soft_lead_of(reading, block),
+                        .clearance = clearance_of(reading, block),
+                        .along_the_lead = reading.code_modes.soft_in_space,
                         .rapid = block.motion_before == MotionKind::rapid,
                         .feed_before = block.feed_before};
-  if (block.soft_feed) approach.feed = block.soft_feed->value * feed_unit(inch_);
+  if (block.soft_feed) approach.feed = block.soft_feed->value * reading.feed_unit(reading.inch);
   std::array<std::optional<double>, 3> end{};
-  if (!find_soft_end(line, block, end)) return false;
-  const PlaneAxes axes = axes_of(state_.mode().plane);
+  if (!find_soft_end(reading, line, block, end)) return false;
+  const PlaneAxes axes = axes_of(reading.state.mode().plane);
   approach.height = end[axes.third];
-  code_.soft_approach = approach;
-  if (end[axes.first] || end[axes.second]) return begin_contour_of_approach(line, block);
-  reads_plain_lines_ = false;
+  reading.code_modes.soft_approach = approach;
+  if (end[axes.first] || end[axes.second]) return begin_contour_of_approach(reading, line, block);
+  reading.reads_plain_lines = false;
   return true;
 }
 
-// The contour begins where this block ends: that of the approach itself, or the next motion.
-bool Interpreter::begin_contour_of_approach(ProgramLine& line, BlockWords& block) {
-  const PlaneAxes axes = axes_of(state_.mode().plane);
+bool begin_contour_of_approach(Reading& reading, ProgramLine& line, BlockWords& block) {
+  const PlaneAxes axes = axes_of(reading.state.mode().plane);
   const auto wrong = [&](const char* why, Code code = Code::nc_unsupported) {
-    return refuse(line,
-                  TextFault{.code = code,
-                            .begin = std::min(block.axis.value_or(~0U), block.center.value_or(~0U)),
-                            .detail = std::string("the end of a smooth approach ") + why});
+    return reading.refuse(
+        line, TextFault{.code = code,
+                        .begin = std::min(block.axis.value_or(~0U), block.center.value_or(~0U)),
+                        .detail = std::string("the end of a smooth approach ") + why});
   };
   if (!block.move.end[axes.first] && !block.move.end[axes.second])
     return wrong("in a block without an axis of the plane");
-  const bool circle = motion_ == MotionKind::clockwise || motion_ == MotionKind::counter_clockwise;
+  const bool circle =
+      reading.motion == MotionKind::clockwise || reading.motion == MotionKind::counter_clockwise;
   const bool corner = block.move.corner && !block.move.corner->modal;
   if ((circle && !block.leads_softly) || block.center || corner || !block.move.tracking.empty())
     return wrong("in an arc, beside a corner or a further axis");
-  MoveRequest request{.source = line.source, .kind = MotionKind::linear, .feed = feed_};
-  if (!find_soft_end(line, block, request.end)) return false;
-  const SoftApproach approach = *code_.soft_approach;
+  MoveRequest request{.source = line.source, .kind = MotionKind::linear, .feed = reading.feed};
+  if (!find_soft_end(reading, line, block, request.end)) return false;
+  const SoftApproach approach = *reading.code_modes.soft_approach;
   auto& height = request.end[axes.third];
   if (!height) height = approach.height;
   const bool moves_across = height || approach.clearance;
-  if (moves_across && !state_.is_known(axes.third))
+  if (moves_across && !reading.state.is_known(axes.third))
     return wrong("from a height that is not known", Code::position_unknown);
-  const double from = state_.position()[axes.third];
+  const double from = reading.state.position()[axes.third];
   const auto quick = height_of(approach.clearance, height.value_or(from), from);
-  if (!quick) return refuse_clearance(line, line.words.front().begin);
+  if (!quick) return refuse_clearance(reading, line, line.words.front().begin);
   MoveRequest way = request;
   way.kind = approach.rapid ? MotionKind::rapid : MotionKind::linear;
   way.feed = approach.feed_before;
-  Infeed infeed{.height = *quick, .along_the_lead = approach.along_the_lead, .feed = feed_};
+  Infeed infeed{.height = *quick, .along_the_lead = approach.along_the_lead, .feed = reading.feed};
   if (approach.feed != 0) (infeed.along_the_lead ? request.feed : infeed.feed) = approach.feed;
-  code_.soft_approach.reset();
+  reading.code_modes.soft_approach.reset();
   line.is_motion = true;
-  return state_.approach_by(approach.lead, request, way, infeed);
+  return reading.state.approach_by(approach.lead, request, way, infeed);
 }
 
-bool Interpreter::depart_softly(ProgramLine& line, BlockWords& block) {
-  const PlaneAxes axes = axes_of(state_.mode().plane);
+bool depart_softly(Reading& reading, ProgramLine& line, BlockWords& block) {
+  const PlaneAxes axes = axes_of(reading.state.mode().plane);
   std::array<std::optional<double>, 3> end{};
-  if (!find_soft_end(line, block, end)) return false;
-  const Lead lead = soft_lead_of(block);
+  if (!find_soft_end(reading, line, block, end)) return false;
+  const Lead lead = soft_lead_of(reading, block);
   const bool in_plane = end[axes.first] || end[axes.second];
   const auto wrong = [&](std::uint32_t begin, const char* why) {
-    return refuse(
+    return reading.refuse(
         line, TextFault{.code = Code::nc_unsupported, .begin = begin, .detail = std::string(why)});
   };
   if (lead.bends_to_tool && !in_plane)
     return wrong(block.of(soft_lead).begin, "G143 without an end in the plane: G140, G141 or G142");
-  const auto clearance = clearance_of(block);
+  const auto clearance = clearance_of(reading, block);
   if (clearance && in_plane && !end[axes.third])
     return wrong(block.soft_clearance->begin, "DISCL= without the height it retracts to");
-  const double plane = state_.position()[axes.third];
+  const double plane = reading.state.position()[axes.third];
   // Without a height of its own the retraction ends where DISCL= says.
   const auto quick = height_of(clearance, plane, end[axes.third].value_or(HUGE_VAL));
-  if (!quick) return refuse_clearance(line, block.soft_clearance->begin);
+  if (!quick) return refuse_clearance(reading, line, block.soft_clearance->begin);
   const double slow = block.feed_before;
-  const double infeed =
-      block.soft_feed ? block.soft_feed->value * feed_unit(inch_) : block.feed_before;
+  const double infeed = block.soft_feed ? block.soft_feed->value * reading.feed_unit(reading.inch)
+                                        : block.feed_before;
   MoveRequest step{.source = line.source, .kind = MotionKind::linear, .feed = slow};
-  if (code_.soft_in_space && block.soft_feed) step.feed = infeed;
+  if (reading.code_modes.soft_in_space && block.soft_feed) step.feed = infeed;
   // Which way the arc bends may depend on where the tool goes.
   step.end[axes.first] = end[axes.first];
   step.end[axes.second] = end[axes.second];
-  if (code_.soft_in_space) step.end[axes.third] = *quick;
+  if (reading.code_modes.soft_in_space) step.end[axes.third] = *quick;
   line.is_motion = true;
-  if (!state_.depart_by(lead, step, code_.soft_in_space)) return false;
+  if (!reading.state.depart_by(lead, step, reading.code_modes.soft_in_space)) return false;
   const auto travel = [&](const std::array<std::optional<double>, 3>& to) {
-    const Position& here = state_.position();
+    const Position& here = reading.state.position();
     bool moves = false;
     for (std::size_t axis = 0; axis < to.size(); ++axis)
       moves |= to[axis] && *to[axis] != here[axis];
     step.end = to;
-    return !moves || state_.move(step);
+    return !moves || reading.state.move(step);
   };
   const auto across = [&](const std::optional<double>& height) {
     std::array<std::optional<double>, 3> to{};
@@ -275,8 +280,8 @@ bool Interpreter::depart_softly(ProgramLine& line, BlockWords& block) {
   };
   step.feed = infeed;
   if (!travel(across(*quick))) return false;
-  step.kind = motion_ == MotionKind::rapid ? MotionKind::rapid : MotionKind::linear;
-  step.feed = feed_;
+  step.kind = reading.motion == MotionKind::rapid ? MotionKind::rapid : MotionKind::linear;
+  step.feed = reading.feed;
   if (!travel(across(end[axes.third]))) return false;
   end[axes.third].reset();
   return travel(end);

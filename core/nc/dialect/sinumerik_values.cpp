@@ -1,6 +1,14 @@
+#include "core/nc/dialect/sinumerik_values.h"
+
 #include <string>
 
 #include "core/nc/dialect/block_words.h"
+#include "core/nc/dialect/code_block_words.h"
+#include "core/nc/dialect/code_tools.h"
+#include "core/nc/dialect/reading.h"
+#include "core/nc/dialect/sinumerik_arcs.h"
+#include "core/nc/dialect/sinumerik_functions.h"
+#include "core/nc/dialect/sinumerik_leads.h"
 #include "core/nc/dialect/sinumerik_names.h"
 #include "core/nc/dialect/sinumerik_words.h"
 #include "core/nc/text/characters.h"
@@ -22,23 +30,117 @@ AxisBits main_axis_of(std::string_view assignment) {
   return axis < 'X' || axis > 'Z' ? AxisBits{0} : static_cast<AxisBits>(1U << (axis - 'X'));
 }
 
+bool read_form_of_arc(Reading& reading, const NamedWord& word, ProgramLine& line,
+                      BlockWords& block) {
+  auto& target = word.name == "CR" ? block.move.radius : block.sweep;
+  if (target)
+    return refuse_code(reading, line, as_code(word), Code::nc_word_twice, "a second time");
+  target = word.value;
+  if (!block.center) block.center = word.begin;
+  add(line, word, WordRole::coordinate);
+  return true;
+}
+
+// RND=, CHF= and CHR= shape one corner, RNDM= all that follow.
+bool read_corner(Reading& reading, const NamedWord& word, ProgramLine& line, BlockWords& block) {
+  if (word.name == "RNDM") {
+    if (block.modal_rounding || word.value < 0)
+      return refuse_code(reading, line, as_code(word), Code::nc_number, "once, 0 or more");
+    block.modal_rounding = {.value = word.value, .begin = word.begin};
+  } else {
+    if (block.corner)
+      return refuse_code(reading, line, as_code(word), Code::nc_word_twice,
+                         "a second rounding or chamfer");
+    block.corner = word.begin;
+    block.move.corner = {.form = word.name == "RND"   ? CornerCut::Form::round
+                                 : word.name == "CHR" ? CornerCut::Form::leg
+                                                      : CornerCut::Form::width,
+                         .size = word.value};
+  }
+  add(line, word, WordRole::technology);
+  return true;
+}
+
+// ANG=, the angle of a motion, and TURN=, further turns of a circle.
+bool read_angle_or_turns(Reading& reading, const NamedWord& word, ProgramLine& line,
+                         BlockWords& block) {
+  const bool turns = word.name == "TURN";
+  if (!turns && reading.trc_active()) {
+    if (block.angle)
+      return refuse_code(reading, line, as_code(word), Code::nc_word_twice, "a second ANG=");
+    block.angle = {.value = word.value, .begin = word.begin};
+    add(line, word, WordRole::trc);
+    return true;
+  }
+  if (turns && reading.contour_open()) {
+    if (block.turns)
+      return refuse_code(reading, line, as_code(word), Code::nc_word_twice, "a second TURN=");
+    block.turns = {.value = word.value, .begin = word.begin};
+    add(line, word, WordRole::coordinate);
+    return true;
+  }
+  block.unfollowed_word = word.begin;
+  add(line, word, WordRole::technology);
+  return true;
+}
+
+// What says nothing about where the path runs, or is refused because it does.
+bool pass_assignment(Reading& reading, const NamedWord& word, ProgramLine& line,
+                     BlockWords& block) {
+  const auto is = [&](std::string_view wanted) { return word.name == wanted; };
+  const auto refused = [&](std::string_view why) {
+    return refuse_code(reading, line, as_code(word), Code::nc_unsupported, why);
+  };
+  const bool is_corner_word = is_sinumerik_corner_word(word.name);
+  if (is_corner_word) {
+    auto& feed = is("FRC") ? block.corner_feed : block.modal_corner_feed;
+    if (feed || word.value < 0)
+      return refuse_code(reading, line, as_code(word), Code::nc_number, "once, 0 or more");
+    feed = {.value = word.value, .begin = word.begin};
+  }
+  if (is("DISC") && word.value != 0) return refused("corners that reach out: DISC=0");
+  if (is("FB")) block.own_feed = word.begin;
+  if (is("FZ")) block.tooth_feed = word.begin;
+  if (is("DL") && word.value != 0) return refused("a sum offset of the tool");
+  const bool is_no_offset = word.name.starts_with("TOFF") && word.value == 0;
+  const std::string_view refusal = refusal_of_sinumerik_word(word.name);
+  const bool measures = word.name.starts_with("MEA");
+  if (!refusal.empty() && !is_no_offset && !(measures && !reading.contour_open()))
+    return refused(refusal);
+  block.measures |= measures;
+  const bool moves_axis = is("POS") || is("POSA");
+  const AxisBits moved =
+      moves_axis ? main_axis_of(line.word({.begin = word.begin, .end = word.end})) : AxisBits{0};
+  if (moved != 0 && reading.contour_open()) return refused("a motion of an axis by itself");
+  block.forget |= moved;
+  const bool ends_turned_tool = is("TCARR") || is("CUTMOD");
+  const bool passes = is_passing_sinumerik_word(word.name) || ends_turned_tool || moves_axis ||
+                      reading.state.setup().pass_words.contains(word.name) || is("DISC") ||
+                      is("DL") || is_no_offset || is_corner_word || is("RPL") || measures;
+  if (!passes) return refused("a variable");
+  add(line, word, WordRole::technology);
+  return true;
+}
+
 }  // namespace
 
-bool Interpreter::read_assignment(const NamedWord& word, ProgramLine& line, BlockWords& block) {
+bool read_assignment(Reading& reading, const NamedWord& word, ProgramLine& line,
+                     BlockWords& block) {
   const auto is = [&](std::string_view wanted) { return word.name == wanted; };
-  if (is("CR") || is("AR")) return read_form_of_arc(word, line, block);
-  if (is("RND") || is("CHF") || is("CHR") || is("RNDM")) return read_corner(word, line, block);
+  if (is("CR") || is("AR")) return read_form_of_arc(reading, word, line, block);
+  if (is("RND") || is("CHF") || is("CHR") || is("RNDM"))
+    return read_corner(reading, word, line, block);
   if (is("OFFN")) {
     if (block.allowance)
-      return refuse_code(line, as_code(word), Code::nc_word_twice, "a second OFFN");
+      return refuse_code(reading, line, as_code(word), Code::nc_word_twice, "a second OFFN");
     block.allowance = {.value = word.value, .begin = word.begin};
     add(line, word, WordRole::trc);
     return true;
   }
   if (is("DISR") || is("DISCL") || is("DISRP") || is("FAD"))
-    return read_soft_word(word, line, block);
-  if (is("AP") || is("RP")) return read_polar_word(word, line, block);
-  if (is("ANG") || is("TURN")) return read_angle_or_turns(word, line, block);
+    return read_soft_word(reading, word, line, block);
+  if (is("AP") || is("RP")) return read_polar_word(reading, word, line, block);
+  if (is("ANG") || is("TURN")) return read_angle_or_turns(reading, word, line, block);
   if (is_sinumerik_frame(word.name)) {
     // As SCALE; what a frame holds that is copied is not looked into.
     const std::string value = in_upper_case(line.word({.begin = word.begin, .end = word.end}));
@@ -51,95 +153,11 @@ bool Interpreter::read_assignment(const NamedWord& word, ProgramLine& line, Bloc
     if (!is_whole && !scales) block.frame.clear();
     return read_as(scales ? frame_scale : frame_name, word, line, block);
   }
-  if (is("$TC_DP6") || is("$TC_DP15")) return read_edge_data(word, line, block);
+  if (is("$TC_DP6") || is("$TC_DP15")) return read_edge_data(reading, word, line, block);
   // 0 ends them: the kinematics of the tool holder, the tool that is turned with it.
   if ((is("TCARR") || is("CUTMOD")) && word.value != 0)
     return read_as(frame_name, word, line, block);
-  return pass_assignment(word, line, block);
-}
-
-bool Interpreter::read_form_of_arc(const NamedWord& word, ProgramLine& line, BlockWords& block) {
-  auto& target = word.name == "CR" ? block.move.radius : block.sweep;
-  if (target) return refuse_code(line, as_code(word), Code::nc_word_twice, "a second time");
-  target = word.value;
-  if (!block.center) block.center = word.begin;
-  add(line, word, WordRole::coordinate);
-  return true;
-}
-
-// RND=, CHF= and CHR= shape one corner, RNDM= all that follow.
-bool Interpreter::read_corner(const NamedWord& word, ProgramLine& line, BlockWords& block) {
-  if (word.name == "RNDM") {
-    if (block.modal_rounding || word.value < 0)
-      return refuse_code(line, as_code(word), Code::nc_number, "once, 0 or more");
-    block.modal_rounding = {.value = word.value, .begin = word.begin};
-  } else {
-    if (block.corner)
-      return refuse_code(line, as_code(word), Code::nc_word_twice, "a second rounding or chamfer");
-    block.corner = word.begin;
-    block.move.corner = {.form = word.name == "RND"   ? CornerCut::Form::round
-                                 : word.name == "CHR" ? CornerCut::Form::leg
-                                                      : CornerCut::Form::width,
-                         .size = word.value};
-  }
-  add(line, word, WordRole::technology);
-  return true;
-}
-
-// ANG=, the angle of a motion, and TURN=, further turns of a circle.
-bool Interpreter::read_angle_or_turns(const NamedWord& word, ProgramLine& line, BlockWords& block) {
-  const bool turns = word.name == "TURN";
-  if (!turns && trc_active()) {
-    if (block.angle) return refuse_code(line, as_code(word), Code::nc_word_twice, "a second ANG=");
-    block.angle = {.value = word.value, .begin = word.begin};
-    add(line, word, WordRole::trc);
-    return true;
-  }
-  if (turns && contour_open()) {
-    if (block.turns) return refuse_code(line, as_code(word), Code::nc_word_twice, "a second TURN=");
-    block.turns = {.value = word.value, .begin = word.begin};
-    add(line, word, WordRole::coordinate);
-    return true;
-  }
-  block.unfollowed_word = word.begin;
-  add(line, word, WordRole::technology);
-  return true;
-}
-
-// What says nothing about where the path runs, or is refused because it does.
-bool Interpreter::pass_assignment(const NamedWord& word, ProgramLine& line, BlockWords& block) {
-  const auto is = [&](std::string_view wanted) { return word.name == wanted; };
-  const auto refused = [&](std::string_view why) {
-    return refuse_code(line, as_code(word), Code::nc_unsupported, why);
-  };
-  const bool is_corner_word = is_sinumerik_corner_word(word.name);
-  if (is_corner_word) {
-    auto& feed = is("FRC") ? block.corner_feed : block.modal_corner_feed;
-    if (feed || word.value < 0)
-      return refuse_code(line, as_code(word), Code::nc_number, "once, 0 or more");
-    feed = {.value = word.value, .begin = word.begin};
-  }
-  if (is("DISC") && word.value != 0) return refused("corners that reach out: DISC=0");
-  if (is("FB")) block.own_feed = word.begin;
-  if (is("FZ")) block.tooth_feed = word.begin;
-  if (is("DL") && word.value != 0) return refused("a sum offset of the tool");
-  const bool is_no_offset = word.name.starts_with("TOFF") && word.value == 0;
-  const std::string_view refusal = refusal_of_sinumerik_word(word.name);
-  const bool measures = word.name.starts_with("MEA");
-  if (!refusal.empty() && !is_no_offset && !(measures && !contour_open())) return refused(refusal);
-  block.measures |= measures;
-  const bool moves_axis = is("POS") || is("POSA");
-  const AxisBits moved =
-      moves_axis ? main_axis_of(line.word({.begin = word.begin, .end = word.end})) : AxisBits{0};
-  if (moved != 0 && contour_open()) return refused("a motion of an axis by itself");
-  block.forget |= moved;
-  const bool ends_turned_tool = is("TCARR") || is("CUTMOD");
-  const bool passes = is_passing_sinumerik_word(word.name) || ends_turned_tool || moves_axis ||
-                      state_.setup().pass_words.contains(word.name) || is("DISC") || is("DL") ||
-                      is_no_offset || is_corner_word || is("RPL") || measures;
-  if (!passes) return refused("a variable");
-  add(line, word, WordRole::technology);
-  return true;
+  return pass_assignment(reading, word, line, block);
 }
 
 }  // namespace trc

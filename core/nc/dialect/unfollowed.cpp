@@ -1,9 +1,12 @@
+#include "core/nc/dialect/unfollowed.h"
+
 #include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
 
 #include "core/nc/dialect/block_words.h"
+#include "core/nc/dialect/reading.h"
 
 // Functions under which coordinates mean something else, each up to the end that is its own: a
 // second one does not end the first, nor does the end of one end the others (D-112).
@@ -55,80 +58,83 @@ std::uint8_t turn_of(int tenths) {
 }
 bool ends_turn(int tenths) { return tenths == 501 || tenths == 690 || tenths == 1000; }
 
-}  // namespace
-
-bool Interpreter::ends_what_is_unfollowed(const BlockWords& block) const {
+bool ends_what_is_unfollowed(const Reading& reading, const BlockWords& block) {
   return std::ranges::any_of(ends_of_modes, [&](const std::pair<int, int>& each) {
     return std::ranges::find(block.ends, each.first) != block.ends.end() &&
-           code_.is_unfollowed(each.second);
+           reading.code_modes.is_unfollowed(each.second);
   });
 }
 
-void Interpreter::end_scaling_frames(const std::string& frame) {
-  std::erase_if(code_.unfollowed, [&](const UnfollowedMode& mode) {
+void end_scaling_frames(Reading& reading, const std::string& frame) {
+  std::erase_if(reading.code_modes.unfollowed, [&](const UnfollowedMode& mode) {
     return mode.function == scaling_frame_tenths && mode.frame == frame;
   });
 }
 
-// Under which function coordinates mean something else from here on.
-void Interpreter::take_what_is_unfollowed(const ProgramLine& line, BlockWords& block) {
+void take_modal_motion(Reading& reading, const ProgramLine& line, const BlockWords& block) {
+  const bool begins =
+      block.has(single_move) &&
+      is_modal_motion(reading.dialect.name, block.of(single_move).function->tenths());
+  if (begins || block.has(motion) || block.has(cycle) || block.has(cycle_end))
+    std::erase_if(reading.code_modes.unfollowed,
+                  [](const UnfollowedMode& mode) { return mode.is_motion; });
+  if (!begins) return;
+  const GFunction& function = *block.of(single_move).function;
+  reading.code_modes.unfollowed.push_back({.function = function.tenths(),
+                                           .line = line.source.line,
+                                           .meaning = std::string(function.meaning),
+                                           .is_motion = true});
+}
+
+}  // namespace
+
+void take_what_is_unfollowed(Reading& reading, const ProgramLine& line, BlockWords& block) {
   const bool scales =
       block.has(unfollowed) && block.of(unfollowed).function->tenths() == scale_tenths;
   if (block.of(frame).is(absolute_frame) || (scales && !block.adds_to_frame)) {
-    code_.end_unfollowed(scale_tenths);
-    end_scaling_frames(programmable_frame);
+    reading.code_modes.end_unfollowed(scale_tenths);
+    end_scaling_frames(reading, programmable_frame);
   }
-  if (!block.frame.empty()) end_scaling_frames(block.frame);
-  if (block.frame == programmable_frame) code_.end_unfollowed(scale_tenths);
+  if (!block.frame.empty()) end_scaling_frames(reading, block.frame);
+  if (block.frame == programmable_frame) reading.code_modes.end_unfollowed(scale_tenths);
   if (scales && !block.axis && !block.adds_to_frame) {
     block.forget |= all_axes;
     block.clear(unfollowed);
   }
-  if (block.has(motion)) code_.end_unfollowed(spline_interpolation * 10);
+  if (block.has(motion)) reading.code_modes.end_unfollowed(spline_interpolation * 10);
   if (block.has(unfollowed)) {
     const GFunction& function = *block.of(unfollowed).function;
-    if (function.tenths() != scaling_frame_tenths) code_.end_unfollowed(function.tenths());
-    code_.unfollowed.push_back({.function = function.tenths(),
-                                .line = line.source.line,
-                                .meaning = std::string(function.meaning),
-                                .frame = block.frame});
+    if (function.tenths() != scaling_frame_tenths)
+      reading.code_modes.end_unfollowed(function.tenths());
+    reading.code_modes.unfollowed.push_back({.function = function.tenths(),
+                                             .line = line.source.line,
+                                             .meaning = std::string(function.meaning),
+                                             .frame = block.frame});
   }
-  take_modal_motion(line, block);
+  take_modal_motion(reading, line, block);
   if (!block.has(unfollowed_end)) return;
   for (const auto& [end, mode] : ends_of_modes)
-    if (std::ranges::find(block.ends, end) != block.ends.end()) code_.end_unfollowed(mode);
+    if (std::ranges::find(block.ends, end) != block.ends.end())
+      reading.code_modes.end_unfollowed(mode);
 }
 
-void Interpreter::take_modal_motion(const ProgramLine& line, const BlockWords& block) {
-  const bool begins = block.has(single_move) &&
-                      is_modal_motion(dialect_.name, block.of(single_move).function->tenths());
-  if (begins || block.has(motion) || block.has(cycle) || block.has(cycle_end))
-    std::erase_if(code_.unfollowed, [](const UnfollowedMode& mode) { return mode.is_motion; });
-  if (!begins) return;
-  const GFunction& function = *block.of(single_move).function;
-  code_.unfollowed.push_back({.function = function.tenths(),
-                              .line = line.source.line,
-                              .meaning = std::string(function.meaning),
-                              .is_motion = true});
-}
-
-// Threads of ISG, with the lines that go on under them: they come out as they stand, and only the
-// control knows where their axes stop (D-117, D-120).
-bool Interpreter::copy_thread(ProgramLine& line, BlockWords& block) {
-  const bool was_under_thread = !code_.unfollowed.empty();
-  take_modal_motion(line, block);
-  const bool under_thread = !code_.unfollowed.empty();
+bool copy_thread(Reading& reading, ProgramLine& line, BlockWords& block) {
+  const bool was_under_thread = !reading.code_modes.unfollowed.empty();
+  take_modal_motion(reading, line, block);
+  const bool under_thread = !reading.code_modes.unfollowed.empty();
   if (was_under_thread != under_thread)
-    reads_plain_lines_ = !under_thread && faults_.empty() && !called_motion_ && !called_dimension_;
+    reading.reads_plain_lines = !under_thread && reading.faults.empty() && !reading.called_motion &&
+                                !reading.called_dimension;
   const bool is_position = !block.has(dwell) && !block.of(zero_shift).is(92);
   if (!under_thread || !(block.has(single_move) || (block.axis && is_position))) return true;
-  if (contour_open() || (block.has(side) && !block.of(side).is(40))) {
-    const int number = code_.unfollowed.back().function / 10;
-    return refuse(
-        line, TextFault{.code = Code::nc_unsupported,
-                        .begin = block.has(single_move) ? block.of(single_move).begin : *block.axis,
-                        .detail = "G" + std::to_string(number) + ", " +
-                                  code_.unfollowed.back().meaning + " while TRC is active"});
+  if (reading.contour_open() || (block.has(side) && !block.of(side).is(40))) {
+    const int number = reading.code_modes.unfollowed.back().function / 10;
+    return reading.refuse(
+        line,
+        TextFault{.code = Code::nc_unsupported,
+                  .begin = block.has(single_move) ? block.of(single_move).begin : *block.axis,
+                  .detail = "G" + std::to_string(number) + ", " +
+                            reading.code_modes.unfollowed.back().meaning + " while TRC is active"});
   }
   block.copied = true;
   for (std::size_t axis = 0; axis < block.move.end.size(); ++axis)
@@ -138,43 +144,41 @@ bool Interpreter::copy_thread(ProgramLine& line, BlockWords& block) {
   return true;
 }
 
-// G69, G50 and the like stand in the first line of many programs, where there is nothing to end.
-void Interpreter::forget_what_ends_nothing(BlockWords& block) {
+void forget_what_ends_nothing(Reading& reading, BlockWords& block) {
   const auto is_any = [&](std::initializer_list<int> tenths) {
     return block.has(frame) &&
            std::ranges::find(tenths, block.of(frame).function->tenths()) != tenths.end();
   };
-  if (block.has(unfollowed_end) && !ends_what_is_unfollowed(block)) block.clear(unfollowed_end);
+  if (block.has(unfollowed_end) && !ends_what_is_unfollowed(reading, block))
+    block.clear(unfollowed_end);
   std::uint8_t ended = 0;
   for (const int each : block.ends)
     if (ends_turn(each)) ended |= turn_of(each);
   if (block.has(frame) && ends_turn(block.of(frame).function->tenths())) {
-    if ((code_.turned & ended) == 0) {
+    if ((reading.code_modes.turned & ended) == 0) {
       // The axes of G50.1 and G100 are those that are mirrored no longer; with T beside it G100 is
       // a tool change that goes there.
       block.copied |= block.axis && !block.tool_number && !block.of(frame).is(69);
       block.clear(frame);
     }
   } else if (block.has(frame)) {
-    code_.turned |= turn_of(block.of(frame).function->tenths());
+    reading.code_modes.turned |= turn_of(block.of(frame).function->tenths());
   }
-  code_.turned &= static_cast<std::uint8_t>(~ended);
-  if (is_any({2550}) && !code_.dynamic_offset) block.clear(frame);
-  if (is_any({2540, 2550})) code_.dynamic_offset = block.of(frame).is(254);
+  reading.code_modes.turned &= static_cast<std::uint8_t>(~ended);
+  if (is_any({2550}) && !reading.code_modes.dynamic_offset) block.clear(frame);
+  if (is_any({2540, 2550})) reading.code_modes.dynamic_offset = block.of(frame).is(254);
 }
 
-// What is ended by words that have another task besides: G49 and G43 end the control of the tool
-// tip, G07.1 with 0 its cylinder (D-51), G113 is G13.1 too, G107 alone and G54.4 P0 end what they
-// begin with words.
-void Interpreter::end_what_was_unfollowed(BlockWords& block) {
+void end_what_was_unfollowed(Reading& reading, BlockWords& block) {
   constexpr int cylinder = 71;
   constexpr int polar = 1120;
   constexpr int mapping = 1070;
   constexpr int setup_error = 544;
-  if (block.of(zero_shift).is(113)) code_.end_unfollowed(polar);
+  if (block.of(zero_shift).is(113)) reading.code_modes.end_unfollowed(polar);
   bool ends = false;
   if (block.changes_length)
-    for (const int led : {431, 434, 435, 1430, 2340}) ends |= code_.end_unfollowed(led);
+    for (const int led : {431, 434, 435, 1430, 2340})
+      ends |= reading.code_modes.end_unfollowed(led);
   if (block.has(unfollowed)) {
     const int begun = block.of(unfollowed).function->tenths();
     const bool by_zero = begun == cylinder && !block.move.tracking.empty() &&
@@ -185,7 +189,7 @@ void Interpreter::end_what_was_unfollowed(BlockWords& block) {
     const bool by_number =
         begun == setup_error && block.tool_data_number && block.tool_data_number->value == 0;
     if (by_zero || alone || by_number) {
-      ends |= code_.end_unfollowed(begun);
+      ends |= reading.code_modes.end_unfollowed(begun);
       if (ends || !by_zero) block.clear(unfollowed);
     }
   }

@@ -1,9 +1,12 @@
+#include "core/nc/dialect/whole_numbers.h"
+
 #include <bit>
 #include <cmath>
 #include <string>
 #include <string_view>
 
 #include "core/nc/dialect/block_words.h"
+#include "core/nc/dialect/reading.h"
 
 // Numbers of Fanuc without a decimal point: millimetres on some controls, thousandths on others
 // (D-50).
@@ -22,11 +25,12 @@ bool turns(std::string_view axis) {
 
 }  // namespace
 
-bool Interpreter::count_whole_numbers(ProgramLine& line, BlockWords& block) {
-  const WholeNumbers rule = state_.setup().whole_numbers;
+bool count_whole_numbers(Reading& reading, ProgramLine& line, BlockWords& block) {
+  const WholeNumbers rule = reading.state.setup().whole_numbers;
   if (rule == WholeNumbers::units) return true;
-  const bool inch =
-      block.has(GGroup::unit) ? counts_in_inch(*block.of(GGroup::unit).function) : inch_;
+  const bool inch = block.has(GGroup::unit)
+                        ? reading.counts_in_inch(*block.of(GGroup::unit).function)
+                        : reading.inch;
   MoveRequest& move = block.move;
   const auto is_whole = [&](std::size_t bit) { return bit < 64 && (block.whole >> bit & 1) != 0; };
   if (rule == WholeNumbers::unsaid) {
@@ -35,12 +39,13 @@ bool Interpreter::count_whole_numbers(ProgramLine& line, BlockWords& block) {
       if (block.has(group)) return true;  // no positions of the program
     const double in_mm = inch ? mm_per_inch : 1;
     for (std::size_t axis = 0; axis < move.end.size(); ++axis)
-      if (move.end[axis] && is_whole(WholeWord::axis + axis) && !code_.points_seen &&
+      if (move.end[axis] && is_whole(WholeWord::axis + axis) && !reading.code_modes.points_seen &&
           std::abs(*move.end[axis]) * in_mm >= longest_travel)
-        return refuse(line, TextFault{.code = Code::nc_number,
-                                      .begin = *block.axis,
-                                      .detail = "a place metres away without a decimal point: say "
-                                                "what whole numbers count in"});
+        return reading.refuse(
+            line, TextFault{.code = Code::nc_number,
+                            .begin = *block.axis,
+                            .detail = "a place metres away without a decimal point: say "
+                                      "what whole numbers count in"});
     return true;
   }
   const double length = inch ? increment_inch : increment_mm;
@@ -53,12 +58,12 @@ bool Interpreter::count_whole_numbers(ProgramLine& line, BlockWords& block) {
   }
   scale(move.radius, WholeWord::radius, length);
   if (move.corner && is_whole(WholeWord::corner)) move.corner->size *= length;
-  const auto& names = state_.setup().tracking_axes;
+  const auto& names = reading.state.setup().tracking_axes;
   for (std::size_t axis = 0; axis < move.tracking.size(); ++axis)
     scale(move.tracking[axis], WholeWord::tracking + axis,
           turns(names[axis]) ? increment_mm : length);
-  const int feed =
-      block.has(GGroup::feed_mode) ? block.of(GGroup::feed_mode).function->number : feed_mode_;
+  const int feed = block.has(GGroup::feed_mode) ? block.of(GGroup::feed_mode).function->number
+                                                : reading.feed_mode;
   if (inch && feed == 94 && block.feed && is_whole(WholeWord::feed))
     block.feed->value *= feed_increment_inch;
   return true;

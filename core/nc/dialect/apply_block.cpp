@@ -1,0 +1,324 @@
+#include "core/nc/dialect/apply_block.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/nc/dialect/block_words.h"
+#include "core/nc/dialect/copied_block.h"
+#include "core/nc/dialect/full_turns.h"
+#include "core/nc/dialect/kept_modes.h"
+#include "core/nc/dialect/reading.h"
+#include "core/nc/dialect/sinumerik_arcs.h"
+#include "core/nc/dialect/sinumerik_leads.h"
+
+// What a block does that has been read: modes, tool and radius, compensation, motion.
+
+namespace trc {
+namespace {
+
+Side side_of(int g_number) {
+  return g_number == 41 ? Side::left : g_number == 42 ? Side::right : Side::off;
+}
+
+Selection selection_of(int g_number) {
+  switch (g_number) {
+    case 138:
+      return Selection::direct;
+    case 236:
+      return Selection::on_path;
+    case 237:
+      return Selection::perpendicular;
+    case 238:
+      return Selection::inside_corner;
+    case 239:
+      return Selection::without_block;
+    default:
+      return Selection::indirect;
+  }
+}
+
+constexpr std::array<MotionKind, 4> motions{MotionKind::rapid, MotionKind::linear,
+                                            MotionKind::clockwise, MotionKind::counter_clockwise};
+
+// Of a line that is copied: what it moves counts on the feed in force.
+bool may_move_at_the_feed(const Reading& reading, const BlockWords& block) {
+  using enum GGroup;
+  if (!block.copied || block.homes || block.has(dwell) || block.has(frame) ||
+      block.has(zero_shift) || block.has(axis_technology) || block.has(tool_data))
+    return false;
+  if (block.has(single_move)) {
+    // Always rapid; rapid as G00 is in force; of the others only the control knows.
+    constexpr std::array always_rapid{27, 28, 29, 30, 60, 74, 75};
+    const int number = block.of(single_move).function->number;
+    const bool moves_as_g00_says = number == 53 || number == 153 || block.has(motion);
+    return std::ranges::find(always_rapid, number) == always_rapid.end() &&
+           !(moves_as_g00_says && reading.motion == MotionKind::rapid);
+  }
+  if (block.has(cycle) || reading.code_modes.cycle) return true;
+  return (block.axis || block.center || block.unfollowed_word) &&
+         reading.motion != MotionKind::rapid;
+}
+
+// G92 shifts the axes it names. Controls differ in whether G53 holds for its own block only, so
+// that the place its motion leads to is known to none of them.
+void forget_position(Reading& reading, const ProgramLine& line, const BlockWords& block) {
+  std::array<bool, 3> axes{};
+  for (std::size_t axis = 0; axis < axes.size(); ++axis)
+    axes[axis] = !block.axis || !block.of(GGroup::zero_shift).is(92) || block.move.end[axis];
+  reading.state.forget_position(axes, line.source);
+}
+
+bool apply_modes(Reading& reading, const ProgramLine& line, const BlockWords& block) {
+  using enum GGroup;
+  if (block.has(motion)) {
+    reading.motion = motions[static_cast<std::size_t>(block.of(motion).function->number)];
+    reading.motion_given = true;
+  }
+  if (block.has(unit)) {
+    reading.count_in(line, reading.counts_in_inch(*block.of(unit).function));
+    reading.feed_in_mm =
+        reading.dialect.name == DialectName::sinumerik && block.of(unit).function->number < 100;
+  }
+  if (block.has(dimension)) {
+    const bool incremental = block.of(dimension).is(91);
+    if (incremental && !reading.incremental) reading.state.count_increments_since(line.source);
+    reading.incremental = incremental;
+  }
+  if (block.has(feed_mode)) {
+    reading.feed_mode = block.of(feed_mode).function->number;
+    reading.code_modes.feed_mode_line = line.source.line;
+  }
+  if (block.feed) reading.feed = block.feed->value * reading.feed_unit(reading.inch);
+  // A feed per tooth, which blocks have no number for.
+  if (block.tooth_feed) reading.feed = 0;
+  if (block.has(circle_center)) {
+    const GFunction& function = *block.of(circle_center).function;
+    reading.absolute_center = function.number == 161 || function.tenths() == 901;
+    reading.state.set_absolute_center(reading.absolute_center);
+  }
+  if (block.has(circle_check)) reading.state.set_circle_correction(block.of(circle_check).is(165));
+  if (block.has(zero_shift)) forget_position(reading, line, block);
+  if (block.forget != 0) {
+    std::array<bool, 3> axes{};
+    for (std::size_t axis = 0; axis < axes.size(); ++axis)
+      axes[axis] = (block.forget >> axis & 1) != 0;
+    reading.state.forget_position(axes, line.source);
+  }
+  if (block.sets_position) {
+    std::array<std::optional<double>, 3> place = block.move.end;
+    for (auto& coordinate : place)
+      if (coordinate) *coordinate *= reading.length_unit();
+    reading.state.set_position(place, line.source);
+  }
+  if (block.kept_modes) return apply_kept_modes(reading, line, block);
+  if (!block.has(plane)) return true;
+  reading.place(line, block.of(plane).begin);
+  const int number = block.of(plane).function->number;
+  return reading.state.set_plane(number == 17   ? Plane::xy
+                                 : number == 18 ? Plane::zx
+                                                : Plane::yz,
+                                 line.source);
+}
+
+// The radius, as a number or as a tool.
+bool apply_tool(Reading& reading, const ProgramLine& line, const BlockWords& block) {
+  const Source& source = line.source;
+  const auto at = [&](std::uint32_t begin) { return reading.place(line, begin), true; };
+  if (block.tool_radius && at(block.tool_radius->begin)) {
+    const double value = block.tool_radius->value * reading.length_unit();
+    if (!(block.radius_is_change ? reading.state.change_tool_radius(value, source)
+                                 : reading.state.set_tool_radius(value, source)))
+      return false;
+  }
+  if (block.allowance && at(block.allowance->begin) &&
+      !reading.state.set_allowance_of_program(block.allowance->value * reading.length_unit(),
+                                              source))
+    return false;
+  if (block.tool_number)
+    reading.state.prepare_tool(static_cast<std::int64_t>(block.tool_number->value),
+                               reading.place_of_word(line, block.tool_number->begin));
+  if (block.loads_tool && at(0) && !reading.state.load_tool(source)) return false;
+  if (block.only_tool && at(*block.only_tool) &&
+      !reading.state.call_tool(
+          ToolRow(reading.state.setup().mode.tool_radius,
+                  reading.state.tool().wear_of(reading.code_modes.only_register.value_or(0))),
+          source))
+    return false;
+  const bool zero = block.tool && block.tool->value == 0 && reading.dialect.zero_is_a_radius &&
+                    !reading.state.tool().row_of_tool(0);
+  if (zero && at(block.tool->begin) && !reading.state.set_tool_radius(0, source)) return false;
+  return !block.tool || zero ||
+         (at(block.tool->begin) &&
+          reading.state.set_tool(static_cast<std::int64_t>(block.tool->value), source,
+                                 reading.place_of_word(line, block.tool->begin)));
+}
+
+// Modes and radius before the side, so that G41 begins with all of its block.
+bool apply_trc(Reading& reading, const ProgramLine& line, const BlockWords& block) {
+  using enum GGroup;
+  const Source& source = line.source;
+  const auto at = [&](std::uint32_t begin) { return reading.place(line, begin), true; };
+  const auto has = [&](GGroup group) { return block.has(group) && at(block.of(group).begin); };
+
+  if (has(transition) &&
+      !reading.state.set_transition(block.of(transition).is(25) || block.of(transition).is(451)
+                                        ? Transition::linear
+                                        : Transition::circular,
+                                    source))
+    return false;
+  if (has(masking) &&
+      !reading.state.set_masking(block.of(masking).is(141) ? Masking::on : Masking::off, source))
+    return false;
+  if (block.masks && at(0) && !leave_out_bottlenecks(reading, *block.masks, source)) return false;
+  if (has(feed_adaptation) &&
+      !reading.state.set_feed_adaptation(block.of(feed_adaptation).is(11) ? FeedAdaptation::on
+                                         : block.of(feed_adaptation).is(feed_at_inside)
+                                             ? FeedAdaptation::inside
+                                             : FeedAdaptation::off,
+                                         source))
+    return false;
+  if (block.options && at(block.command) && !reading.state.set_options(*block.options, source))
+    return false;
+  if (block.tangfeed && at(block.command) &&
+      !reading.state.set_tangfeed_minimum(*block.tangfeed * reading.length_unit(), source))
+    return false;
+  if (has(selection) &&
+      !reading.state.set_selection(selection_of(block.of(selection).function->number), source))
+    return false;
+  // A smooth retraction runs along the contour before it ends TRC.
+  const bool ends = has(side) && block.of(side).is(40) && !block.leads_softly;
+  if (has(tangential) && !reading.state.set_tangential(source)) return false;
+  // The tool of such a block is no longer one of the contour: D0 takes it out of force.
+  if (ends && at(block.of(side).begin) && !reading.state.select(Side::off, source)) return false;
+  if (!apply_tool(reading, line, block)) return false;
+  if (!has(side) || block.of(side).is(40)) return true;
+  return reading.state.select(side_of(block.of(side).function->number), source);
+}
+
+// Feeds that blocks have no number for cannot be adapted; on lines nothing is.
+bool check_feed_of_contour(Reading& reading, const ProgramLine& line, const BlockWords& block,
+                           std::uint32_t begin) {
+  if (reading.feed_mode == 94 && !reading.code_modes.tooth_feed) return true;
+  const bool isg = reading.dialect.name == DialectName::isg;
+  const bool straight = reading.motion == MotionKind::linear || reading.motion == MotionKind::rapid;
+  const bool line_alone = !isg && straight && !block.move.corner;
+  const bool adapted = reading.state.mode().feed_adaptation != FeedAdaptation::off && !line_alone;
+  if (reading.feed_mode != 93 && !adapted) return true;
+  const std::string feed =
+      reading.code_modes.tooth_feed ? "FZ=" : "G" + std::to_string(reading.feed_mode);
+  return reading.refuse(
+      line, TextFault{.code = Code::nc_unsupported,
+                      .begin = begin,
+                      .detail = adapted ? feed + " with the feed at the contour (G11, CFC)"
+                                        : feed + ", the time of a block, in force since line " +
+                                              std::to_string(reading.code_modes.feed_mode_line)});
+}
+
+bool apply_motion(Reading& reading, ProgramLine& line, BlockWords& block) {
+  if (block.copied) return true;
+  if (reading.dialect.name == DialectName::sinumerik && (block.axis || block.center) &&
+      !resolve_references(reading, line, block))
+    return false;
+  if (block.angle && !take_angle(reading, line, block)) return false;
+  if (reading.code_modes.tangent_arcs && block.axis && !take_tangent(reading, line, block))
+    return false;
+  if (block.leads_softly)
+    return block.of(GGroup::soft_lead).function->number % 10 == 7
+               ? approach_softly(reading, line, block)
+               : depart_softly(reading, line, block);
+  const bool axis_is_position = !block.has(GGroup::dwell) && !block.of(GGroup::zero_shift).is(92);
+  if ((!block.axis || !axis_is_position) && !block.center) return true;
+  const std::uint32_t begin = std::min(block.axis.value_or(~0U), block.center.value_or(~0U));
+  reading.state.place(reading.place_of_word(line, begin).column,
+                      block.center ? reading.place_of_word(line, *block.center).column : 0);
+  if (!reading.motion_given && reading.state.contour_open())
+    return reading.refuse(line, TextFault{.code = Code::motion_unknown, .begin = begin});
+  if (reading.state.contour_open() && !check_feed_of_contour(reading, line, block, begin))
+    return false;
+  if (reading.code_modes.soft_approach) return begin_contour_of_approach(reading, line, block);
+  return block.turns ? move_in_full_turns(reading, line, block) : move(reading, line, block.move);
+}
+
+// From inch to mm.
+void scale(const Reading& reading, MoveRequest& request) {
+  const auto scale = [](std::optional<double>& value) {
+    if (value) *value *= mm_per_inch;
+  };
+  for (auto& coordinate : request.end) scale(coordinate);
+  for (auto& coordinate : request.center) scale(coordinate);
+  scale(request.radius);
+  if (request.corner) request.corner->size *= mm_per_inch;
+  // U V W are linear axes, A B C turn: degrees have no inch.
+  const auto& names = reading.state.setup().tracking_axes;
+  for (std::size_t axis = 0; axis < request.tracking.size(); ++axis)
+    if (!names[axis].empty() &&
+        std::string_view("UVWXYZ").find(names[axis][0]) != std::string_view::npos)
+      scale(request.tracking[axis]);
+}
+
+}  // namespace
+
+bool apply_block(Reading& reading, ProgramLine& line, BlockWords& block) {
+  line.has_trc_words = line.has(WordRole::trc);
+  const auto pass = [&](WordRole role) {
+    return !line.has(role) || pass_words(reading, line, role);
+  };
+  block.motion_before = reading.motion;
+  block.feed_before = reading.feed;
+  const bool goes_on = apply_modes(reading, line, block) && apply_trc(reading, line, block) &&
+                       leave_contour_by_copy(reading, line, block) && pass(WordRole::technology) &&
+                       apply_motion(reading, line, block) && pass(WordRole::stop);
+  if (!goes_on) return false;
+  if (block.sets_position) {
+    line.third_set = block.move.end[axes_of(reading.state.mode().plane).third];
+    if (line.third_set) *line.third_set *= reading.length_unit();
+  }
+  if (reading.feed_mode == 94 && may_move_at_the_feed(reading, block))
+    line.feed_it_takes = reading.feed;
+  if (block.of(GGroup::zero_shift).is(53)) forget_position(reading, line, block);
+  if (!line.ends_program) return true;
+  reading.ended = true;
+  reading.state.place(0);
+  return reading.state.end(line.source);
+}
+
+bool leave_out_bottlenecks(Reading& reading, bool on, const Source& source) {
+  const TrcMode& initial = reading.state.setup().mode;
+  TrcOptions options = reading.state.mode().options;
+  options.remove_masked_blocks = on || initial.options.remove_masked_blocks;
+  return reading.state.set_masking(on ? Masking::on : initial.masking, source) &&
+         reading.state.set_options(options, source);
+}
+
+bool move(Reading& reading, ProgramLine& line, MoveRequest& request) {
+  request.source = line.source;
+  request.kind = reading.motion;
+  request.incremental = reading.incremental;
+  request.feed = reading.feed_mode == 94 ? reading.feed : 0;
+  if (reading.inch) scale(reading, request);
+  // Of an arc of Fanuc that has both, R is what counts.
+  if (reading.dialect.name == DialectName::fanuc && request.radius) request.center = {};
+  // Many post-processors write all three centre words.
+  auto& across = request.center[axes_of(reading.state.mode().plane).third];
+  if (reading.dialect.name != DialectName::isg && across == 0.0) across.reset();
+  const bool leads_on_an_arc =
+      reading.dialect.arcs_to_the_contour && reading.state.awaits_approach() &&
+      (reading.motion == MotionKind::clockwise || reading.motion == MotionKind::counter_clockwise);
+  line.is_motion = true;
+  const PlaneAxes axes = axes_of(reading.state.mode().plane);
+  if (request.end[axes.first] || request.end[axes.second])
+    reading.code_modes.leaves_contour = reading.state.contour_open();
+  return leads_on_an_arc ? reading.state.approach_on_arc(request) : reading.state.move(request);
+}
+
+bool pass_words(Reading& reading, const ProgramLine& line, WordRole role) {
+  std::string text;
+  for (const WordRange& range : line.words) {
+    if (range.role != role) continue;
+    if (!text.empty()) text += ' ';
+    text += line.word(range);
+  }
+  return reading.state.pass(line.source, std::move(text));
+}
+
+}  // namespace trc

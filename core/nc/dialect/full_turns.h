@@ -1,0 +1,11 @@
+#pragma once
+
+#include "core/nc/dialect/block_words.h"
+#include "core/nc/dialect/reading.h"
+
+namespace trc {
+
+// Each further turn is a block of its own, in front of the arc that the other words say.
+bool move_in_full_turns(Reading& reading, ProgramLine& line, const BlockWords& block);
+
+}  // namespace trc

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "core/nc/dialect/klartext_block.h"
+#include "core/nc/dialect/reading.h"
+
+namespace trc {
+
+// `begin`: where in the line. Returns false.
+bool refuse_klartext(Reading& reading, const ProgramLine& line, std::size_t begin,
+                     std::string detail, Code code = Code::nc_unsupported);
+
+// A block that is not plain (klartext_plain.h).
+bool read_klartext(Reading& reading, ProgramLine& line);
+
+// What the words of the block say takes effect, unless something is wrong with them.
+bool take_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block, bool readable);
+
+}  // namespace trc

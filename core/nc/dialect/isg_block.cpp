@@ -1,0 +1,366 @@
+#include "core/nc/dialect/isg_block.h"
+
+#include <algorithm>
+#include <string>
+
+#include "core/nc/dialect/block_words.h"
+#include "core/nc/dialect/code_block.h"
+#include "core/nc/dialect/code_tools.h"
+#include "core/nc/dialect/isg_command.h"
+#include "core/nc/dialect/pass_words.h"
+#include "core/nc/dialect/passing_calls.h"
+#include "core/nc/dialect/reading.h"
+#include "core/nc/dialect/trc_command.h"
+#include "core/nc/dialect/unfollowed.h"
+#include "core/nc/text/characters.h"
+#include "core/nc/text/number_format.h"
+
+namespace trc {
+namespace {
+
+WordRole role_of(GGroup group) {
+  switch (group) {
+    case GGroup::motion:
+      return WordRole::motion;
+    case GGroup::tangential:
+    case GGroup::feed_adaptation:
+    case GGroup::transition:
+    case GGroup::side:
+    case GGroup::selection:
+    case GGroup::masking:
+      return WordRole::trc;
+    case GGroup::plane:
+    case GGroup::unit:
+    case GGroup::dimension:
+    case GGroup::circle_center:
+    case GGroup::circle_check:
+      return WordRole::mode;
+    default:
+      return WordRole::technology;
+  }
+}
+
+bool is_of_isg_alone(GGroup group) {
+  using enum GGroup;
+  return group == tangential || group == selection || group == masking || group == circle_center ||
+         group == circle_check || group == spatial_circle;
+}
+
+Code twice_code(GGroup group) {
+  switch (group) {
+    case GGroup::transition:
+      return Code::transition_type_twice;
+    case GGroup::side:
+      return Code::compensation_side_twice;
+    case GGroup::selection:
+      return Code::selection_mode_twice;
+    default:
+      return Code::nc_group_twice;
+  }
+}
+
+// A continued line may have a number of its own; the first one counts.
+bool read_number(Reading& reading, const Word& word, ProgramLine& line, BlockWords&) {
+  if (word.has_argument || !word.whole || !is_whole(word.value))
+    return reading.refuse(line, word, Code::nc_number);
+  if (line.source.number != Source::no_number) {
+    const std::string_view before =
+        without_blanks_behind(std::string_view(line.text).substr(0, word.begin));
+    const bool new_line = before.ends_with('\n') || before.ends_with('\r');
+    if (!new_line) return reading.refuse(line, word, Code::nc_word_twice);
+  } else {
+    line.source.number = static_cast<std::int64_t>(word.value);
+  }
+  add(line, word, WordRole::number);
+  return true;
+}
+
+bool read_g_function(Reading& reading, const Word& word, ProgramLine& line, BlockWords& block) {
+  const GFunction* function =
+      word.has_argument || word.whole ? find_g_function(word.value) : nullptr;
+  if (function == nullptr && passes_word(reading.state.setup(), line.text, word.begin)) {
+    block.passed_function = word.begin;
+    add(line, word, WordRole::technology);
+    return true;
+  }
+  if (function == nullptr) return reading.refuse(line, word, Code::nc_unknown_function);
+  const GGroup group = function->group;
+  reading.isg_word_seen |= is_of_isg_alone(group);
+  // No mirroring, which is initial here, is inch elsewhere: millimetres for inches.
+  if (function->number == 20 && !reading.isg_word_seen)
+    return reading.refuse(line,
+                          TextFault{.code = Code::other_dialect,
+                                    .begin = word.begin,
+                                    .detail = "G20, inch in fanuc and linuxcnc",
+                                    .slip = {.kind = SlipKind::unit_of_another, .instead = "G70"}});
+  const auto named = [&](std::string_view why) {
+    return std::string("G").append(std::to_string(function->number)).append(why);
+  };
+  // G80 … G89 alone: passing_calls.cpp.
+  const bool calls = group == GGroup::single_move && function->number / 10 == 8;
+  if (group == GGroup::refused || group == GGroup::spatial_circle || calls) {
+    Code code = Code::nc_unsupported;
+    if (group == GGroup::spatial_circle && reading.state.mode().active())
+      code = Code::spatial_circle_while_active;
+    else if (group == GGroup::spatial_circle && reading.state.just_deselected())
+      code = Code::spatial_circle_after_deselection;
+    TextFault fault{
+        .code = code, .begin = word.begin, .detail = named(", ").append(function->meaning)};
+    if (function->number == 21) fault.slip = {.kind = SlipKind::unit_of_another, .instead = "G71"};
+    return reading.refuse(line, fault);
+  }
+  if (group == GGroup::zero_shift && reading.contour_open() &&
+      reading.code_modes.work_offset != function->tenths())
+    return reading.refuse(line, word, Code::nc_unsupported, named(" while TRC is active"));
+  constexpr int homing = 74;
+  block.homes |= function->number == homing;
+  const bool may_have_argument = group == GGroup::zero_shift || group == GGroup::technology ||
+                                 group == GGroup::axis_technology;
+  if (word.has_argument && !may_have_argument) return reading.refuse(line, word, Code::nc_syntax);
+  BlockWords::Function& seen = block.functions[static_cast<std::size_t>(group)];
+  if (seen.function != nullptr && group != GGroup::technology && group != GGroup::axis_technology)
+    return reading.refuse(line, word, twice_code(group));
+  seen = {.function = function, .begin = word.begin};
+  // Where there is nothing to end, G40 is a line of the program like any other.
+  const bool ends_nothing = group == GGroup::side && function->number == 40;
+  add(line, word, ends_nothing && !reading.contour_open() ? WordRole::mode : role_of(group));
+  return true;
+}
+
+bool read_axis(Reading& reading, const Word& word, ProgramLine& line, BlockWords& block) {
+  int axis = reading.axis_of_letter[static_cast<std::size_t>(word.letter - 'A')];
+  double value = word.value;
+  if (word.has_argument) {  // an axis with a name of its own
+    const std::string_view text = line.word({.begin = word.begin, .end = word.end});
+    const std::string_view name = without_blanks_behind(text.substr(0, text.find('=')));
+    const auto& names = reading.state.setup().tracking_axes;
+    const auto found = std::ranges::find_if(
+        names, [&](const std::string& candidate) { return same_name(candidate, name); });
+    axis = found == names.end() ? -1 : static_cast<int>(found - names.begin()) + 3;
+    value = word.argument;
+  }
+  if (axis < 0) return reading.refuse(line, word, Code::nc_axis_unknown);
+  const auto index = static_cast<std::size_t>(axis);
+  if (index >= 3 && block.move.tracking.size() <= index - 3)
+    block.move.tracking.resize(reading.state.setup().tracking_axes.size());
+  auto& coordinate = index < 3 ? block.move.end[index] : block.move.tracking[index - 3];
+  if (coordinate) return reading.refuse(line, word, Code::nc_word_twice);
+  coordinate = value;
+  if (!block.axis) block.axis = word.begin;
+  add(line, word, WordRole::coordinate);
+  return true;
+}
+
+bool read_machine_function(Reading& reading, const Word& word, ProgramLine& line,
+                           BlockWords& block) {
+  if (word.value == 17 || word.value == 29)
+    return reading.refuse(line, word, Code::nc_unsupported, "M17, M29, the end of a subprogram");
+  // M2=3 is one of the second spindle.
+  const bool ends = !word.has_argument && (word.value == 2 || word.value == 30);
+  line.ends_program |= ends;
+  block.loads_tool |= word.value == 6;
+  add(line, word,
+      ends || word.value == 0 || word.value == 1 ? WordRole::stop : WordRole::technology);
+  return true;
+}
+
+bool read_address(Reading& reading, const Word& word, ProgramLine& line, BlockWords& block) {
+  const char letter = word.letter;
+  const auto twice = [&] { return reading.refuse(line, word, Code::nc_word_twice); };
+  const bool may_have_argument = letter == 'S' || letter == 'M' || letter == 'H';
+  const bool axis_letter = letter <= 'C' || letter == 'Q' || letter >= 'U';
+  if (axis_letter) return read_axis(reading, word, line, block);
+  if (word.has_argument && !may_have_argument) return reading.refuse(line, word, Code::nc_syntax);
+  switch (letter) {
+    case 'I':
+    case 'J':
+    case 'K': {
+      auto& center = block.move.center[static_cast<std::size_t>(letter - 'I')];
+      if (center) return twice();
+      center = word.value;
+      break;
+    }
+    case 'R':
+      if (block.move.radius) return twice();
+      block.move.radius = word.value;
+      break;
+    case 'F':
+      if (block.feed) return twice();
+      if (word.value < 0) return reading.refuse(line, word, Code::nc_number);
+      block.feed = {.value = word.value, .begin = word.begin};
+      add(line, word, WordRole::feed);
+      return true;
+    case 'D':
+      if (block.tool) return twice();
+      if (block.tool_radius) return reading.refuse(line, word, Code::radius_and_tool_word_together);
+      if (!is_number_of_tool(word.value)) return reading.refuse(line, word, Code::nc_number);
+      block.tool = {.value = word.value, .begin = word.begin};
+      add(line, word, WordRole::technology);
+      return true;
+    case 'T':
+      if (block.tool_number) return twice();
+      if (!is_number_of_tool(word.value)) return reading.refuse(line, word, Code::nc_number);
+      block.tool_number = {.value = word.value, .begin = word.begin};
+      add(line, word, WordRole::technology);
+      return true;
+    case 'S':
+      if (!word.has_argument && std::exchange(block.has_spindle, true)) return twice();
+      add(line, word, WordRole::technology);
+      return true;
+    case 'H':
+      add(line, word, WordRole::technology);
+      return true;
+    case 'M':
+      return read_machine_function(reading, word, line, block);
+    default:
+      return reading.refuse(line, word, Code::nc_unsupported);
+  }
+  if (!block.center) block.center = word.begin;
+  add(line, word, WordRole::coordinate);
+  return true;
+}
+
+}  // namespace
+
+bool read_isg_words(Reading& reading, ProgramLine& line, BlockWords& block) {
+  WordReader reader(line.text, reading.state.setup().demands_utf8());
+  for (;;) {
+    const Word word = reader.next();
+    switch (word.kind) {
+      case WordKind::end:
+        if (block.has_command && block.words > 1)
+          return reading.refuse(
+              line, TextFault{.begin = block.command, .detail = "# not alone in its block"});
+        if (block.number_alone && !block.has(GGroup::dwell))
+          return reading.refuse(
+              line, TextFault{.begin = *block.number_alone, .detail = "a number without letter"});
+        return true;
+      case WordKind::fault:
+        return read_call_behind_words(reading, reader.fault().begin, line, block) ||
+               reading.refuse(line, reader.fault());
+      case WordKind::comment:
+        add(line, word, WordRole::comment);
+        continue;
+      case WordKind::skip:
+        if (const SkipSign sign = skip_sign_of(line.text, DialectName::isg);
+            sign.begin != word.begin || !is_beside_the_path(line.text, sign, DialectName::isg))
+          return reading.refuse(line, TextFault{.code = Code::block_skip_undecided,
+                                                .begin = word.begin,
+                                                .detail = "/, a block to skip on demand"});
+        add(line, word, WordRole::technology);
+        continue;
+      case WordKind::address:
+        if (word.letter == 'N') {
+          if (!read_number(reading, word, line, block)) return false;
+          continue;
+        }
+        if (!(word.letter == 'G' ? read_g_function(reading, word, line, block)
+                                 : read_address(reading, word, line, block)))
+          return false;
+        break;
+      case WordKind::number:
+        if (block.number_alone) return reading.refuse(line, word, Code::nc_syntax);
+        block.number_alone = word.begin;
+        add(line, word, WordRole::technology);
+        break;
+      case WordKind::variable:
+        if (block.tool) return reading.refuse(line, word, Code::radius_and_tool_word_together);
+        if (block.tool_radius) return reading.refuse(line, word, Code::nc_word_twice);
+        reading.isg_word_seen = true;
+        block.tool_radius = {.value = word.value, .begin = word.begin};
+        block.radius_is_change = word.relative;
+        add(line, word, WordRole::trc);
+        break;
+      case WordKind::command:
+        if (!read_command(reading, word, line, block)) return false;
+        break;
+    }
+    ++block.words;
+  }
+}
+
+bool check_isg_block(Reading& reading, ProgramLine& line, BlockWords& block) {
+  using enum GGroup;
+  const auto wrong = [&](Code code, const BlockWords::Function& function, const char* why) {
+    return reading.refuse(
+        line,
+        TextFault{
+            .code = code,
+            .begin = function.begin,
+            .detail =
+                std::string("G").append(std::to_string(function.function->number)).append(why)});
+  };
+  if (block.passed_function && (block.axis || block.center))
+    return reading.refuse(
+        line,
+        TextFault{.code = Code::nc_unsupported,
+                  .begin = *block.passed_function,
+                  .detail = word_to_pass(line.text, *block.passed_function) + " with axis words"});
+  const bool main_axis_only = std::ranges::none_of(
+      block.move.tracking, [](const auto& value) { return value.has_value(); });
+  if (block.has(dwell)) {
+    const bool time = block.number_alone || block.has_spindle || (block.axis && main_axis_only);
+    if (block.words > 2 || (block.words == 2 && !time))
+      return wrong(Code::nc_syntax, block.of(dwell), " is not alone with its time");
+    if (block.words < 2) return wrong(Code::nc_number, block.of(dwell), " without a time");
+  }
+  if (block.has(axis_technology) && (block.axis || block.center))
+    return wrong(Code::nc_unsupported, block.of(axis_technology), " with axis words");
+  if (block.has(tangential) && !block.has(side))
+    return wrong(Code::nc_syntax, block.of(tangential), " without G40, G41 or G42");
+  if (!reading.isg_word_seen && !reading.contour_open() && block.axis && !block.has(motion) &&
+      !block.has(side)) {
+    // Working area limits and a local zero point elsewhere: no positions.
+    if (block.has(transition))
+      return wrong(Code::other_dialect, block.of(transition), " with axis words");
+    const auto g52 = std::ranges::find_if(line.words, [&](const WordRange& range) {
+      return line.word(range) == "G52" || line.word(range) == "g52";
+    });
+    if (g52 != line.words.end())
+      return reading.refuse(line, TextFault{.code = Code::other_dialect,
+                                            .begin = g52->begin,
+                                            .detail = "G52 with axis words"});
+  }
+  if (!watch_tool(reading, line, block) || !restate_modes(reading, line, block) ||
+      !note_unknown_call(reading, line, block))
+    return false;
+  if (const std::int64_t number = block.tool ? whole_number(block.tool->value) : 0;
+      !reading.state.tool().has_tool(number))
+    take_only_register(reading, line, block, number);
+  if (block.homes) {  // where the axes stand then only the machine knows
+    block.copied = true;
+    take_for_technology(line, WordRole::coordinate);
+  }
+  take_work_offset(reading, block);
+  if (!copy_thread(reading, line, block)) return false;
+  const bool preset = block.of(zero_shift).is(92);
+  if (preset && (block.has(motion) || block.center || block.move.radius))
+    return wrong(Code::nc_unsupported, block.of(zero_shift), " with a motion");
+  return check_feed(reading, line, block) && take_tool_data(reading, line, block);
+}
+
+bool check_feed(Reading& reading, ProgramLine& line, const BlockWords& block) {
+  using enum GGroup;
+  const bool preset = block.of(zero_shift).is(92);
+  const int feed = block.has(feed_mode) ? block.of(feed_mode).function->number : reading.feed_mode;
+  const bool inch =
+      block.has(unit) ? reading.counts_in_inch(*block.of(unit).function) : reading.inch;
+  if (block.feed && feed == 94 &&
+      !reading.state.is_feed(block.feed->value * reading.feed_unit(inch))) {
+    const auto word = std::ranges::find(line.words, block.feed->begin, &WordRange::begin);
+    const std::uint32_t end = word == line.words.end() ? block.feed->begin + 1 : word->end;
+    return reading.refuse(
+        line, TextFault{.code = Code::nc_number,
+                        .begin = block.feed->begin,
+                        .detail = line.text.substr(block.feed->begin, end - block.feed->begin) +
+                                  ", more than 0 and at most 1000000000 mm/min"});
+  }
+  for (WordRange& range : line.words) {
+    const bool no_position = range.role == WordRole::coordinate && (preset || block.has(dwell));
+    const bool no_feed = range.role == WordRole::feed && feed != 94;
+    if (no_position || no_feed) range.role = WordRole::technology;
+  }
+  return true;
+}
+
+}  // namespace trc

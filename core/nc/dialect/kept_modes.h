@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/nc/dialect/block_words.h"
+#include "core/nc/dialect/reading.h"
+
+namespace trc {
+
+// In a line of their own, outside of contours: how they count with other words of a line, and what
+// G40 … G42 have to do with them, has to be read nowhere then.
+bool check_kept_modes(Reading& reading, ProgramLine& line, const BlockWords& block);
+
+// M70 of LinuxCNC keeps what is in force, M72 brings it back, M71 forgets it (D-113).
+bool apply_kept_modes(Reading& reading, const ProgramLine& line, const BlockWords& block);
+
+}  // namespace trc

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/nc/dialect/klartext_block.h"
+#include "core/nc/dialect/reading.h"
+#include "core/nc/text/klartext_words.h"
+
+namespace trc {
+
+// M words.
+bool read_klartext_function(Reading& reading, const KlartextWord& word, ProgramLine& line,
+                            KlartextBlock& block);
+
+}  // namespace trc

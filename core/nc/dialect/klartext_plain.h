@@ -1,0 +1,12 @@
+#pragma once
+
+#include <optional>
+
+#include "core/nc/dialect/reading.h"
+
+namespace trc {
+
+// Whether the program goes on behind the block; nothing where it is not plain.
+std::optional<bool> take_plain_klartext(Reading& reading, ProgramLine& line);
+
+}  // namespace trc
