@@ -61,6 +61,16 @@ TEST(Dialect, MotionFunctionsAreModal) {
   EXPECT_TRUE(read("X2").last_motion().rapid) << "G00 is the initial state";
 }
 
+TEST(Dialect, AFunctionIsItsNumberAndNoneCloseToIt) {
+  const Dialect& fanuc = dialect_of(DialectName::fanuc);
+  EXPECT_NE(fanuc.function(41), nullptr);
+  EXPECT_NE(fanuc.function(54.1), nullptr);
+  for (const double number : {40.9999999, 41.0000001, 54.15, -41.0}) {
+    SCOPED_TRACE(number);
+    EXPECT_EQ(fanuc.function(number), nullptr);
+  }
+}
+
 TEST(Dialect, DimensionsMayBeIncremental) {
   EXPECT_EQ(last_line(read("G00 X10\nG91 X5 Y2\nX1")), (Line{.start = {15, 2}, .end = {16, 2}}));
 }

@@ -112,5 +112,15 @@ TEST(PlainKlartext, IsReadAsTheGeneralReaderReadsIt) {
   EXPECT_GT(2 * motions, programs) << "the blocks try what they are for";
 }
 
+TEST(PlainKlartext, HasOneFeed) {
+  for (const std::string words : {"FMAX F300", "F300 FMAX", "F MAX F300", "F300 F400"}) {
+    ProgramSetup setup;
+    setup.dialect = DialectName::heidenhain;
+    const Reading known = read("L X+1 Y+2 R0 " + words + "\n", setup);
+    ASSERT_FALSE(known.diagnostics.empty()) << words;
+    EXPECT_EQ(known.diagnostics.back().code, Code::nc_word_twice) << words;
+  }
+}
+
 }  // namespace
 }  // namespace trc::testing

@@ -49,6 +49,8 @@ TEST(SideSeen, BesideWhatTheControlDoesByItself) {
                                   "CALL LBL 1 RL",
                                   "TCH PROBE 400 RL",
                                   "STOP RL",
+                                  "CC X+0 Y+0 RL",
+                                  "RND R2 RL",
                                   "CYCL DEF 7.1 X+5 RL",
                                   "Q1 = 5 RL",
                                   "L X+0 Y+0 M140 MB MAXRL F300",

@@ -117,8 +117,10 @@ void Dialect::begin(TrcMode& mode) const {
 }
 
 const GFunction* Dialect::function(double number) const {
+  // What a program has computed is not exact; G40.9999999 is no function.
+  constexpr double rounding = 1e-9;
   const double tenths = number * 10;
-  if (!(tenths >= 0 && tenths < 100'000) || std::abs(tenths - std::round(tenths)) > 1e-6)
+  if (!(tenths >= 0 && tenths < 100'000) || std::abs(tenths - std::round(tenths)) > rounding)
     return nullptr;
   const int key = static_cast<int>(std::lround(tenths));
   const auto found = std::ranges::lower_bound(functions, key, {}, &GFunction::tenths);

@@ -149,7 +149,7 @@ bool read_klartext_feed(Reading& reading, const KlartextWord& word, ProgramLine&
     add(line, word, WordRole::technology);
     return true;
   }
-  if (block.feed || block.open_feed)
+  if (block.feed || block.open_feed || block.rapid)
     return refuse_klartext(reading, line, word.begin, text, Code::nc_word_twice);
   block.feed = {.value = word.value, .begin = word.begin};
   const bool of_the_corner = block.is_corner();
@@ -259,7 +259,9 @@ bool read_klartext_name(Reading& reading, const KlartextWord& word, ProgramLine&
   const auto two_words = [&](WordRole role) {
     if (block.feed) {
       if (line.word(line.words.back()).size() != 1)
-        return refuse_klartext(reading, line, word.begin, name);
+        return refuse_klartext(
+            reading, line, word.begin, name,
+            block.feed->begin == ~0U ? Code::nc_unsupported : Code::nc_word_twice);
       block.feed.reset();
       line.words.back().end = word.end;
       line.words.back().role = role;

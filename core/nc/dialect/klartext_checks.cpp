@@ -97,6 +97,10 @@ bool check_words_of_form(Reading& reading, const ProgramLine& line, const Klarte
       return refuse_klartext(
           reading, line, block.begin,
           reading.state.setup().tracking_axes[axis] + " beside " + block.title());
+  const bool selects = block.side && *block.side != Side::off;
+  if (selects && (block.is(center) || corner))
+    return refuse_klartext(reading, line, block.side_begin,
+                           word_at(line, block.side_begin) + " beside " + block.title());
   if (block.clockwise && !is_arc_of(block.statement))
     return refuse_klartext(reading, line, block.begin, "DR beside " + block.title());
   return true;

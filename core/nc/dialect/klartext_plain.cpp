@@ -147,7 +147,7 @@ bool read_plain_klartext(const Reading& reading, ProgramLine& line, KlartextBloc
       case 'F':
         role = WordRole::feed;
         value = &block.feed;
-        if (words.sign() != 'M') return true;
+        if (words.sign() != 'M') return !block.rapid;
         role = WordRole::motion;
         value = nullptr;
         return !block.feed && words.take("MAX") && !std::exchange(block.rapid, true);
