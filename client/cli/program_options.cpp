@@ -213,6 +213,10 @@ bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup) {
                "first line unit,inch or a column unit of a CSV says otherwise, --unit inch of "
                "other tables");
   }
+  if (options.wear && setup.tools_size() > 0) {
+    complain("--wear is of the tool of --radius: tools of a table have a wear of their own");
+    return false;
+  }
   if (says_a_radius(options) && counts_in_inch(options, setup))
     complain(
         "note: radii and wear of --radius, --wear and --set are in mm, though the program counts "

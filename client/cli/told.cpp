@@ -60,6 +60,11 @@ constexpr auto rows = std::to_array<Sentence>({
      "Hinweis: die Radien von {} werden in mm gelesen, da die Datei keine Einheit nennt, obwohl "
      "das Programm in Zoll rechnet; anders sagt es eine erste Zeile unit,inch oder eine Spalte "
      "unit einer CSV, --unit inch bei anderen Tabellen"},
+    {"--wear is of the tool of --radius: tools of a table have a wear of their own",
+     "--wear gilt dem Werkzeug von --radius: Werkzeuge einer Tabelle haben ihren eigenen "
+     "Verschleiß"},
+    {"R has no decimal point: say what it counts in with --whole-numbers",
+     "R hat keinen Dezimalpunkt: mit --whole-numbers sagen, worin es zählt"},
     {"note: radii and wear of --radius, --wear and --set are in mm, though the program counts in "
      "inch: 0.25 inch are 6.35",
      "Hinweis: Radien und Verschleiß von --radius, --wear und --set gelten in mm, obwohl das "

@@ -1,6 +1,7 @@
 #include "client/cli/tool_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -140,12 +141,11 @@ class Table {
       unit_said_ = true;
     }
     if (has_function(90) || has_function(91)) adds_ = has_function(91);
-    if (has_function(10)) return data_of_memory(words);
+    if (has_function(10)) return data_of_memory(words, line);
     if (has('T') && has('D')) {
       const auto number = tool_number(words.find('T')->second);
       if (!number) return "T is no number of a tool";
-      tools_[{.number = *number}].radius = words.find('D')->second / 2 * unit_;
-      return {};
+      return take({.number = *number}, {.radius = words.find('D')->second / 2 * unit_});
     }
     return has('G') || line == "%" || has('O') || has('M') || has('T')
                ? std::string()
@@ -154,8 +154,17 @@ class Table {
                      "header such as number,radius";
   }
 
+  // Of the word with that letter.
+  static bool has_point(std::string_view line, char letter) {
+    const std::size_t at = in_upper_case(line).find(letter);
+    if (at == std::string::npos) return false;
+    const std::string_view value = line.substr(at + 1);
+    return value.substr(0, value.find_first_not_of("+-0123456789. \t")).find('.') !=
+           std::string_view::npos;
+  }
+
   // G10 L12 P1 R5 of Fanuc.
-  std::string data_of_memory(const std::multimap<char, double>& words) {
+  std::string data_of_memory(const std::multimap<char, double>& words, std::string_view line) {
     const auto value = [&](char letter) { return words.find(letter)->second; };
     if (!words.contains('L') || !words.contains('P') || !words.contains('R')) return {};
     const bool wear = value('L') == 13;
@@ -163,9 +172,17 @@ class Table {
     const auto number = tool_number(value('P'));
     if (!number) return "P is no number of a tool";
     if (adds_) return "under G91 its R is added to what the memory holds: give it under G90";
+    double size = value('R') * unit_;
+    if (!has_point(line, 'R')) {
+      constexpr double doubtful = 1000;  // mm
+      if (setup_.whole_numbers() == v1::WHOLE_NUMBERS_INCREMENTS)
+        size /= unit_ == 1 ? 1e3 : 1e4;
+      else if (setup_.whole_numbers() == v1::WHOLE_NUMBERS_UNSPECIFIED && std::abs(size) > doubtful)
+        return "R has no decimal point: say what it counts in with --whole-numbers";
+    }
     Sizes& sizes =
         tools_.try_emplace({.number = *number}, Sizes{.has_radius = false}).first->second;
-    (wear ? sizes.wear : sizes.radius) = value('R') * unit_;
+    (wear ? sizes.wear : sizes.radius) = size;
     sizes.has_radius |= !wear;
     return {};
   }

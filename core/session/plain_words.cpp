@@ -53,7 +53,8 @@ void PlainWordsReader::look_for_tool_changes(const std::vector<LinePointer>& lin
       return whole_behind(in_capitals(line->word(word)), 'M') == 6;
     });
   };
-  changes_by_t_ = from_.name == DialectName::sinumerik && std::ranges::none_of(lines, changes_tool);
+  // T of LINUXCNC prepares a tool, also where nothing loads it.
+  changes_by_t_ = from_.name != DialectName::linuxcnc && std::ranges::none_of(lines, changes_tool);
 }
 
 bool PlainWordsReader::read_mode(const ProgramLine& line, std::string_view given,

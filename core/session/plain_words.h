@@ -42,7 +42,7 @@ class PlainWordsReader {
         setup_(setup),
         to_klartext_(to == DialectName::heidenhain) {}
 
-  // T of SINUMERIK programs without M6 changes the tool (D-56).
+  // T of a program without M6 changes the tool (D-40, D-56).
   void look_for_tool_changes(const std::vector<LinePointer>& lines);
   // All words are read, also behind one that cannot be said. Returns whether all can.
   bool read(const ProgramLine& line, PlainWords& words);

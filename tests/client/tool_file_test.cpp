@@ -146,6 +146,23 @@ TEST(ToolFile, HoldsTheOffsetsOfFanuc) {
             "line 1: under G91 its R is added to what the memory holds: give it under G90");
 }
 
+TEST(ToolFile, CountsRWithoutAPointAsTheProgramDoes) {
+  v1::ProgramSetup setup;
+  setup.set_whole_numbers(v1::WHOLE_NUMBERS_INCREMENTS);
+  ASSERT_EQ(read_tool_table("G10 L12 P1 R3000\nG10 L12 P2 R3.\nG20\nG10 L12 P3 R1000\n", setup),
+            "");
+  ASSERT_EQ(setup.tools_size(), 3);
+  EXPECT_EQ(setup.tools(0).radius(), 3);
+  EXPECT_EQ(setup.tools(1).radius(), 3);
+  EXPECT_NEAR(setup.tools(2).radius(), 2.54, 1e-12);
+  EXPECT_EQ(fault_in("G10 L12 P1 R3000\n"),
+            "line 1: R has no decimal point: say what it counts in with --whole-numbers");
+}
+
+TEST(ToolFile, HasEachToolOfLinuxcncOnce) {
+  EXPECT_EQ(fault_in("T1 P1 D6\nT1 P2 D8\n"), "line 2: tool 1 a second time");
+}
+
 TEST(ToolFile, IsATableOfHeidenhain) {
   constexpr const char* table =
       "BEGIN TOOL    .T MM\n"

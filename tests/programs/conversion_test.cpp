@@ -72,6 +72,16 @@ TEST(Conversion, ChangesTheToolWhereSinumerikDoesByTAlone) {  // D-56, D-94
             "G17 G21 G40 G90 G94\nT1\nM6\nG00 X0. Y0.\nT2\nG01 X5. F100.\nM30\n");
 }
 
+TEST(Conversion, ChangesTheToolWhereAProgramHasNoM6) {  // D-40, D-94
+  const std::string program = "T1\nG0 X1\nT2\nG0 X2\nM30\n";
+  EXPECT_NE(converted(program, DialectName::fanuc, DialectName::linuxcnc).text.find("T2 M6"),
+            std::string::npos);
+  EXPECT_NE(converted(program, DialectName::isg, DialectName::heidenhain).text.find("TOOL CALL 2"),
+            std::string::npos);
+  EXPECT_EQ(converted(program, DialectName::linuxcnc, DialectName::fanuc).text.find("M6"),
+            std::string::npos);
+}
+
 TEST(Conversion, MakesNoCommandOfAComment) {  // D-94
   const std::string text = "G0 X1\n(ABORT, IF THE VICE IS OPEN)\n(MESSAGE)\nM30\n";
   EXPECT_EQ(converted(text, DialectName::fanuc, DialectName::linuxcnc).text,

@@ -273,6 +273,10 @@ TEST(FanucRefusals, NameTheirLine) {
       {"/#1=5\n", Code::block_skip_undecided, 1},
       {"/M98 P1\nM30\nO1\nM99\n", Code::block_skip_undecided, 1},
       {"#1=1\nG66 P5\n", Code::subprogram_unknown, 2},
+      {"G66 P1\n/X5.\nM30\nO1\nM99\n", Code::block_skip_undecided, 2},
+      {"G66 P1\nG66 P2\nM30\nO1\nM99\nO2\nM99\n", Code::nc_unsupported, 2},
+      {"G66 P1\nM98 P2\nM30\nO1\nM99\nO2\nG0 X1.\nM99\n", Code::nc_unsupported, 2},
+      {"M98 P2\nM30\nO1\nM99\nO2\nG66 P1\nM99\n", Code::nc_unsupported, 7},
       {"#1=1\nM96 P5\n", Code::nc_unsupported, 2},
   };
   for (const Refusal& refusal : refusals) {
@@ -282,6 +286,32 @@ TEST(FanucRefusals, NameTheirLine) {
     EXPECT_EQ(ran.diagnostics[0].code, refusal.code) << ran.report();
     EXPECT_EQ(ran.diagnostics[0].source.line, refusal.line);
   }
+}
+
+TEST(FanucModalCalls, ComeBehindLinesThatMoveAnAxis) {
+  const std::string macro = "G67\nM30\nO2\nG1 F100 Z-1.\nM99\n";
+  const auto rounds = [&](const std::string& lines) {
+    const std::string text = flat("G66 P2\n" + lines + macro);
+    std::size_t found = 0;
+    for (std::size_t at = text.find("Z-1"); at != std::string::npos; at = text.find("Z-1", at + 1))
+      ++found;
+    return found;
+  };
+  EXPECT_EQ(rounds("X1.\nA5.\n"), 2U);
+  for (const std::string line :
+       {"G4 X1.", "G10 L2 P1 X5.", "G52 X0", "G92 X0.", "G68 X0 Y0 R30.", "M8", "F200"})
+    EXPECT_EQ(rounds(line + "\n"), 0U) << line;
+}
+
+TEST(FanucArguments, WithoutAPointAreRefusedUnderIncrements) {
+  const std::string macro = "\nM30\nO2\nG0 X#24\nM99\n";
+  ProgramSessionSetup setup = fanuc();
+  setup.session.program.whole_numbers = WholeNumbers::increments;
+  const Ran whole = run_computing("G65 P2 X10" + macro, setup, Output::nc_text);
+  ASSERT_EQ(whole.diagnostics.size(), 1U) << whole.text;
+  EXPECT_EQ(whole.diagnostics[0].code, Code::value_invalid);
+  EXPECT_FALSE(run_computing("G65 P2 X10." + macro, setup, Output::nc_text).stopped);
+  EXPECT_FALSE(run_computing("G65 P2 X10" + macro, fanuc(), Output::nc_text).stopped);
 }
 
 const std::string leave = "G40 X0 Y-40.\nG0 Z50.\nM30\n";

@@ -67,8 +67,20 @@ TEST(LinuxcncParameters, HaveNamesWithoutBlanksAndCase) {
 
 TEST(LinuxcncParameters, BelongToTheirSubOrToAll) {
   EXPECT_EQ(flat("#1=5 #<a>=6 #<_all>=7\no100 sub\n#1=8\n#<a>=9\n#<_all>=10\nG0 X#2\no100 endsub\n"
-                 "#2=3\no100 call [1]\nG0 X#1 Y#<a> Z#<_all>\n"),
-            "(o100)\nG0 X3\nG0 X5 Y6 Z10\n");
+                 "#2=3\no100 call [1] [4]\nG0 X#1 Y#<a> Z#<_all>\n"),
+            "(o100)\nG0 X4\nG0 X5 Y6 Z10\n");
+}
+
+TEST(LinuxcncParameters, AreZeroInASubThatIsNotGivenThem) {
+  EXPECT_EQ(flat("o1 sub\nG1 X#1 Y#2\no1 endsub\n#1=1 #2=9\no1 call [5]\nG1 X#1 Y#2\n"),
+            "(o1)\nG1 X5 Y0\nG1 X1 Y9\n");
+}
+
+TEST(LinuxcncParameters, AreEqualWithinATenThousandth) {  // D-48
+  const std::string branch = "o1 if [#1 EQ 1]\nG1 X1\no1 else\nG1 X2\no1 endif\n";
+  EXPECT_EQ(flat("#1=1.00005\n" + branch), "G1 X1\n");
+  EXPECT_EQ(flat("#1=1.0002\n" + branch), "G1 X2\n");
+  EXPECT_EQ(flat("#1=1.00005\no1 if [#1 GT 1]\nG1 X3\no1 endif\nG1 X4\n"), "G1 X3\nG1 X4\n");
 }
 
 TEST(LinuxcncParameters, HaveTheValuesOfTheSetup) {

@@ -4,6 +4,8 @@
 #include <array>
 #include <initializer_list>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/nc/dialect/block_words.h"
 #include "core/nc/dialect/code_corners.h"
@@ -51,7 +53,9 @@ void end_modes_before(Reading& reading, const BlockWords& block) {
   // Under MCALL of Sinumerik each motion has the cycle behind it.
   const bool motion_ends_cycle =
       block.has(motion) && reading.dialect.name != DialectName::sinumerik;
-  if (motion_ends_cycle || block.has(cycle_end)) reading.code_modes.cycle = false;
+  // What a line that may be skipped ends may still hold.
+  if ((motion_ends_cycle || block.has(cycle_end)) && !block.to_skip)
+    reading.code_modes.cycle = false;
   if (block.has(motion)) reading.code_modes.tangent_arcs = false;
   reading.code_modes.tangent_arcs |= block.begins_tangent_arcs;
   if (block.begins_tangent_arcs) reading.code_modes.tangents_written = reading.trc_active();
@@ -96,10 +100,27 @@ bool check_skipped_modes(Reading& reading, const ProgramLine& line, const BlockW
                           TextFault{.code = Code::block_skip_undecided,
                                     .begin = *block.axis,
                                     .detail = "a motion behind G90 or G91 that may be skipped"});
-  if (block.to_skip && (block.has(unit) || block.has(plane)))
+  const auto undecided = [&](std::string detail) {
     return reading.refuse(line, TextFault{.code = Code::block_skip_undecided,
                                           .begin = line.words.front().begin,
-                                          .detail = "a unit or a plane that may be skipped"});
+                                          .detail = std::move(detail)});
+  };
+  if (block.to_skip && (block.has(unit) || block.has(plane)))
+    return undecided("a unit or a plane that may be skipped");
+  if (block.to_skip && (block.has(feed_adaptation) || block.masks || block.modal_rounding ||
+                        block.corner_feed || block.modal_corner_feed))
+    return undecided("feeds, corners or masking of a contour that may be skipped");
+  const bool selects = block.has(side) && !block.of(side).is(40);
+  const bool in_contour = reading.contour_open() || selects;
+  if (block.has(motion)) reading.code_modes.motion_uncertain = block.to_skip;
+  if (reading.code_modes.motion_uncertain && in_contour && (block.to_skip || block.axis))
+    return undecided("a motion behind G00 … G03 that may be skipped");
+  if (block.feed && !block.has(dwell))
+    reading.code_modes.skipped_feed = block.to_skip ? line.source.line : 0;
+  if (reading.code_modes.skipped_feed > 0 && in_contour &&
+      reading.state.mode().feed_adaptation != FeedAdaptation::off)
+    return undecided("the feed at the contour, of an F that may be skipped, in line " +
+                     std::to_string(reading.code_modes.skipped_feed));
   return true;
 }
 
@@ -111,6 +132,7 @@ bool may_read_plain_lines(const Reading& reading) {
       (whole == WholeNumbers::unsaid && reading.code_modes.points_seen);
   return !reading.code_modes.cycle && reading.code_modes.unfollowed.empty() &&
          !reading.code_modes.tangent_arcs && !reading.code_modes.dimension_uncertain &&
+         !reading.code_modes.motion_uncertain && reading.code_modes.skipped_feed == 0 &&
          reading.code_modes.y_seen && reading.faults.empty() && plain_whole_numbers &&
          !reading.code_modes.enters_parameters && reading.code_modes.modal_rounding == 0 &&
          !reading.code_modes.soft_approach && !reading.called_motion && !reading.called_dimension &&
@@ -235,6 +257,22 @@ void take_turns_of_arc(const Reading& reading, ProgramLine& line, BlockWords& bl
     if (word.begin == block.turns->begin) word.role = WordRole::coordinate;
 }
 
+// What the words make of the coordinates from here on.
+void take_coordinates(Reading& reading, const ProgramLine& line, BlockWords& block) {
+  std::vector<UnfollowedMode> before;
+  if (block.to_skip) before = reading.code_modes.unfollowed;
+  const std::uint8_t turned = reading.code_modes.turned;
+  forget_what_ends_nothing(reading, block);
+  end_what_was_unfollowed(reading, block);
+  take_what_is_unfollowed(reading, line, block);
+  if (!block.to_skip) return;
+  // What a line that may be skipped ends may still hold.
+  reading.code_modes.turned |= turned;
+  for (UnfollowedMode& mode : before)
+    if (!reading.code_modes.is_unfollowed(mode.function))
+      reading.code_modes.unfollowed.push_back(std::move(mode));
+}
+
 }  // namespace
 
 bool complete_code_block(Reading& reading, ProgramLine& line, BlockWords& block) {
@@ -260,9 +298,7 @@ bool complete_code_block(Reading& reading, ProgramLine& line, BlockWords& block)
   if (!check_dwell(reading, line, block) || !check_skipped_modes(reading, line, block))
     return false;
   take_unit_of_old(reading, line, block);
-  forget_what_ends_nothing(reading, block);
-  end_what_was_unfollowed(reading, block);
-  take_what_is_unfollowed(reading, line, block);
+  take_coordinates(reading, line, block);
   take_work_offset(reading, block);
   if (reading.dialect.name == DialectName::sinumerik) {
     take_pole(reading, block);

@@ -78,12 +78,15 @@ struct CodeModes {
   bool turning = false;              // a word that only lathes have has been seen
   bool y_seen = false;               // a Y word has
   bool dimension_uncertain = false;  // the last G90 or G91 may be skipped
+  bool motion_uncertain = false;     // the last G00 … G03 may be
   // In which line a tool, the data of tools, or how the contour is reached and its corners are
   // rounded was said, where that may be skipped; 0: in none.
   std::uint32_t skipped_tool = 0;
   std::uint32_t skipped_tool_data = 0;
   std::uint32_t skipped_approach = 0;
-  AxisBits offset_axes = 0;  // of the plane, by G43.1 of LinuxCNC
+  std::uint32_t skipped_next_tool = 0;  // T in front of M06
+  std::uint32_t skipped_feed = 0;       // F
+  AxisBits offset_axes = 0;             // of the plane, by G43.1 of LinuxCNC
   std::optional<KeptModes> kept{};
   std::uint32_t feed_mode_line = 0;  // of the last G93 … G95
   bool program_named = false;        // by an O word
@@ -161,7 +164,8 @@ struct CodeModes {
             call_place, contour_seen, tool_said, call_behind_contour, leaves_contour, open_corner,
             only_radius_said, radius_doubtful, tool_awaits_call, unknown_call, modal_cycle,
             last_register, register_comes_out, enters_parameters, register_place, tangents_written,
-            corner_feed, work_offset, program_named, feed_mode_line, kept);
+            corner_feed, work_offset, program_named, feed_mode_line, kept, motion_uncertain,
+            skipped_next_tool, skipped_feed);
   }
 };
 

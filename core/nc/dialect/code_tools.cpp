@@ -75,9 +75,11 @@ bool check_what_may_be_skipped(Reading& reading, const ProgramLine& line, const 
   const bool gives_radius =
       (block.has(tool_data) && block.move.radius) || block.allowance || !block.edge_radii.empty();
   const bool leads = block.has(selection) || block.has(transition);
+  if (block.tool_number || block.named_tool) reading.code_modes.skipped_next_tool = skipped;
   // An edge of Sinumerik is one of the tool.
   if (names_tool || (block.tool && (skipped > 0 || !sinumerik)))
-    reading.code_modes.skipped_tool = skipped;
+    reading.code_modes.skipped_tool =
+        skipped == 0 && block.loads_tool ? reading.code_modes.skipped_next_tool : skipped;
   if (gives_radius) reading.code_modes.skipped_tool_data = skipped;
   if (leads) reading.code_modes.skipped_approach = skipped;
   // Of other dialects a T word changes nothing in a contour.

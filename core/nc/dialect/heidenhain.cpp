@@ -379,6 +379,55 @@ bool read_klartext_words(Reading& reading, ProgramLine& line, KlartextBlock& blo
   }
 }
 
+// From where it begins.
+bool read_statement(Reading& reading, ProgramLine& line, KlartextBlock& block, std::size_t at) {
+  const std::string_view rest = line.text;
+  // Some end their lines with one: all behind it would be one comment.
+  if (const std::size_t no_end = rest.find_first_of("\v\f"); no_end != std::string_view::npos)
+    return refuse_klartext(reading, line, no_end, name_of_character(rest.substr(no_end)),
+                           Code::nc_not_text);
+  // Simulators write a setup sheet in parentheses in front of BEGIN PGM.
+  const bool setup_sheet = rest[at] == '(' && reading.blocks_read == 0;
+  if (rest[at] == ';' || rest[at] == '*' || setup_sheet) {
+    line.words.push_back({.begin = static_cast<std::uint32_t>(at),
+                          .end = static_cast<std::uint32_t>(rest.size()),
+                          .role = WordRole::comment});
+    line.roles = bit(WordRole::comment);
+    return true;
+  }
+  const std::string statement = statement_of(rest.substr(at));
+  const auto motion = std::ranges::find_if(motions, [&](const Motion& candidate) {
+    return begins_with_word(statement, candidate.name);
+  });
+  // C+90 alone turns an axis.
+  const bool axis_alone = statement.size() > 1 && statement[0] == 'C' &&
+                          (statement[1] == '+' || statement[1] == '-' || is_digit(statement[1]));
+  const bool functions = statement.size() > 1 && statement[0] == 'M' &&
+                         (is_digit(statement[1]) || statement[1] == ' ');
+  if (begins_with_word(statement, "TOOL CALL"))
+    reading.code_modes.skipped_tool = block.to_skip ? line.source.line : 0;
+  if (begins_with_word(statement, "TOOL DEF") && block.to_skip)
+    reading.code_modes.skipped_tool_data = line.source.line;
+  const bool along_one_axis = !reading.contour_open() && (motion == motions.end() || axis_alone) &&
+                              moves_along_one_axis(statement);
+  if ((motion == motions.end() || axis_alone) && !functions && !along_one_axis)
+    return read_klartext_statement(reading, line, at);
+  if (along_one_axis) {
+    block.statement = KlartextStatement::straight;
+  } else if (!functions) {
+    block.statement = motion->statement;
+    block.name = motion->name;
+  }
+  block.begin = static_cast<std::uint32_t>(at);
+  const bool has_words = read_klartext_words(reading, line, block);
+  if (has_words && !block.side && (has_side(statement) || has_glued_r0(statement)))
+    return refuse_klartext(reading, line, at, "RL, RR, R0 without a blank in front");
+  line.sum_up_roles();
+  const bool readable = has_words && check_klartext(reading, line, block) &&
+                        (block.unfollowed || check_words_together(reading, line, block));
+  return take_klartext(reading, line, block, readable);
+}
+
 }  // namespace
 
 bool begins_klartext_block(std::string_view line) {
@@ -420,52 +469,13 @@ bool refuse_klartext(Reading& reading, const ProgramLine& line, std::size_t begi
 
 bool read_klartext(Reading& reading, ProgramLine& line) {
   KlartextBlock block;
-  const std::optional<std::size_t> found = begin_of_statement(line, block.to_skip);
-  if (!found) return true;
-  const std::size_t at = *found;
-  const std::string_view rest = line.text;
-  // Some end their lines with one: all behind it would be one comment.
-  if (const std::size_t no_end = rest.find_first_of("\v\f"); no_end != std::string_view::npos)
-    return refuse_klartext(reading, line, no_end, name_of_character(rest.substr(no_end)),
-                           Code::nc_not_text);
-  // Simulators write a setup sheet in parentheses in front of BEGIN PGM.
-  const bool setup_sheet = rest[at] == '(' && reading.blocks_read == 0;
-  if (rest[at] == ';' || rest[at] == '*' || setup_sheet) {
-    line.words.push_back({.begin = static_cast<std::uint32_t>(at),
-                          .end = static_cast<std::uint32_t>(rest.size()),
-                          .role = WordRole::comment});
-    line.roles = bit(WordRole::comment);
-    return true;
-  }
-  const std::string statement = statement_of(rest.substr(at));
-  const auto motion = std::ranges::find_if(motions, [&](const Motion& candidate) {
-    return begins_with_word(statement, candidate.name);
-  });
-  // C+90 alone turns an axis.
-  const bool axis_alone = statement.size() > 1 && statement[0] == 'C' &&
-                          (statement[1] == '+' || statement[1] == '-' || is_digit(statement[1]));
-  const bool functions = statement.size() > 1 && statement[0] == 'M' &&
-                         (is_digit(statement[1]) || statement[1] == ' ');
-  if (begins_with_word(statement, "TOOL CALL"))
-    reading.code_modes.skipped_tool = block.to_skip ? line.source.line : 0;
-  const bool along_one_axis = !reading.contour_open() && (motion == motions.end() || axis_alone) &&
-                              moves_along_one_axis(statement);
-  if ((motion == motions.end() || axis_alone) && !functions && !along_one_axis)
-    return read_klartext_statement(reading, line, at);
-  if (along_one_axis) {
-    block.statement = KlartextStatement::straight;
-  } else if (!functions) {
-    block.statement = motion->statement;
-    block.name = motion->name;
-  }
-  block.begin = static_cast<std::uint32_t>(at);
-  const bool has_words = read_klartext_words(reading, line, block);
-  if (has_words && !block.side && (has_side(statement) || has_glued_r0(statement)))
-    return refuse_klartext(reading, line, at, "RL, RR, R0 without a blank in front");
-  line.sum_up_roles();
-  const bool readable = has_words && check_klartext(reading, line, block) &&
-                        (block.unfollowed || check_words_together(reading, line, block));
-  return take_klartext(reading, line, block, readable);
+  const std::optional<std::size_t> begin = begin_of_statement(line, block.to_skip);
+  if (!begin) return true;
+  const std::uint32_t led = reading.klartext_modes.unfollowed;
+  const bool goes_on = read_statement(reading, line, block, *begin);
+  // What a line that may be skipped ends may still hold.
+  if (block.to_skip) reading.klartext_modes.unfollowed |= led;
+  return goes_on;
 }
 
 bool take_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block, bool readable) {

@@ -129,6 +129,10 @@ bool check_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block) {
     return refuse_klartext(
         reading, line, *block.open_feed,
         word_at(line, *block.open_feed) + ", no feed per minute, while TRC is active");
+  if (block.to_skip && (block.masks || block.adapts_feed))
+    return refuse_klartext(reading, line, block.begin,
+                           "feeds or masking of a contour that may be skipped",
+                           Code::block_skip_undecided);
   // `/ L M8` moves nothing.
   const auto moves_nothing = [&] {
     return block.is(KlartextStatement::straight) && !block.names_axes() && !block.side &&

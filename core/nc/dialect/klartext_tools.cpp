@@ -291,10 +291,11 @@ bool read_tool_definition(Reading& reading, ProgramLine& line, std::size_t begin
 }
 
 bool select_in_klartext(Reading& reading, const ProgramLine& line, Side side, std::size_t begin) {
-  if (side != Side::off && reading.code_modes.skipped_tool > 0)
+  const std::uint32_t skipped =
+      std::max(reading.code_modes.skipped_tool, reading.code_modes.skipped_tool_data);
+  if (side != Side::off && skipped > 0)
     return refuse_klartext(reading, line, begin,
-                           "TRC behind what may be skipped, in line " +
-                               std::to_string(reading.code_modes.skipped_tool),
+                           "TRC behind what may be skipped, in line " + std::to_string(skipped),
                            Code::block_skip_undecided);
   if (reading.klartext_modes.unfollowed != 0)
     return refuse_klartext(reading, line, begin,

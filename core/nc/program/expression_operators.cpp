@@ -127,8 +127,8 @@ bool ExpressionReader::compared(const Value& left, Operator sign, const Value& r
   const double a = left.number;
   const double b = right.number;
   const bool fanuc = grammar_.dialect == DialectName::fanuc;
-  // LinuxCNC compares for equality within that alone.
-  constexpr double equal_for_linuxcnc = 1e-6;
+  // LinuxCNC compares for equality within that alone (D-48).
+  constexpr double equal_for_linuxcnc = 1e-4;
   const bool by_size = fanuc || grammar_.has_names;
   const bool equal = fanuc                ? is_near(a, b)
                      : grammar_.has_names ? is_relatively_near(a, b)

@@ -89,6 +89,7 @@ class FanucFlow : public CodeFlow {
   [[nodiscard]] std::optional<bool> print(std::string& flat);
   bool call_own_lines(std::string& flat, const ProgramCall& call);
   bool call_macro(std::string& flat, const ComputedWord& word);
+  [[nodiscard]] bool moves() const;
   bool take_arguments(const ComputedWord& word, Locals& locals);
   bool return_from(std::string& flat, ComputedWord& word);
   bool enter_unit(std::string& flat, const Unit& unit, std::uint64_t times, Locals* locals);

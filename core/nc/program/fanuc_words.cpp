@@ -44,17 +44,41 @@ bool FanucFlow::execute_words(std::string& flat) {
         word.is('M', 99))
       call_word = &word;
   }
-  if (head_.to_skip && (has_computed_ || call_word != nullptr))
+  const bool under_modal_call = modal_call_ && frames_.size() == modal_call_->depth;
+  const bool calls = under_modal_call && !ends_modal_call && call_word == nullptr && moves();
+  if (head_.to_skip && (has_computed_ || call_word != nullptr || calls))
     return refuse(Code::block_skip_undecided, 0, "/, a line to skip that computes");
   if (ends_modal_call) modal_call_.reset();
+  // Whether each motion of a macro calls the other one, and what the return ends, hangs on the
+  // control.
+  const ComputedWord* const called = word_of('P');
+  const bool passes = modal_call_ && modal_call_->is_of_machine && called != nullptr &&
+                      is_of_the_machine(static_cast<std::int64_t>(called->value.number));
+  if (call_word != nullptr && under_modal_call && !passes)
+    return refuse(Code::nc_unsupported, call_word->begin,
+                  std::string(line_.substr(call_word->begin, call_word->end - call_word->begin))
+                      .append(" under G66"));
   if (call_word != nullptr) return call(flat, *call_word);
-  const bool moves = word_of('X') != nullptr || word_of('Y') != nullptr || word_of('Z') != nullptr;
-  const bool calls = modal_call_ && moves && frames_.size() == modal_call_->depth;
   if (calls && modal_call_->is_of_machine) write_values(flat, false);
   if (ends) write_lasting_values(flat);
   write_line(flat);
   if (calls) return call_modally(flat);
   return !ends || end_main_program(flat);
+}
+
+// Whether the line moves an axis: not with the axis words of a dwell, of data or of coordinates.
+bool FanucFlow::moves() const {
+  constexpr std::array no_motion{4.0, 10.0, 22.0, 50.0, 50.1, 51.0, 51.1, 52.0, 68.0, 68.2, 92.0};
+  constexpr std::string_view axes = "XYZABCUVW";
+  bool names_axis = false;
+  for (const ComputedWord& word : words_) {
+    if (word.kind != ComputedWord::Kind::address) continue;
+    names_axis |= axes.find(word.letter) != std::string_view::npos;
+    const bool says_no_motion =
+        std::ranges::any_of(no_motion, [&](double function) { return word.is('G', function); });
+    if (says_no_motion) return false;
+  }
+  return names_axis;
 }
 
 bool FanucFlow::call(std::string& flat, ComputedWord& word) {
@@ -235,6 +259,13 @@ bool FanucFlow::take_arguments(const ComputedWord& word, Locals& locals) {
       return refuse(Code::value_invalid, argument.begin,
                     std::string(line_.substr(argument.begin, argument.end - argument.begin))
                         .append(word.is('G', 66) ? " beside G66" : " beside G65"));
+    const std::string_view text = line_.substr(argument.begin, argument.end - argument.begin);
+    const bool counts_increments = setup_.whole_numbers == WholeNumbers::increments &&
+                                   !argument.computed && argument.value.number != 0 &&
+                                   text.find('.') == std::string_view::npos;
+    if (counts_increments)
+      return refuse(Code::value_invalid, argument.begin,
+                    std::string(text).append(", an argument without a decimal point"));
     if (!argument.left_out) locals.at(variable) = argument.value.number;
   }
   return true;

@@ -112,7 +112,7 @@ bool LinuxcncFlow::execute_words(std::string& flat) {
 
 bool LinuxcncFlow::call_sub(const std::string& label, std::size_t at, std::string& flat) {
   Locals locals;
-  locals.numbered = locals_.back().numbered;
+  locals.numbered.fill(0);  // what the call does not give
   ExpressionReader expression = expression_at(at);
   expression.pass_blanks();
   std::size_t arguments = 0;
@@ -129,6 +129,10 @@ bool LinuxcncFlow::call_sub(const std::string& label, std::size_t at, std::strin
     const std::vector<OWord>& words = labelled->second;
     const auto begin = std::ranges::find(words, Statement::sub, &OWord::statement);
     if (begin == words.end()) continue;
+    const auto again = std::ranges::find(begin + 1, words.end(), Statement::sub, &OWord::statement);
+    if (again != words.end())
+      return refuse(Code::subprogram_unknown, head_.behind,
+                    "o" + label + " sub, which is there twice");
     const auto end = std::ranges::find(begin, words.end(), Statement::endsub, &OWord::statement);
     if (end == words.end())
       return refuse(Code::block_structure, head_.behind, "o" + label + " sub without endsub");
