@@ -531,7 +531,8 @@ std::string help_of(const Diagnostic& diagnostic, Language language) {
     constexpr std::array of_words{
         Code::nc_unsupported,    Code::position_unknown,     Code::nc_number,
         Code::circle_incomplete, Code::circle_center_misfit, Code::ended_while_active,
-        Code::no_tool_radius,    Code::line_reversed,        Code::arc_wrapped};
+        Code::no_tool_radius,    Code::line_reversed,        Code::arc_wrapped,
+        Code::clearance_violated};
     // Of these the words of expressions say little.
     const bool has_own_reason = diagnostic.detail.ends_with(", words behind a statement") ||
                                 diagnostic.detail.ends_with(" or a tool offset of Fanuc");

@@ -812,6 +812,7 @@ constexpr auto rows = std::to_array<Explanation>({
                 "Here it comes too near: the part would be damaged.",
      .causes = {"A neck that is narrower than the tool, under G140, which looks at "
                 "neighbouring blocks only.",
+                "The contour begins and ends in an inside corner, or the side is the wrong one.",
                 "Contour violations are ignored (IGNORE_CONT_DAMAGE)."},
      .on_command_line = "Do not machine it. Use a smaller tool (trc radii says which one fits) or "
                         "correct the contour, or let G141 with REMOVE_MASKED_BLOCKS take the loops "

@@ -375,6 +375,7 @@ constexpr auto rows = std::to_array<GermanExplanation>({
          "kommt sie zu nahe: das Teil würde beschädigt.",
      .causes = {"Ein Hals, der enger ist als das Werkzeug, unter G140, das nur benachbarte Sätze "
                 "ansieht.",
+                "Die Kontur beginnt und endet in einer Innenecke, oder die Seite ist die falsche.",
                 "Konturverletzungen werden übergangen (IGNORE_CONT_DAMAGE)."}},
     {.code = Code::side_changed_at_corner,
      .meaning = "Mit REVERSE wechselt die Seite, wo die Bewegung auf sich selbst zurückläuft. Hier "

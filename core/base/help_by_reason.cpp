@@ -49,6 +49,14 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "in Klartext TOOL CALL.",
      "Das Werkzeug vor G41 oder G42 mit seiner Nummer programmieren, die nicht 0 ist: sein D- "
      "oder T-Wort, in Klartext TOOL CALL."},
+    {"the contour closes in an inside corner, where no tool has room",
+     "Do not machine it so. Begin the contour in another place, in the middle of a block.",
+     "So nicht fertigen. Die Kontur an einer anderen Stelle beginnen, mitten in einem Satz."},
+    {"the tool comes from the one side of the contour and cuts on the other",
+     "Do not machine it. Check the side, G41 or G42. If it is right, begin the contour in the "
+     "middle of a block: in its inside corner no tool has room.",
+     "Nicht fertigen. Die Seite prüfen, G41 oder G42. Stimmt sie, die Kontur mitten in einem Satz "
+     "beginnen: in ihrer Innenecke hat kein Fräser Platz."},
     {" without M06",
      "Program M06 behind the T word, in front of G41 or G42, or give tool_radius in the setup.",
      "M06 hinter dem T-Wort programmieren, vor G41 oder G42, oder tool_radius im Setup angeben."},

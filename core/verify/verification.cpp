@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <string>
 #include <utility>
 #include <variant>
 
 #include "core/base/tolerances.h"
 #include "core/trc/selection/selection_limit.h"
+#include "core/verify/closing_corner.h"
 
 namespace trc::verify {
 namespace {
@@ -24,6 +26,18 @@ Diagnostic gouge(const ClearanceReport& found) {
   append_place(problem.values, "other", worst.contour);
   problem.point = DiagnosticPoint{.x = worst.place[0], .y = worst.place[1], .z = worst.place[2]};
   return problem;
+}
+
+std::string reason_at(ClosingCorner corner) {
+  switch (corner) {
+    case ClosingCorner::none:
+      break;
+    case ClosingCorner::inside:
+      return "the contour closes in an inside corner, where no tool has room";
+    case ClosingCorner::other_side:
+      return "the tool comes from the one side of the contour and cuts on the other";
+  }
+  return {};
 }
 
 // Where the contour closes, and does not quite: the path comes nearer there by more than rounding
@@ -114,7 +128,10 @@ bool Verification::measure_before(std::uint64_t end) {
   Diagnostic problem;
   if (found.gouging > 0) {
     problem = gouge(found);
-    problem.entry_help = help_at(*found.gouge);
+    if (const auto way = way_that_closes_at(*found.gouge)) {
+      problem.detail = reason_at(closing_corner(*way));
+      if (setup_.help) problem.entry_help = setup_.help(*way);
+    }
   }
   held_.forget_before(behind);
   const auto& programmed = held_.programmed();
@@ -125,12 +142,13 @@ bool Verification::measure_before(std::uint64_t end) {
   return found.gouging == 0 || tell(std::move(problem));
 }
 
-std::shared_ptr<const EntryHelp> Verification::help_at(const Clearance& worst) const {
+std::optional<selection::RefusedWay> Verification::way_that_closes_at(
+    const Clearance& worst) const {
   const auto& programmed = held_.programmed();
   const auto approach =
       std::find_if(approaches_.rbegin(), approaches_.rend(),
                    [&](const MotionBlock& block) { return block.source.index < worst.path.index; });
-  if (!setup_.help || approach == approaches_.rend()) return nullptr;
+  if (approach == approaches_.rend()) return std::nullopt;
   const std::size_t begin = held_.first_from(approach->source.index);
   const std::uint32_t rule = programmed[begin].rule;
   selection::RefusedWay way{.in_corner = true};
@@ -140,19 +158,21 @@ std::shared_ptr<const EntryHelp> Verification::help_at(const Clearance& worst) c
     const ProgrammedPiece& piece = programmed[place];
     if (held_.rule_of(piece).selection != approach->mode->selection_number) break;
     // Of a part beside its centre path the program is not known here, nor other radii or sides.
-    if (!piece.is_contour || piece.rule != rule || held_.rule_of(piece).nominal > 0) return nullptr;
-    if (way.blocks.size() > most_blocks_helped) return nullptr;
+    if (!piece.is_contour || piece.rule != rule || held_.rule_of(piece).nominal > 0)
+      return std::nullopt;
+    if (way.blocks.size() > most_blocks_helped) return std::nullopt;
     way.blocks.push_back({.source = piece.source,
                           .path = segment_of(piece.piece),
                           .role = piece.role,
                           .mode = approach->mode});
   }
-  if (way.blocks.size() < 3) return nullptr;
+  if (way.blocks.size() < 3) return std::nullopt;
   const Source& first = way.blocks[1].source;
   const Source& last = way.blocks.back().source;
   const bool is_at_closing = (worst.path == first && worst.contour == last) ||
                              (worst.path == last && worst.contour == first);
-  return is_at_closing ? setup_.help(way) : nullptr;
+  if (!is_at_closing) return std::nullopt;
+  return way;
 }
 
 bool Verification::tell(Diagnostic problem) {

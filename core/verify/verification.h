@@ -5,6 +5,7 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -74,8 +75,9 @@ class Verification {
  private:
   // What was programmed before `end` has all come out.
   bool measure_before(std::uint64_t end);
-  // What would do in place of the way in, where the contour begins and closes at the worst place.
-  [[nodiscard]] std::shared_ptr<const EntryHelp> help_at(const Clearance& worst) const;
+  // The way in and the contour, where that begins and closes at the worst place.
+  [[nodiscard]] std::optional<selection::RefusedWay> way_that_closes_at(
+      const Clearance& worst) const;
   bool tell_unmeasured();
   // A diagnostic that tells of what was measured, or not.
   bool tell(Diagnostic problem);

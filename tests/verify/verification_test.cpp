@@ -79,6 +79,24 @@ TEST(Verification, StopsAtAPathThatComesTooNear) {
   EXPECT_TRUE(verified(neck, 1000, Verify::off).goes_on);
 }
 
+// Half of the programs that are told of a gouge have the wrong side, or begin in such a corner.
+TEST(Verification, SaysWhyAContourDamagesItselfWhereItCloses) {
+  const auto reason = [](const std::string& start, const std::string& side) {
+    const Outcome outcome =
+        verified("N10 G00 " + start + "\nN20 G138 V.G.WZ_AKT.R = 6\nN30 " + side +
+                     " G01 X0 Y0 F450\nN40 X80\nN50 Y50\nN60 X0\nN70 Y0\n"
+                     "N80 G40 " +
+                     start + "\nN90 M30\n",
+                 1000);
+    return outcome.diagnostics.empty() ? std::string() : outcome.diagnostics.back().detail;
+  };
+  EXPECT_EQ(reason("X-18 Y-18", "G41"),
+            "the tool comes from the one side of the contour and cuts on the other");
+  EXPECT_EQ(reason("X40 Y25", "G41"),
+            "the contour closes in an inside corner, where no tool has room");
+  EXPECT_EQ(reason("X-18 Y-18", "G42"), "");
+}
+
 // A line of the program does not say what its caller has asked for.
 TEST(Verification, IsNotSwitchedOffByIgnoredContourDamage) {
   const std::string program = std::string("#TRC [IGNORE_CONT_DAMAGE=1]\n") + neck;

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/trc/selection/refused_way.h"
+
+namespace trc::verify {
+
+enum class ClosingCorner : std::uint8_t {
+  none,
+  inside,
+  other_side,  // the tool comes from the one side of the contour, and is to cut on the other
+};
+
+// Whether the contour closes in an inside corner, and whether the tool comes from the other side of
+// it than it is to cut on: most often the other side is meant then (G41 against G42). `way`: the
+// approach, and behind it the whole contour, of lines and arcs.
+[[nodiscard]] ClosingCorner closing_corner(const selection::RefusedWay& way);
+
+}  // namespace trc::verify
