@@ -52,8 +52,8 @@ TEST(BadPrograms, EveryCodeOfTextAndProgramIsRaisedByOne) {
     ProgramSetup setup;
     if (text.find("; setup: dialect fanuc\n") != std::string::npos)
       setup.dialect = DialectName::fanuc;
-    // One radius would stand for the one D word.
-    setup.tool_radius_given = expected.code == static_cast<int>(Code::tool_unknown);
+    // Without a table nobody has given a radius.
+    if (expected.code == static_cast<int>(Code::tool_unknown)) setup.tools[1] = ToolRow(1);
     for (const Diagnostic& reported : read(text, setup).diagnostics)
       if (static_cast<int>(reported.code) == expected.code && reported.source.line == expected.line)
         raised.insert(expected.code);

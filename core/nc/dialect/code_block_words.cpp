@@ -159,6 +159,11 @@ bool read_code_function(Reading& reading, const CodeWord& word, ProgramLine& lin
   if (function == nullptr && passes_word(reading.state.setup(), line.text, word.begin))
     function = &passing;
   if (function == nullptr && reading.state.setup().copies_unknown_words) function = &unknown;
+  // Under FANUC one that turns the tool into the direction of the path.
+  const bool corrects_by_word = word.value == 41.1 || word.value == 42.1;
+  if (function == nullptr && corrects_by_word)
+    return refuse_code(reading, line, word, Code::nc_unsupported,
+                       "a correction of LINUXCNC, or a direction of the tool");
   if (function == nullptr) return refuse_code(reading, line, word, Code::nc_unknown_function);
   const GGroup group = function->group;
   if (group == refused || group == call)

@@ -195,7 +195,7 @@ void Interpreter::recycle(LinePointer line) {
   spare_.push_back(std::move(line));
 }
 
-bool Interpreter::finish(std::vector<LinePointer>& lines) {
+bool Interpreter::finish(std::vector<LinePointer>& lines, std::string_view why_empty) {
   if (reading_.diagnostics.stopped()) return false;
   if (carriage_return_) {
     carriage_return_ = false;
@@ -216,7 +216,8 @@ bool Interpreter::finish(std::vector<LinePointer>& lines) {
     return reading_.diagnostics.report(
         diagnostic(Code::nc_unclosed, {.line = reading_.comment_block}, "#COMMENT BEGIN"));
   if (reading_.blocks_read == 0)
-    return reading_.diagnostics.report(diagnostic(Code::program_empty, {.line = last_line}));
+    return reading_.diagnostics.report(
+        diagnostic(Code::program_empty, {.line = last_line}, std::string(why_empty)));
   reading_.state.place(0);
   return reading_.state.end({.index = reading_.blocks_read, .line = last_line});
 }

@@ -51,8 +51,8 @@ class Interpreter {
   // goes on.
   bool feed(std::string_view text, std::vector<LinePointer>& lines);
   // End of the text: reads a last line without line end and ends the program in
-  // `state`, unless M02 or M30 has done so.
-  bool finish(std::vector<LinePointer>& lines);
+  // `state`, unless M02 or M30 has done so. `why_empty`: what there is where there is no block.
+  bool finish(std::vector<LinePointer>& lines, std::string_view why_empty = {});
 
   // A line of the flat program that a program which computes has become.
   struct FlatLine {

@@ -85,11 +85,12 @@ struct Reading {
     return faults.empty() ? state.mode().active() : scanned_trc;
   }
   [[nodiscard]] bool has_one_radius() const {
-    return state.setup().tools.empty() && state.setup().mode.tool_radius != 0;
+    return state.setup().tools.empty() &&
+           (state.setup().mode.tool_radius != 0 || state.setup().tool_radius_given);
   }
   // A table, or one radius for all.
   [[nodiscard]] bool gives_radii() const {
-    return has_one_radius() || !state.setup().tools.empty() || state.setup().tool_radius_given;
+    return has_one_radius() || !state.setup().tools.empty();
   }
 
   template <class Archive>

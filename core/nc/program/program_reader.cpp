@@ -257,7 +257,8 @@ bool ProgramReader::finish(std::vector<LinePointer>& lines) {
   while (resolve(lines)) continue;
   if (diagnostics_.stopped()) return false;
   if (!partial_.empty() && !interpreter_.feed(std::exchange(partial_, {}), lines)) return false;
-  return interpreter_.finish(lines);
+  const bool computes = setup_.dialect == DialectName::linuxcnc && flow_;
+  return interpreter_.finish(lines, computes ? "subprograms that nothing calls" : "");
 }
 
 std::uint64_t ProgramReader::lines_read() const {
