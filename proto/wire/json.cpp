@@ -8,7 +8,7 @@
 
 #include "core/base/check.h"
 #include "proto/wire/json_fault.h"
-#include "proto/wire/json_names.h"
+#include "proto/wire/json_structure.h"
 
 namespace trc::wire {
 namespace {
@@ -45,8 +45,8 @@ void Json::append(const google::protobuf::Message& message, std::string& out) {
 }
 
 std::string Json::read(std::string_view text, google::protobuf::Message& message) {
-  if (const std::string twice = repeated_field(text, *message.GetDescriptor()); !twice.empty())
-    return twice + ": is given more than once";
+  if (std::string fault = fault_of_structure(text, *message.GetDescriptor()); !fault.empty())
+    return fault;
   binary_.clear();
   const auto status = google::protobuf::util::JsonToBinaryString(types_.get(), type_url(message),
                                                                  std::string(text), &binary_);

@@ -58,6 +58,9 @@ constexpr auto sentences = std::to_array<Sentence>({
     // JSON.
     {"{}: there is no such field", "{}: dieses Feld gibt es nicht"},
     {"{}: is given more than once", "{}: ist mehrmals angegeben"},
+    {"{}: is null, where a list has values", "{}: ist null, wo eine Liste Werte hat"},
+    {"{}: is a list within a list", "{}: ist eine Liste in einer Liste"},
+    {"' stands where JSON has \"", "' steht, wo JSON \" hat"},
     {"{}: it takes one value, no list", "{}: es nimmt einen Wert, keine Liste"},
     {"{}: it takes one of its kinds, not two", "{}: es nimmt eine seiner Arten, nicht zwei"},
     {"{}: it takes one value, no object", "{}: es nimmt einen Wert, kein Objekt"},

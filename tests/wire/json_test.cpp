@@ -63,6 +63,17 @@ TEST(JsonFault, NamesWhatIsGivenTwice) {
   EXPECT_EQ(fault_of(R"({"batch":{"blocks":[{"linear":{"end":{"x":1}}},{"linear":{}}]}})"), "");
 }
 
+// Protobuf would leave it out, and the path would miss a block.
+TEST(JsonFault, NamesWhatAListCannotHold) {
+  EXPECT_EQ(fault_of(R"({"batch":{"blocks":[{"linear":{}},null,{"linear":{}}]}})"),
+            "batch.blocks[1]: is null, where a list has values");
+  EXPECT_EQ(fault_of(R"({"batch":{"blocks":[{"linear":{}},[{"linear":{}}]]}})"),
+            "batch.blocks[1]: is a list within a list");
+  EXPECT_EQ(fault_of(R"({"setup":{"toolRadius":null}})"), "");
+  EXPECT_EQ(fault_of("{'setup':{}}"), "' stands where JSON has \"");
+  EXPECT_EQ(fault_of(R"({"setup":{"clientTag":"a'null"}})"), "");
+}
+
 TEST(JsonFault, NamesOfAMapAreWhatTheyAre) {
   v1::ProgramSetup setup;
   EXPECT_EQ(Json().read(R"({"variables":{"a_b":1,"aB":2,"\\":3,"\"":4,"[":5}})", setup), "");
@@ -91,7 +102,9 @@ TEST(JsonFault, IsThereInGerman) {
         "", "{\"setup\":{\"toolRadius\" 5}}", "{\"setup\":{5}}", "{} x", R"({"setup":[1]})",
         "{\"setup\":{\"toolRadius\":5 6}}", "{\"setup\":{\"toolRadius\":-}}",
         R"({"setup":{"clientTag":"\uzz"}})", R"({"setup":{"clientTag":"a)",
-        R"({"setup":{},"setup":{}})", R"({"batch":{"blocks":[{"linear":{},"circular":{}}]}})"}) {
+        R"({"setup":{},"setup":{}})", R"({"batch":{"blocks":[null]}})",
+        R"({"batch":{"blocks":[[]]}})", "{'setup':{}}",
+        R"({"batch":{"blocks":[{"linear":{},"circular":{}}]}})"}) {
     const std::string english = fault_of(json);
     const std::string german = translated(english, {setting_sentences()});
     EXPECT_NE(german, english) << json;

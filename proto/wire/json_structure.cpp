@@ -1,4 +1,4 @@
-#include "proto/wire/json_names.h"
+#include "proto/wire/json_structure.h"
 
 #include <algorithm>
 #include <charconv>
@@ -64,17 +64,25 @@ class Reader {
  public:
   Reader(std::string_view json, const Descriptor& type) : json_(json), type_(&type) {}
 
-  std::string repeated() {
+  std::string fault() {
     for (at_ = 0; at_ < json_.size(); ++at_) {
       const char c = json_[at_];
+      const bool in_list = !open_.empty() && open_.back().is_list;
       if (c == '"') {
         if (!read_text()) return {};
+      } else if (c == '\'') {
+        return "' stands where JSON has \"";
+      } else if (in_list && c == 'n' && json_.substr(at_, 4) == "null") {
+        return element() + ": is null, where a list has values";
+      } else if (in_list && c == '[') {
+        return element() + ": is a list within a list";
       } else if (c == '{' || c == '[') {
         if (open_.size() == deepest) return {};
         begin(c == '[');
       } else if (c == '}' || c == ']') {
         if (open_.empty()) return {};
-        if (std::string twice = end(); !twice.empty()) return twice;
+        if (const std::string twice = end(); !twice.empty())
+          return twice + ": is given more than once";
       } else if (c == ',' && !open_.empty()) {
         ++open_.back().index;
         is_name_ = !open_.back().is_list;
@@ -86,6 +94,11 @@ class Reader {
   }
 
  private:
+  // The one of the list that comes next, as "batch.blocks[3]".
+  [[nodiscard]] std::string element() const {
+    return open_.back().path + "[" + std::to_string(open_.back().index) + "]";
+  }
+
   bool read_text() {
     const std::size_t first = ++at_;
     while (at_ < json_.size() && json_[at_] != '"') at_ += json_[at_] == '\\' ? 2 : 1;
@@ -105,7 +118,7 @@ class Reader {
   void begin(bool is_list) {
     Open value{.path = path_, .type = type_, .is_list = is_list};
     if (!open_.empty() && open_.back().is_list) {
-      value.path = open_.back().path + "[" + std::to_string(open_.back().index) + "]";
+      value.path = element();
       value.type = open_.back().type;
     }
     open_.push_back(std::move(value));
@@ -133,8 +146,8 @@ class Reader {
 
 }  // namespace
 
-std::string repeated_field(std::string_view json, const Descriptor& type) {
-  return Reader(json, type).repeated();
+std::string fault_of_structure(std::string_view json, const Descriptor& type) {
+  return Reader(json, type).fault();
 }
 
 }  // namespace trc::wire
