@@ -174,8 +174,10 @@ void declare_times(Settings& settings, Config& config) {
   settings.add("resume-key-file", config.resume_key_file,
                "key of the resume tokens, at least 32 bytes, made if missing; the same on all "
                "servers that resume each other's streams; empty: tokens end with the process");
-  settings.number("max-resume-token-bytes", config.max_resume_token_bytes, 1024, 1U << 20U,
-                  "largest resume token; where more would be needed none is given");
+  settings.number(
+      "max-resume-token-bytes", config.max_resume_token_bytes, 1024, 1U << 20U,
+      "largest resume token, at most half of max-message-bytes; where more would be needed none "
+      "is given");
   settings.number("max-early-cancels", config.max_early_cancels, 1, 1'000'000,
                   "a connection that cancels more streams in ten seconds, and before their first "
                   "answer, is closed");

@@ -143,6 +143,7 @@ Listener::Opened Listener::open_path(const std::string& address) {
   Listener listener;
   listener.socket_ = std::move(made.descriptor);
   listener.file_ = path;
+  if (lstat(path.c_str(), &there) == 0) listener.file_number_ = there.st_ino;
   opened.listeners.push_back(std::move(listener));
   return opened;
 }
@@ -186,7 +187,11 @@ Listener::Opened Listener::open_port(const std::string& address) {
 }
 
 Listener::~Listener() {
-  if (socket_.valid() && !file_.empty()) unlink(file_.c_str());
+  // Another server may have put its own in the place of one that somebody has taken away.
+  struct stat there {};
+  if (socket_.valid() && !file_.empty() && lstat(file_.c_str(), &there) == 0 &&
+      there.st_ino == file_number_)
+    unlink(file_.c_str());
 }
 
 Acceptor::Acceptor(Connections& connections, std::uint32_t of_one_peer)

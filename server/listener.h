@@ -54,6 +54,7 @@ class Listener {
   Descriptor socket_;
   int port_ = 0;
   std::string file_{};
+  std::uint64_t file_number_ = 0;  // the inode of its socket
 };
 
 struct Listener::Opened {

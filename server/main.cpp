@@ -1,4 +1,5 @@
 #include <absl/synchronization/mutex.h>
+#include <google/protobuf/stubs/logging.h>
 #include <grpc/support/log.h>
 #include <malloc.h>
 #include <pthread.h>
@@ -46,10 +47,15 @@ const Log& grpc_log() {
   return log;
 }
 
-// gRPC's own messages, a failed handshake say, join the log instead of going to standard error.
-void adopt_grpc_log(const trc::server::Config& config) {
+// Messages of gRPC and Protobuf, of a failed handshake or a text that is no UTF-8 say, join the
+// log: on standard error, where nobody reads it, they would hold up whoever writes them.
+void adopt_library_logs(const trc::server::Config& config) {
   grpc_log().set_level(config.log_level);
   grpc_log().set_most_lines_per_second(config.max_log_lines_per_s);
+  google::protobuf::SetLogHandler(
+      [](google::protobuf::LogLevel, const char*, int, const std::string& message) {
+        grpc_log().info(LogLine("protobuf").text("message", message));
+      });
   gpr_set_log_function([](gpr_log_func_args* message) {
     const LogLine line = LogLine("grpc").text("message", message->message);
     if (message->severity == GPR_LOG_SEVERITY_ERROR) {
@@ -206,7 +212,9 @@ int main(int argc, char** argv) {
   const sigset_t signals = block_signals();
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);  // a log that may not grow any more
-  adopt_grpc_log(command_line.config);
+  // What other servers turn their logs over for; the streams are not to die of it.
+  for (const int other : {SIGUSR1, SIGUSR2, SIGALRM}) std::signal(other, SIG_IGN);
+  adopt_library_logs(command_line.config);
   using trc::server::ThreadReserve;
   const std::size_t spare = ThreadReserve::usual();
   if (!ThreadReserve::install(spare + ThreadReserve::at_start()) || !ThreadReserve::install(spare))

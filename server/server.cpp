@@ -320,7 +320,6 @@ std::size_t Server::drain() {
 }
 
 void Server::stop_grpc() {
-  admin_.reset();
   acceptor_.stop();
   http_.reset();
   for (std::unique_ptr<grpc::Server>* server : {&grpc_, &health_}) {
@@ -330,6 +329,8 @@ void Server::stop_grpc() {
     (*server)->Wait();
     server->reset();
   }
+  // The last: until then it tells that the server drains.
+  admin_.reset();
 }
 
 }  // namespace trc::server

@@ -60,6 +60,7 @@ constexpr auto sentences = std::to_array<Sentence>({
     {"The expectation is not known", "Diese Erwartung (Expect) ist nicht bekannt"},
     {"only 100-continue is met", "erfüllt wird nur 100-continue"},
     {"The body of the request is too large", "Der Inhalt der Anfrage ist zu groß"},
+    {"none is taken here", "hier wird keiner angenommen"},
     {"at most {} bytes are taken here (http-max-body-mib, max-message-bytes)",
      "höchstens {} Byte werden hier angenommen (http-max-body-mib, max-message-bytes)"},
     {"requests and views take all the memory the setting http-max-memory-mib allows; try again "

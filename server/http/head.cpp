@@ -93,8 +93,10 @@ std::string last_chunk(const Pairs& trailers) {
 
 v1::Problem body_too_large(std::size_t most_bytes) {
   return problem(413, "BODY_TOO_LARGE", "The body of the request is too large",
-                 "at most " + std::to_string(most_bytes) +
-                     " bytes are taken here (http-max-body-mib, max-message-bytes)");
+                 most_bytes == 0 ? "none is taken here"
+                                 : "at most " + std::to_string(most_bytes) +
+                                       " bytes are taken here (http-max-body-mib, "
+                                       "max-message-bytes)");
 }
 
 v1::Problem no_memory_for_body(Room room) {

@@ -58,6 +58,9 @@ std::optional<std::string> fill_in_limits(Config& config, std::uint64_t memory_b
   fill_in(config.max_streams_per_peer, most_of(config.max_streams));
   fill_in(config.max_memory_per_peer_mib, most_of(config.max_session_memory_mib));
 
+  // A token comes back in a message, which has more in it.
+  config.max_resume_token_bytes =
+      std::min(config.max_resume_token_bytes, config.max_message_bytes / 2);
   const std::uint64_t buffers = in_mib(config.max_streams * each);
   if (buffers > config.max_grpc_buffer_mib)
     return "max-grpc-buffer-mib: " + std::to_string(config.max_streams) +

@@ -1,8 +1,17 @@
 #include "server/telemetry/admin.h"
 
 #include <CivetServer.h>
+#include <netdb.h>
+#include <sys/socket.h>
 
+#include <atomic>
+#include <chrono>
+#include <system_error>
+#include <thread>
 #include <utility>
+
+#include "server/address.h"
+#include "server/listener.h"
 
 namespace trc::server {
 namespace {
@@ -11,6 +20,24 @@ struct Answer {
   int status = 200;
   std::string body;
 };
+
+// Connects and says nothing.
+void knock_at(const std::string& address, int port) {
+  const auto parts = split_host_port(address);
+  const bool at_all =
+      !parts || parts->host.empty() || parts->host == "0.0.0.0" || parts->host == "::";
+  addrinfo hints{};
+  hints.ai_socktype = SOCK_STREAM;
+  addrinfo* found = nullptr;
+  if (getaddrinfo(at_all ? nullptr : parts->host.c_str(), std::to_string(port).c_str(), &hints,
+                  &found) != 0)
+    return;
+  const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> owner(found, &freeaddrinfo);
+  for (const addrinfo* one = found; one != nullptr; one = one->ai_next) {
+    const Descriptor caller(socket(one->ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+    if (caller.valid()) static_cast<void>(connect(caller.number(), one->ai_addr, one->ai_addrlen));
+  }
+}
 
 }  // namespace
 
@@ -36,8 +63,9 @@ class Admin::Page : public CivetHandler {
 std::unique_ptr<Admin> Admin::open(const std::string& address, Answers answers) {
   try {
     std::unique_ptr<Admin> admin(new Admin(std::make_unique<CivetServer>(
-        std::vector<std::string>{"listening_ports", address, "num_threads", "2",
-                                 "request_timeout_ms", "5000", "enable_keep_alive", "no"})));
+        std::vector<std::string>{"listening_ports", address, "num_threads", "4",
+                                 "request_timeout_ms", "1000", "enable_keep_alive", "no"})));
+    admin->address_ = address;
     const auto add = [&](const char* path, std::function<Answer()> answer) {
       admin->pages_.push_back(std::make_unique<Page>(std::move(answer)));
       admin->http_->addHandler(path, *admin->pages_.back());
@@ -59,8 +87,25 @@ std::unique_ptr<Admin> Admin::open(const std::string& address, Answers answers) 
 
 Admin::Admin(std::unique_ptr<CivetServer> http) : http_(std::move(http)) {}
 
-// The server stops its threads before the pages they answer from go.
-Admin::~Admin() { http_.reset(); }
+// The server stops its threads before the pages they answer from go. CivetWeb looks every two
+// seconds whether it is to stop, and at each connection: longer than the end of a process may take.
+Admin::~Admin() {
+  const int port = this->port();
+  std::atomic<bool> stopped = false;
+  std::thread knocker;
+  try {
+    knocker = std::thread([&] {
+      while (!stopped) {
+        knock_at(address_, port);
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      }
+    });
+  } catch (const std::system_error&) {  // it stops all the same
+  }
+  http_.reset();
+  stopped = true;
+  if (knocker.joinable()) knocker.join();
+}
 
 int Admin::port() const {
   const std::vector<int> ports = http_->getListeningPorts();

@@ -31,6 +31,7 @@ class Admin {
 
   std::vector<std::unique_ptr<Page>> pages_;
   std::unique_ptr<CivetServer> http_;
+  std::string address_{};
 };
 
 }  // namespace trc::server

@@ -222,5 +222,29 @@ INSTANTIATE_TEST_SUITE_P(States, End,
                                          State{"WaitingForAPlace", wait_for_a_place}),
                          [](const auto& state) { return state.param.name; });
 
+// The port that is asked for readiness must not hold it up, whenever the signal comes.
+TEST(EndOfAnIdleStream, ComesInTimeAndIsLogged) {
+  for (const int before : {300, 900, 1500, 2100}) {
+    SCOPED_TRACE(before);
+    ServerProcess server({"--drain-timeout-s", "1", "--admin-listen", "127.0.0.1:0"});
+    const auto stub = v1::TrcService::NewStub(channel_to(server.address()));
+    grpc::ClientContext context;
+    const auto stream = stub->CompensateProgram(&context);
+    v1::CompensateProgramRequest setup;
+    setup.mutable_setup();
+    ASSERT_TRUE(stream->Write(setup));
+    ASSERT_TRUE(eventually([&] { return metric(server.admin(), "trc_streams_active") == 1; }));
+    std::this_thread::sleep_for(milliseconds(before));
+    const auto told = Clock::now();
+    server.signal(SIGTERM);
+    EXPECT_EQ(server.wait(), 0);
+    EXPECT_LT(Clock::now() - told, drain_timeout + grace + times_slower * milliseconds(500));
+    EXPECT_NE(server.log().find("\"stopped\""), std::string::npos) << server.log();
+    v1::CompensateProgramResponse answer;
+    while (stream->Read(&answer)) continue;
+    EXPECT_FALSE(stream->Finish().ok());
+  }
+}
+
 }  // namespace
 }  // namespace trc::faults

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,17 @@ TEST(Files, NoSocketIsNotDeleted) {
   EXPECT_EQ(ended.err, "trcd: error: cannot listen on unix:" + file +
                            ": there is a file which is no socket\n");
   EXPECT_EQ(content_of(file), "N5 G1 X0\n");
+}
+
+TEST(Files, SocketOfAnotherServerIsNotDeleted) {
+  const Folder folder;
+  const std::string path = folder.path("socket");
+  testing_support::ServerProcess first({}, "unix:" + path);
+  ASSERT_EQ(unlink(path.c_str()), 0);
+  const testing_support::ServerProcess second({}, "unix:" + path);
+  first.signal(SIGTERM);
+  EXPECT_EQ(first.wait(), 0);
+  EXPECT_EQ(access(path.c_str(), F_OK), 0);
 }
 
 TEST(Files, KeyThatIsNoneIsSaidInOneLine) {

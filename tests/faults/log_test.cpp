@@ -116,6 +116,21 @@ TEST(Log, ThatNobodyReadsHoldsUpNothing) {
   EXPECT_TRUE(serves(server.address()));
 }
 
+// On standard error, which nobody reads, they would hold up whoever writes them.
+TEST(Log, HasTheMessagesOfLibraries) {
+  const ServerProcess server;
+  const auto stub = v1::TrcService::NewStub(channel_to(server.address()));
+  v1::CompensateProgramOnceRequest request;
+  request.set_text("\xFF\xFE");
+  grpc::ClientContext context;
+  v1::CompensateProgramOnceResponse response;
+  EXPECT_FALSE(stub->CompensateProgramOnce(&context, request, &response).ok());
+  EXPECT_TRUE(eventually([&] {
+    return server.log().find("\"event\":\"protobuf\"") != std::string::npos;
+  })) << server.log();
+  EXPECT_EQ(server.errors(), "");
+}
+
 TEST(Log, ThatNobodyReadsDoesNotHoldUpTheEnd) {
   UnreadServer server("--max-log-lines-per-s 1000000");
   ASSERT_FALSE(server.address().empty());

@@ -102,6 +102,13 @@ TEST(Limits, BuffersMustBeEnoughForTheStreams) {
   EXPECT_EQ(fill_in_limits(config, 64 * gib), std::nullopt);
 }
 
+TEST(Limits, ATokenFitsIntoTheMessageThatBringsItBack) {
+  Config config;
+  config.max_message_bytes = 4096;
+  EXPECT_EQ(fill_in_limits(config, gib), std::nullopt);
+  EXPECT_LT(config.max_resume_token_bytes, config.max_message_bytes);
+}
+
 TEST(Limits, MustFitIntoTheMemory) {
   Config config;
   config.max_session_memory_mib = 900;
