@@ -62,12 +62,16 @@ const FieldDescriptor* field_of(const Descriptor* type, const std::string& name)
 
 class Reader {
  public:
-  Reader(std::string_view json, const Descriptor& type) : json_(json), type_(&type) {}
+  // JSON as such, a Struct, holds anything.
+  Reader(std::string_view json, const Descriptor& type)
+      : json_(json),
+        checks_lists_(type.well_known_type() == Descriptor::WELLKNOWNTYPE_UNSPECIFIED),
+        type_(&type) {}
 
   std::string fault() {
     for (at_ = 0; at_ < json_.size(); ++at_) {
       const char c = json_[at_];
-      const bool in_list = !open_.empty() && open_.back().is_list;
+      const bool in_list = checks_lists_ && !open_.empty() && open_.back().is_list;
       if (c == '"') {
         if (!read_text()) return {};
       } else if (c == '\'') {
@@ -136,6 +140,7 @@ class Reader {
   }
 
   std::string_view json_;
+  bool checks_lists_;
   std::size_t at_ = 0;
   std::vector<Open> open_;
   bool is_name_ = false;
