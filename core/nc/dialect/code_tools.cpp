@@ -262,17 +262,15 @@ bool take_only_spindle_tool(Reading& reading) {
 
 // Sinumerik: T is the tool, D its edge; D0 is none.
 bool choose_tool_of_edge(Reading& reading, ProgramLine& line, BlockWords& block) {
+  CodeModes& modes = reading.code_modes;
   // A tool change chooses the first one; where M6 changes tools, T alone makes one ready (D-56).
-  const bool changes =
-      block.changes_tool || (block.tool_number && !reading.code_modes.changes_by_m6);
-  const bool keeps_edge =
-      block.changes_tool && !block.tool_number && reading.code_modes.edge_of_next_tool;
+  const bool changes = block.changes_tool || (block.tool_number && !modes.changes_by_m6);
+  const bool keeps_edge = block.changes_tool && !block.tool_number && modes.edge_of_next_tool;
   if (block.tool || (changes && !keeps_edge)) {
-    reading.code_modes.edge = block.tool ? block.tool->value : 1;
-    reading.code_modes.edge_place =
-        block.tool ? reading.place_of_word(line, block.tool->begin) : WordPlace{};
+    modes.edge = block.tool ? block.tool->value : 1;
+    modes.edge_place = block.tool ? reading.place_of_word(line, block.tool->begin) : WordPlace{};
   }
-  if (block.tool_number) reading.code_modes.edge_of_next_tool = block.tool.has_value();
+  if (block.tool_number) modes.edge_of_next_tool = block.tool.has_value();
   const std::optional<BlockWords::Value> edge_word = std::exchange(block.tool, {});
   const bool selects = block.has(side) && !block.of(side).is(40);
   const bool goes_on = reading.trc_active() && !block.has(side);
@@ -280,31 +278,28 @@ bool choose_tool_of_edge(Reading& reading, ProgramLine& line, BlockWords& block)
   const std::uint32_t begin = selects     ? block.of(side).begin
                               : edge_word ? edge_word->begin
                                           : line.words.front().begin;
-  if (reading.code_modes.edge == 0) {
+  if (modes.edge == 0) {
     block.tool = {.value = 0, .begin = begin};
     return true;
   }
-  const std::int64_t number = reading.code_modes.changes_by_m6 ? reading.code_modes.spindle_tool
-                                                               : reading.code_modes.next_tool;
-  const WordPlace& tool = reading.code_modes.changes_by_m6 ? reading.code_modes.spindle_tool_place
-                                                           : reading.code_modes.next_tool_place;
+  const std::int64_t number = modes.changes_by_m6 ? modes.spindle_tool : modes.next_tool;
+  const WordPlace& tool = modes.changes_by_m6 ? modes.spindle_tool_place : modes.next_tool_place;
   const auto unknown = [&](std::string detail) {
     return reading.refuse_at(tool, Code::tool_unknown, std::move(detail));
   };
   const bool table = !reading.state.setup().tools.empty();
-  const std::int64_t edge = whole_number(reading.code_modes.edge);
+  const std::int64_t edge = whole_number(modes.edge);
   const std::int64_t row = row_of_edge(number, edge);
   if (table && number == no_tool_number)
-    return unknown(name_not_in_table(reading, reading.code_modes.tool_name));
-  const bool is_plain = edge == 1 && reading.code_modes.tool_name.empty();
-  const std::string called = reading.code_modes.tool_name.empty()
-                                 ? "T" + std::to_string(number)
-                                 : quoted(reading.code_modes.tool_name);
+    return unknown(name_not_in_table(reading, modes.tool_name));
+  const bool is_plain = edge == 1 && modes.tool_name.empty();
+  const std::string called =
+      modes.tool_name.empty() ? "T" + std::to_string(number) : quoted(modes.tool_name);
   if (table && !is_plain && !reading.state.tool().has_tool(row))
-    return reading.refuse_at(edge == 1 ? tool : reading.code_modes.edge_place, Code::tool_unknown,
+    return reading.refuse_at(edge == 1 ? tool : modes.edge_place, Code::tool_unknown,
                              "D" + std::to_string(edge) + " of " + called);
   if (table && number > 0 && !reading.state.tool().has_tool(row)) return unknown(called);
-  if (table && number == 0 && !reading.code_modes.tool_named &&
+  if (table && number == 0 && !modes.tool_named &&
       reading.state.tool().row_of_tool(row) == std::nullopt)
     return reading.refuse(
         line, TextFault{.code = Code::nc_unsupported,
@@ -312,10 +307,8 @@ bool choose_tool_of_edge(Reading& reading, ProgramLine& line, BlockWords& block)
                         .detail = "D" + std::to_string(edge) + " without T, which tool it is of"});
   if (number == no_tool_number) {
     // The radius of the setup stands for the one tool that the program selects with.
-    if (reading.code_modes.only_tool_name.empty())
-      reading.code_modes.only_tool_name = reading.code_modes.tool_name;
-    if (reading.code_modes.only_tool_name != reading.code_modes.tool_name)
-      return unknown(quoted(reading.code_modes.tool_name));
+    if (modes.only_tool_name.empty()) modes.only_tool_name = modes.tool_name;
+    if (modes.only_tool_name != modes.tool_name) return unknown(quoted(modes.tool_name));
   }
   const bool numbered = number > 0;
   if (numbered || reading.has_one_radius())

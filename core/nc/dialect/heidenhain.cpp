@@ -252,6 +252,23 @@ bool read_klartext_parameter(Reading& reading, const KlartextWord& word, Program
   return true;
 }
 
+// LT, LN, CT or LCT behind APPR and DEP, with P where the place is polar.
+bool take_form_of_lead(std::string_view name, KlartextBlock& block) {
+  constexpr auto forms =
+      std::to_array<std::pair<std::string_view, Lead::Form>>({{"LT", Lead::Form::tangent},
+                                                              {"LN", Lead::Form::normal},
+                                                              {"CT", Lead::Form::arc},
+                                                              {"LCT", Lead::Form::arc_and_line}});
+  const bool polar = name.starts_with('P');
+  const auto form = std::ranges::find(forms, name.substr(polar ? 1 : 0),
+                                      [](const auto& known) { return known.first; });
+  if (form == forms.end()) return false;
+  block.lead.form = form->second;
+  block.polar_lead = polar;
+  block.form = form->first;
+  return true;
+}
+
 bool read_klartext_name(Reading& reading, const KlartextWord& word, ProgramLine& line,
                         KlartextBlock& block) {
   const std::string& name = word.name;
@@ -296,22 +313,10 @@ bool read_klartext_name(Reading& reading, const KlartextWord& word, ProgramLine&
     add(line, word, WordRole::motion);
     return true;
   }
-  constexpr auto forms =
-      std::to_array<std::pair<std::string_view, Lead::Form>>({{"LT", Lead::Form::tangent},
-                                                              {"LN", Lead::Form::normal},
-                                                              {"CT", Lead::Form::arc},
-                                                              {"LCT", Lead::Form::arc_and_line}});
-  if (block.is_lead() && !line.words.empty() && line.words.back().role == WordRole::motion) {
-    const bool polar = name.starts_with('P');
-    const auto form = std::ranges::find(forms, std::string_view(name).substr(polar ? 1 : 0),
-                                        [](const auto& known) { return known.first; });
-    if (form != forms.end()) {
-      block.lead.form = form->second;
-      block.polar_lead = polar;
-      block.form = form->first;
-      add(line, word, WordRole::coordinate);
-      return true;
-    }
+  if (block.is_lead() && !line.words.empty() && line.words.back().role == WordRole::motion &&
+      take_form_of_lead(name, block)) {
+    add(line, word, WordRole::coordinate);
+    return true;
   }
   return refuse_klartext(reading, line, word.begin, name);
 }

@@ -305,6 +305,26 @@ bool leave_contour_by_copy(Reading& reading, ProgramLine& line, const KlartextBl
   return check_left_contour(reading, line, block.begin, named);
 }
 
+// Where it leads only the control knows. `alone`: along the axes that it names.
+void forget_what_copied_block_moves(Reading& reading, ProgramLine& line, const KlartextBlock& block,
+                                    bool alone) {
+  const bool has_own_feed = block.rapid || block.open_feed || block.called_feed;
+  if (block.is_motion() && !has_own_feed) line.feed_it_takes = reading.klartext_modes.feed_before;
+  std::array<bool, 3> axes{true, true, true};
+  const bool named = block.end[0] || block.end[1] || block.end[2];
+  const bool by_parameters_alone =
+      block.is(KlartextStatement::straight) && !block.to_skip && !block.other_parameter &&
+      block.unfollowed_why.ends_with("variable") && reading.klartext_modes.unfollowed == 0;
+  for (std::size_t axis = 0; axis < axes.size(); ++axis)
+    axes[axis] = by_parameters_alone || alone ? block.end[axis] || block.by_parameter.at(axis)
+                 : block.leaves_on != 0       ? (block.leaves_on >> axis & 1U) != 0
+                                              : !block.machine_place || !named || block.end[axis];
+  forget_klartext_position(reading, line, axes);
+  if (block.is(KlartextStatement::center)) reading.klartext_modes.pole.reset();
+  reading.klartext_modes.polar_radius.reset();
+  if (block.feed_per_turn || block.unfollowed_why.ends_with("variable")) reading.feed = 0;
+}
+
 }  // namespace
 
 bool apply_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block) {
@@ -341,21 +361,7 @@ bool apply_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block) {
   if (line.has(WordRole::technology) && !pass_words(reading, line, WordRole::technology))
     return false;
   if (copied) {
-    const bool has_own_feed = block.rapid || block.open_feed || block.called_feed;
-    if (block.is_motion() && !has_own_feed) line.feed_it_takes = reading.klartext_modes.feed_before;
-    std::array<bool, 3> axes{true, true, true};
-    const bool named = block.end[0] || block.end[1] || block.end[2];
-    const bool by_parameters_alone =
-        block.is(KlartextStatement::straight) && !block.to_skip && !block.other_parameter &&
-        block.unfollowed_why.ends_with("variable") && reading.klartext_modes.unfollowed == 0;
-    for (std::size_t axis = 0; axis < axes.size(); ++axis)
-      axes[axis] = by_parameters_alone || alone ? block.end[axis] || block.by_parameter.at(axis)
-                   : block.leaves_on != 0       ? (block.leaves_on >> axis & 1U) != 0
-                                                : !block.machine_place || !named || block.end[axis];
-    forget_klartext_position(reading, line, axes);
-    if (block.is(KlartextStatement::center)) reading.klartext_modes.pole.reset();
-    reading.klartext_modes.polar_radius.reset();
-    if (block.feed_per_turn || block.unfollowed_why.ends_with("variable")) reading.feed = 0;
+    forget_what_copied_block_moves(reading, line, block, alone);
   } else if (!apply_klartext_motion(reading, line, block)) {
     return false;
   }

@@ -94,6 +94,54 @@ std::string_view name_of(Statement statement) {
   }
 }
 
+// What the letters of a word say, up to its number if it has one.
+struct PlainWord {
+  WordRole role = WordRole::coordinate;
+  bool increment = false;
+  std::optional<KlartextBlock::Value>* value = nullptr;
+};
+
+bool take_name(const Reading& reading, PlainWords& words, KlartextBlock& block, PlainWord& word) {
+  switch (words.take_any()) {
+    case 'I':
+      word.increment = true;
+      if (words.sign() < 'X' || words.sign() > 'Z') return false;
+      word.value = &block.end[static_cast<std::size_t>(words.take_any() - 'X')];
+      return true;
+    case 'X':
+      word.value = &block.end[0];
+      return true;
+    case 'Y':
+      word.value = &block.end[1];
+      return true;
+    case 'Z':
+      word.value = &block.end[2];
+      return true;
+    case 'F':
+      word.role = WordRole::feed;
+      word.value = &block.feed;
+      if (words.sign() != 'M') return !block.rapid;
+      word.role = WordRole::motion;
+      word.value = nullptr;
+      return !block.feed && words.take("MAX") && !std::exchange(block.rapid, true);
+    case 'D':
+      if (!words.take('R') || !is_arc_of(block.statement) || block.clockwise) return false;
+      block.clockwise = words.sign() == '-';
+      return words.take('-') || words.take('+');
+    case 'R':
+      word.value = &block.radius;
+      if (block.is(KlartextStatement::radius_arc)) return true;
+      word.value = nullptr;
+      word.role = words.sign() != '0' || reading.contour_open() ? WordRole::trc : WordRole::mode;
+      if (!block.is(KlartextStatement::straight) || block.side) return false;
+      block.side = words.sign() == 'L' ? Side::left : words.sign() == 'R' ? Side::right : Side::off;
+      block.side_begin = words.begin();
+      return words.take('0') || words.take('L') || words.take('R');
+    default:
+      return false;
+  }
+}
+
 // Reads the block in one pass, if it is plain: then it and the words of the line are as the reader
 // of any block leaves them, and the words belong together. False for any other, right or wrong:
 // then `block` means nothing.
@@ -121,66 +169,17 @@ bool read_plain_klartext(const Reading& reading, ProgramLine& line, KlartextBloc
   block.begin = words.begin();
   add_word(WordRole::motion);
 
-  WordRole role{};
-  bool increment = false;
-  std::optional<KlartextBlock::Value>* value = nullptr;
-  // What the letters of a word say, up to its number if it has one.
-  const auto take_name = [&] {
-    role = WordRole::coordinate;
-    increment = false;
-    value = nullptr;
-    switch (words.take_any()) {
-      case 'I':
-        increment = true;
-        if (words.sign() < 'X' || words.sign() > 'Z') return false;
-        value = &block.end[static_cast<std::size_t>(words.take_any() - 'X')];
-        return true;
-      case 'X':
-        value = &block.end[0];
-        return true;
-      case 'Y':
-        value = &block.end[1];
-        return true;
-      case 'Z':
-        value = &block.end[2];
-        return true;
-      case 'F':
-        role = WordRole::feed;
-        value = &block.feed;
-        if (words.sign() != 'M') return !block.rapid;
-        role = WordRole::motion;
-        value = nullptr;
-        return !block.feed && words.take("MAX") && !std::exchange(block.rapid, true);
-      case 'D':
-        if (!words.take('R') || !is_arc_of(block.statement) || block.clockwise) return false;
-        block.clockwise = words.sign() == '-';
-        return words.take('-') || words.take('+');
-      case 'R':
-        value = &block.radius;
-        if (block.is(KlartextStatement::radius_arc)) return true;
-        value = nullptr;
-        role = words.sign() != '0' || reading.contour_open() ? WordRole::trc : WordRole::mode;
-        if (!block.is(KlartextStatement::straight) || block.side) return false;
-        block.side = words.sign() == 'L'   ? Side::left
-                     : words.sign() == 'R' ? Side::right
-                                           : Side::off;
-        block.side_begin = words.begin();
-        return words.take('0') || words.take('L') || words.take('R');
-      default:
-        return false;
-    }
-  };
   while (words.go_to_next()) {
-    if (!take_name()) return not_plain();
-    if (value != nullptr) {
-      if (*value) return not_plain();
-      KlartextBlock::Value& taken = value->emplace();
-      taken.increment = increment;
-      taken.begin = words.begin();
+    PlainWord word;
+    if (!take_name(reading, words, block, word)) return not_plain();
+    if (word.value != nullptr) {
+      if (*word.value) return not_plain();
+      KlartextBlock::Value taken{.increment = word.increment, .begin = words.begin()};
       if (!words.take_number(taken.value)) return not_plain();
+      *word.value = taken;
     }
     if (!words.ends_here()) return not_plain();
-    add_word(role);
+    add_word(word.role);
   }
   if (block.radius && block.radius->value == 0) return not_plain();  // R0
   const bool arc = is_arc_of(block.statement);

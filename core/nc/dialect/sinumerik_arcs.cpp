@@ -130,13 +130,14 @@ void take_pole(Reading& reading, const BlockWords& block) {
 }
 
 bool resolve_polar_words(Reading& reading, ProgramLine& line, BlockWords& block) {
+  CodeModes& modes = reading.code_modes;
   const PlaneAxes axes = axes_of(reading.state.mode().plane);
   auto& x = block.move.end[axes.first];
   auto& y = block.move.end[axes.second];
   const bool polar = block.polar_angle || block.polar_radius;
   if (!polar && (x || y)) {
-    reading.code_modes.polar_angle.reset();
-    reading.code_modes.polar_radius.reset();
+    modes.polar_angle.reset();
+    modes.polar_radius.reset();
   }
   if (!polar) return true;
   const std::uint32_t begin = std::min(block.polar_angle ? block.polar_angle->begin : ~0U,
@@ -145,50 +146,46 @@ bool resolve_polar_words(Reading& reading, ProgramLine& line, BlockWords& block)
   const bool both = block.polar_angle && block.polar_radius;
   // A line that is copied would count on a word that the written program has no longer.
   const bool counts_on = !both || block.increments_angle || block.increments_radius;
-  if (reading.code_modes.polar_rewritten && counts_on && !reading.contour_open() && !selects)
+  if (modes.polar_rewritten && counts_on && !reading.contour_open() && !selects)
     return reading.refuse(line,
                           TextFault{.code = Code::nc_unsupported,
                                     .begin = begin,
                                     .detail = "AP= or RP= alone behind a contour: write both"});
-  if (selects || reading.contour_open()) reading.code_modes.polar_rewritten = true;
-  if (both && !reading.contour_open() && !selects) reading.code_modes.polar_rewritten = false;
+  if (selects || reading.contour_open()) modes.polar_rewritten = true;
+  if (both && !reading.contour_open() && !selects) modes.polar_rewritten = false;
   // AP=IC(…) and RP=IC(…) count from the word before.
   const auto take = [](const std::optional<BlockWords::Value>& word, bool increment,
                        std::optional<double>& value) {
     if (word && (!increment || value)) value = word->value + (increment ? *value : 0);
     return !word || !increment || value;
   };
-  const bool angle_known =
-      take(block.polar_angle, block.increments_angle, reading.code_modes.polar_angle);
-  const bool radius_known =
-      take(block.polar_radius, block.increments_radius, reading.code_modes.polar_radius);
+  const bool angle_known = take(block.polar_angle, block.increments_angle, modes.polar_angle);
+  const bool radius_known = take(block.polar_radius, block.increments_radius, modes.polar_radius);
   const MotionKind kind = block.has(motion)
                               ? static_cast<MotionKind>(block.of(motion).function->number)
                               : reading.motion;
   const bool circle = kind == MotionKind::clockwise || kind == MotionKind::counter_clockwise;
   const bool start_known =
       reading.state.is_known(axes.first) && reading.state.is_known(axes.second);
-  const bool followed = reading.code_modes.pole && reading.code_modes.polar_angle &&
-                        reading.code_modes.polar_radius && !x && !y && !block.center &&
-                        !reading.incremental && !block.of(dimension).is(91) && angle_known &&
-                        radius_known && !block.to_skip && (!circle || start_known);
+  const bool followed = modes.pole && modes.polar_angle && modes.polar_radius && !x && !y &&
+                        !block.center && !reading.incremental && !block.of(dimension).is(91) &&
+                        angle_known && radius_known && !block.to_skip && (!circle || start_known);
   if (!followed) {
     block.unfollowed_word = begin;
-    reading.code_modes.polar_angle.reset();
-    reading.code_modes.polar_radius.reset();
+    modes.polar_angle.reset();
+    modes.polar_radius.reset();
     return true;
   }
-  const double angle = *reading.code_modes.polar_angle * std::numbers::pi / 180;
-  const Point end = *reading.code_modes.pole +
-                    *reading.code_modes.polar_radius * Point(std::cos(angle), std::sin(angle));
+  const double angle = *modes.polar_angle * std::numbers::pi / 180;
+  const Point end = *modes.pole + *modes.polar_radius * Point(std::cos(angle), std::sin(angle));
   x = end.x();
   y = end.y();
   if (!block.axis || begin < *block.axis) block.axis = begin;
   if (!circle) return true;
   const Point start =
       to_plane(reading.state.mode().plane, reading.state.position()) / reading.length_unit();
-  block.move.center[axes.first] = reading.code_modes.pole->x() - start.x();
-  block.move.center[axes.second] = reading.code_modes.pole->y() - start.y();
+  block.move.center[axes.first] = modes.pole->x() - start.x();
+  block.move.center[axes.second] = modes.pole->y() - start.y();
   block.center = begin;
   return true;
 }
