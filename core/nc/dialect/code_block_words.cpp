@@ -1,7 +1,6 @@
 #include "core/nc/dialect/code_block_words.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -159,9 +158,8 @@ bool read_code_function(Reading& reading, const CodeWord& word, ProgramLine& lin
   if (function == nullptr && passes_word(reading.state.setup(), line.text, word.begin))
     function = &passing;
   if (function == nullptr && reading.state.setup().copies_unknown_words) function = &unknown;
-  // Under FANUC one that turns the tool into the direction of the path.
-  const bool corrects_by_word = word.value == 41.1 || word.value == 42.1;
-  if (function == nullptr && corrects_by_word)
+  // Under FANUC they turn the tool into the direction of the path.
+  if (function == nullptr && (word.value == 41.1 || word.value == 42.1))
     return refuse_code(reading, line, word, Code::nc_unsupported,
                        "a correction of LINUXCNC, or a direction of the tool");
   if (function == nullptr) return refuse_code(reading, line, word, Code::nc_unknown_function);

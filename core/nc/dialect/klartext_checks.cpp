@@ -1,6 +1,5 @@
 #include "core/nc/dialect/klartext_checks.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>

@@ -4,7 +4,6 @@
 #include <array>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "core/nc/dialect/apply_block.h"
 #include "core/nc/dialect/copied_block.h"

@@ -4,7 +4,6 @@
 
 #include "core/nc/dialect/block_words.h"
 #include "core/nc/dialect/reading.h"
-#include "core/nc/text/characters.h"
 
 // Cycles that the machine compensates by itself, with a D register of its own: G12, G13 and G150 of
 // Haas (D-66, D-102).

@@ -18,7 +18,6 @@
 #include "core/nc/dialect/reading.h"
 #include "core/nc/dialect/sinumerik_block.h"
 #include "core/nc/text/characters.h"
-#include "core/nc/text/slip.h"
 
 namespace trc {
 namespace {

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "core/nc/dialect/klartext_block.h"
+#include "core/nc/dialect/reading.h"
+
+namespace trc {
+
+// Behind the number; all words are read, also behind one that is refused.
+bool read_klartext_words(Reading& reading, ProgramLine& line, KlartextBlock& block);
+
+}  // namespace trc
