@@ -115,6 +115,9 @@ struct CommandLine {
 // Reads flags, environment and file, and checks every value and their combination.
 CommandLine read_command_line(int argc, const char* const* argv);
 
+// Names of the settings that have other values in one than in the other, in the order of --help.
+std::vector<std::string> differing_settings(Config one, Config other);
+
 // The first rule a configuration breaks, as a sentence; empty when it is good.
 std::optional<std::string> first_fault(const Config& config);
 

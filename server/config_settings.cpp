@@ -28,6 +28,14 @@ std::string toml_of(const Value& value) {
   }
   return text.str();
 }
+
+// CLI11 would read 010 as 8 and 0x10 as 16.
+std::string fault_of_number(const std::string& text) {
+  const bool decimal = !text.empty() && text.find_first_not_of("0123456789") == text.npos;
+  if (decimal && (text == "0" || text.front() != '0')) return {};
+  return "'" + text + "' is no whole number written in decimal digits";
+}
+
 class Settings {
  public:
   Settings(CLI::App& app, Printed& printed) : app_(app), printed_(printed) {}
@@ -43,7 +51,9 @@ class Settings {
   template <class Number>
   void number(const std::string& name, Number& value, std::uint64_t least, std::uint64_t most,
               const std::string& description) {
-    add(name, value, description)->check(CLI::Range(least, most));
+    add(name, value, description)
+        ->check(CLI::Validator(fault_of_number, ""))
+        ->check(CLI::Range(least, most));
   }
 
   void toggle(const std::string& name, bool& value, const std::string& description) {
@@ -220,6 +230,21 @@ void declare(CLI::App& app, Config& config, Printed& printed) {
   declare_sizes(settings, config);
   declare_shares(settings, config);
   declare_times(settings, config);
+}
+
+std::vector<std::string> differing_settings(Config one, Config other) {
+  CLI::App app;
+  CLI::App other_app;
+  Printed printed;
+  Printed other_printed;
+  declare(app, one, printed);
+  declare(other_app, other, other_printed);
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < printed.size(); ++i) {
+    const std::string line = printed[i]();
+    if (line != other_printed[i]()) names.push_back(line.substr(0, line.find('=')));
+  }
+  return names;
 }
 
 std::string environment_name(std::string_view setting) {

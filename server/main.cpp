@@ -74,9 +74,9 @@ int wait_for(const sigset_t& signals, std::chrono::microseconds longest) {
   return signal > 0 ? signal : 0;
 }
 
-// Log level and certificates; other settings need a restart. A configuration that cannot be read
-// changes nothing.
-void reload(int argc, char** argv, trc::server::Server& server) {
+// Log level and certificates; other settings need a restart, and the log names those of them that
+// differ from the ones at the start. A configuration that cannot be read changes nothing.
+void reload(int argc, char** argv, trc::server::Config at_start, trc::server::Server& server) {
   service_manager::reloading();
   const auto& log = server.backend().telemetry.log;
   const trc::server::CommandLine again = trc::server::read_command_line(argc, argv);
@@ -86,6 +86,11 @@ void reload(int argc, char** argv, trc::server::Server& server) {
     log.set_level(again.config.log_level);
     grpc_log().set_level(again.config.log_level);
     log.info(LogLine("reloaded").text("log_level", again.config.log_level));
+    at_start.log_level = again.config.log_level;
+    std::string untaken;
+    for (const std::string& name : trc::server::differing_settings(at_start, again.config))
+      untaken += (untaken.empty() ? "" : ",") + name;
+    if (!untaken.empty()) log.warning(LogLine("restart_needed").text("settings", untaken));
   }
   server.reload_certificates();
   service_manager::ready();
@@ -93,7 +98,8 @@ void reload(int argc, char** argv, trc::server::Server& server) {
 
 // Serves until a signal says to stop; true then. False when it cannot go on: streams may wait for a
 // thread that could not be made, and go on elsewhere or behind a new start.
-bool serve(int argc, char** argv, const sigset_t& signals, trc::server::Server& server) {
+bool serve(int argc, char** argv, const trc::server::Config& at_start, const sigset_t& signals,
+           trc::server::Server& server) {
   const auto watchdog = service_manager::watchdog_interval();
   std::chrono::microseconds interval = look_interval;
   if (watchdog.count() > 0) interval = std::min(interval, watchdog);
@@ -105,7 +111,7 @@ bool serve(int argc, char** argv, const sigset_t& signals, trc::server::Server& 
       return false;
     }
     trc::server::ThreadReserve::refill();
-    if (signal == SIGHUP) trc::server::do_round([&] { reload(argc, argv, server); });
+    if (signal == SIGHUP) trc::server::do_round([&] { reload(argc, argv, at_start, server); });
     trc::server::do_round([&] { server.look_after(); });
     if (server.is_well()) service_manager::alive();
   }
@@ -232,7 +238,7 @@ int main(int argc, char** argv) {
 
   service_manager::ready();
 
-  const bool asked = serve(argc, argv, signals, *server);
+  const bool asked = serve(argc, argv, command_line.config, signals, *server);
   service_manager::stopping();
   drain.begin();
   log.info(LogLine("draining").number("streams", std::uint64_t{server->backend().streams.count()}));

@@ -13,10 +13,6 @@ namespace {
 using Request = v1::CompensatePathRequest;
 using Response = v1::CompensatePathResponse;
 
-// Where a further block costs next to nothing; more only adds delay. Every server takes as many
-// (D-58): the first batch need not wait for its limits.
-constexpr std::size_t batch_blocks = 1024;
-
 v1::PathSetup message_of(const wire::PathSettings& settings) {
   v1::PathSetup setup;
   wire::to_proto(settings, setup);
@@ -70,7 +66,7 @@ bool RemotePathSession::feed(std::span<const wire::PathInput> items, Answers& ou
     if (!parts.session.open(out)) return false;
   }
   while (!items.empty()) {
-    const auto part = items.first(std::min(items.size(), batch_blocks));
+    const auto part = items.first(std::min(items.size(), parts.session.message_size().blocks()));
     if (!parts.send_batch(part, false, out)) return false;
     items = items.subspan(part.size());
   }

@@ -2,7 +2,6 @@
 
 #include <grpcpp/channel.h>
 
-#include <algorithm>
 #include <utility>
 
 #include "client/trc/stream_session.h"
@@ -13,9 +12,6 @@ namespace {
 
 using Request = v1::CompensateProgramRequest;
 using Response = v1::CompensateProgramResponse;
-
-// Small enough for any limit on messages, large enough to cost nothing.
-constexpr std::size_t chunk_bytes = 64 * 1024;
 
 }  // namespace
 
@@ -61,7 +57,7 @@ bool RemoteProgramSession::feed(std::string_view text, Answers& out) {
     if (!parts.session.open(out)) return false;
   }
   while (!text.empty()) {
-    const std::string_view chunk = text.substr(0, std::min(text.size(), chunk_bytes));
+    const std::string_view chunk = text.substr(0, parts.session.message_size().text_bytes());
     if (!parts.send_text(chunk, false, out)) return false;
     text.remove_prefix(chunk.size());
   }

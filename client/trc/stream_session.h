@@ -14,6 +14,7 @@
 
 #include "client/trc/connection.h"
 #include "client/trc/failure.h"
+#include "client/trc/message_size.h"
 #include "client/trc/resume_clock.h"
 #include "client/trc/stream.h"
 #include "core/session/answers.h"
@@ -75,6 +76,7 @@ class StreamSession {
   }
 
   [[nodiscard]] const v1::StreamAccepted& limits() const { return limits_; }
+  [[nodiscard]] const MessageSize& message_size() const { return message_size_; }
   [[nodiscard]] const std::optional<Failure>& failure() const { return failure_; }
   [[nodiscard]] const std::optional<Summary>& summary() const { return summary_; }
   // Of CompensateProgram, where the setup asks for it.
@@ -230,6 +232,7 @@ class StreamSession {
     if (response.has_accepted()) {
       accepted_ = ever_accepted_ = true;
       limits_ = response.accepted();
+      message_size_.take(limits_);
       window_ = std::max<std::size_t>(limits_.max_batches_in_flight(), 1);
       return true;
     }
@@ -323,6 +326,7 @@ class StreamSession {
 
   wire::CompensatedReader reader_;
   v1::StreamAccepted limits_;
+  MessageSize message_size_;
   std::deque<std::uint64_t> unanswered_;  // input positions behind each request
   std::size_t window_ = 1;                // until the server says more
   bool reached_ = false;                  // somebody was there at the beginning

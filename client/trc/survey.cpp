@@ -3,11 +3,11 @@
 #include <google/protobuf/util/message_differencer.h>
 #include <grpcpp/channel.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <vector>
 
+#include "client/trc/message_size.h"
 #include "client/trc/resume_clock.h"
 #include "client/trc/stream.h"
 #include "trc/v1/trc_service.grpc.pb.h"
@@ -19,18 +19,19 @@ using Request = v1::SurveyRadiiRequest;
 using Response = v1::SurveyRadiiResponse;
 using google::protobuf::util::MessageDifferencer;
 
-// As of RemoteProgramSession.
-constexpr std::size_t chunk_bytes = 64 * 1024;
-
 // Asks one server, once.
 std::optional<Failure> ask(const Connection& connection, const v1::SurveySetup& setup,
                            std::string_view text, const SurveySink& sink) {
   const auto stub = v1::TrcService::NewStub(connection.channel());
   Stream<Request, Response> stream(
       [&stub](auto* context, auto* reactor) { stub->async()->SurveyRadii(context, reactor); });
+  bool accepted = false;
   bool whole = false;
   bool wanted = true;
+  MessageSize message_size;
   const auto take = [&](const Response& response) {
+    if (response.has_accepted()) message_size.take(response.accepted());
+    accepted = accepted || response.has_accepted();
     whole = whole || response.has_summary();
     wanted = response.has_accepted() || response.has_heartbeat() || sink(response);
     return wanted;
@@ -39,7 +40,7 @@ std::optional<Failure> ask(const Connection& connection, const v1::SurveySetup& 
   *request.mutable_setup() = setup;
   bool open = stream.send(request, take);
   for (std::size_t at = 0; open;) {
-    const std::string_view chunk = text.substr(at, std::min(chunk_bytes, text.size() - at));
+    const std::string_view chunk = text.substr(at, message_size.text_bytes());
     v1::ProgramText& message = *request.mutable_text();
     message.set_first_byte(at);
     message.set_text(chunk.data(), chunk.size());
@@ -47,6 +48,7 @@ std::optional<Failure> ask(const Connection& connection, const v1::SurveySetup& 
     message.set_final(at == text.size());
     open = stream.send(request, take);
     if (at == text.size()) break;
+    while (open && !accepted) open = stream.receive(take);
   }
   if (!wanted) stream.cancel();
   auto failure = failure_of(stream.close(take));

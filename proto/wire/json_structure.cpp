@@ -60,6 +60,8 @@ const FieldDescriptor* field_of(const Descriptor* type, const std::string& name)
   return nullptr;
 }
 
+bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+
 class Reader {
  public:
   // JSON as such, a Struct, holds anything.
@@ -85,6 +87,7 @@ class Reader {
         begin(c == '[');
       } else if (c == '}' || c == ']') {
         if (open_.empty()) return {};
+        if (before_ == ',') return place() + "a comma stands in front of " + c;
         if (const std::string twice = end(); !twice.empty())
           return twice + ": is given more than once";
       } else if (c == ',' && !open_.empty()) {
@@ -92,7 +95,10 @@ class Reader {
         is_name_ = !open_.back().is_list;
       } else if (c == ':') {
         is_name_ = false;
+      } else if (is_name_ && !is_space(c)) {
+        return place() + "a name stands in \"";
       }
+      if (!is_space(json_[at_])) before_ = json_[at_];
     }
     return {};
   }
@@ -101,6 +107,11 @@ class Reader {
   // The one of the list that comes next, as "batch.blocks[3]".
   [[nodiscard]] std::string element() const {
     return open_.back().path + "[" + std::to_string(open_.back().index) + "]";
+  }
+
+  // Of the object or list that has begun, as "batch: "; empty where it is the whole.
+  [[nodiscard]] std::string place() const {
+    return open_.empty() || open_.back().path.empty() ? "" : open_.back().path + ": ";
   }
 
   bool read_text() {
@@ -142,6 +153,7 @@ class Reader {
   std::string_view json_;
   bool checks_lists_;
   std::size_t at_ = 0;
+  char before_ = '\0';  // the last one that is no space
   std::vector<Open> open_;
   bool is_name_ = false;
   // Of the value that comes next.

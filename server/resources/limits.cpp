@@ -45,6 +45,9 @@ std::optional<std::string> fill_in_limits(Config& config, std::uint64_t memory_b
   const auto share_of = [&](std::uint64_t all) { return has_one_peer ? all : most_of(all); };
   fill_in(config.http_max_connections_per_peer, share_of(config.http_max_connections));
   fill_in(config.http_max_memory_per_peer_mib, share_of(config.http_max_memory_mib));
+  // A larger body would be taken and then find no room.
+  config.http_max_body_mib = std::min(
+      {config.http_max_body_mib, config.http_max_memory_mib, config.http_max_memory_per_peer_mib});
   const std::uint64_t http = config.http_listen.empty() ? 0 : config.http_max_memory_mib;
   // What HTTP leaves to the rest.
   const std::uint64_t limit = whole - std::min(http, whole);

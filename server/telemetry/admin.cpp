@@ -47,16 +47,24 @@ class Admin::Page : public CivetHandler {
 
   bool handleGet(CivetServer* /*server*/, mg_connection* connection) override {
     const Answer answer = answer_();
+    write_head(answer, connection);
+    mg_write(connection, answer.body.data(), answer.body.size());
+    return true;
+  }
+  bool handleHead(CivetServer* /*server*/, mg_connection* connection) override {
+    write_head(answer_(), connection);
+    return true;
+  }
+
+ private:
+  static void write_head(const Answer& answer, mg_connection* connection) {
     mg_printf(connection,
               "HTTP/1.1 %d %s\r\nContent-Type: text/plain; version=0.0.4; charset=utf-8\r\n"
               "Content-Length: %zu\r\nConnection: close\r\nX-Content-Type-Options: nosniff\r\n\r\n",
               answer.status, answer.status == 200 ? "OK" : "Service Unavailable",
               answer.body.size());
-    mg_write(connection, answer.body.data(), answer.body.size());
-    return true;
   }
 
- private:
   std::function<Answer()> answer_;
 };
 

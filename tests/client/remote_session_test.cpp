@@ -12,6 +12,7 @@
 
 #include "client/trc/remote_path_session.h"
 #include "client/trc/remote_program_session.h"
+#include "client/trc/survey.h"
 #include "core/session/program_session.h"
 #include "proto/wire/compensated_block.h"
 #include "server/in_process.h"
@@ -241,6 +242,37 @@ TEST_F(RemoteSession, MaskedPathIsThatOfALocalSessionInBothLayouts) {
     EXPECT_TRUE(bytes_of(collected.blocks) == bytes_of(expected.blocks));
     EXPECT_EQ(collected.diagnostics.size(), expected.diagnostics.size());
   }
+}
+
+TEST(RemoteSessions, SendPiecesThatTheServerTakes) {
+  server::Config config = server::InProcessServer::quiet();
+  config.max_message_bytes = 4096;
+  const server::InProcessServer server(config);
+  const Connection connection(server.channel());
+  std::string text = "G162\nG0 X0 Y0 F1000\n";
+  for (int line = 1; line <= 9000; ++line) text += "G1 X" + std::to_string(line) + "\n";
+  text += "M30\n";
+  ASSERT_GT(text.size(), 64U * 1024U);
+  Answers out;
+
+  RemoteProgramSession program(connection, {});
+  ASSERT_TRUE(program.feed(text, out) && program.finish(out)) << program.failure()->message;
+  EXPECT_EQ(program.summary()->bytes_in, text.size());
+  EXPECT_GT(out.take().text.size(), text.size());
+
+  const std::vector<wire::PathInput> items = meander(1000, 13);
+  for (const wire::Layout layout : {wire::Layout::blocks, wire::Layout::columns}) {
+    RemotePathSession path(connection, small_tool(layout));
+    ASSERT_TRUE(path.feed(items, out) && path.finish(out)) << path.failure()->message;
+    EXPECT_GT(out.take().blocks.size(), items.size());
+  }
+
+  v1::SurveySetup setup;
+  setup.mutable_program();
+  setup.add_radii(3);
+  const auto failure =
+      survey_program(connection, setup, text, [](const v1::SurveyRadiiResponse&) { return true; });
+  EXPECT_FALSE(failure) << failure->message;
 }
 
 TEST_F(RemoteSession, RefusedProgramGivesItsDiagnosticAndNoSummary) {

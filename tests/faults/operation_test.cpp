@@ -28,6 +28,7 @@ using server::eventually;
 using std::chrono::seconds;
 using testing_support::content_of;
 using testing_support::Folder;
+using testing_support::http_answer;
 using testing_support::http_get;
 using testing_support::ServerProcess;
 
@@ -412,6 +413,16 @@ TEST(Probes, HealthAndReadinessFollowTheDrain) {
   EXPECT_EQ(server.wait(), 0);
 }
 
+TEST(Probes, ThoseThatAskForTheHeadAloneAreAnswered) {
+  const ServerProcess server({"--admin-listen", "127.0.0.1:0"});
+  for (const char* path : {"/healthz", "/readyz", "/metrics"}) {
+    const std::string answer = http_answer(
+        server.admin(), "HEAD " + std::string(path) + " HTTP/1.1\r\nHost: trcd\r\n\r\n");
+    EXPECT_TRUE(answer.starts_with("HTTP/1.1 200 ")) << answer;
+    EXPECT_TRUE(answer.ends_with("\r\n\r\n")) << answer;
+  }
+}
+
 TEST(Reload, ChangesTheLogLevelAndNothingElse) {
   const Folder folder;
   const std::string config = folder.write("trcd.yaml", "log-level: info\nmax-streams: 7\n");
@@ -433,6 +444,9 @@ TEST(Reload, ChangesTheLogLevelAndNothingElse) {
 
   folder.write("trcd.yaml", "log-level: warning\nmax-streams: 1\n");
   server.signal(SIGHUP);
+  EXPECT_TRUE(eventually([&] {
+    return has_line(server, "\"event\":\"restart_needed\",\"settings\":\"max-streams\"");
+  }));
   // The last line at the old level cannot be waited for, as there is none: the calls show it.
   EXPECT_TRUE(eventually([&] {
     const std::size_t before = calls();

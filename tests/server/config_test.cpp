@@ -375,6 +375,9 @@ TEST(ServerConfig, RefusesValuesOutOfRange) {
   expect_fault(read({"--max-streams=1000001"}), {"max-streams"});
   expect_fault(read({"--max-streams=-1"}), {"max-streams"});
   expect_fault(read({"--max-streams=many"}), {"max-streams"});
+  // Neither 8 nor 16.
+  expect_fault(read({"--max-streams=010"}), {"max-streams", "010"});
+  expect_fault(read({"--max-streams=0x10"}), {"max-streams", "0x10"});
   expect_fault(read({"--max-message-bytes=99999999999"}), {"max-message-bytes"});
   expect_fault(read({"--log-level=loud"}), {"log-level"});
   const Environment idle("TRCD_IDLE_TIMEOUT_S", "soon");

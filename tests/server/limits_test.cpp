@@ -109,6 +109,17 @@ TEST(Limits, ATokenFitsIntoTheMessageThatBringsItBack) {
   EXPECT_LT(config.max_resume_token_bytes, config.max_message_bytes);
 }
 
+TEST(Limits, ABodyFitsIntoTheMemoryOfBodies) {
+  Config config;
+  config.http_listen = "127.0.0.1:0";
+  EXPECT_EQ(fill_in_limits(config, gib / 8), std::nullopt);
+  EXPECT_EQ(config.http_max_body_mib, config.http_max_memory_mib);
+  Config large;
+  large.http_listen = "127.0.0.1:0";
+  EXPECT_EQ(fill_in_limits(large, 8 * gib), std::nullopt);
+  EXPECT_EQ(large.http_max_body_mib, 64U);
+}
+
 TEST(Limits, MustFitIntoTheMemory) {
   Config config;
   config.max_session_memory_mib = 900;

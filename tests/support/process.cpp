@@ -112,14 +112,13 @@ Ended run(const std::vector<std::string>& command, const std::string& input) {
   return {.code = code, .out = content_of(streams.out), .err = content_of(streams.err)};
 }
 
-std::string http_get(const std::string& address, const std::string& path) {
+std::string http_answer(const std::string& address, const std::string& request) {
   sockaddr_in name{};
   name.sin_family = AF_INET;
   name.sin_port = htons(static_cast<in_port_t>(std::stoi(address.substr(address.rfind(':') + 1))));
   name.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   const int connection = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
   std::string answer;
-  const std::string request = "GET " + path + " HTTP/1.1\r\nHost: localhost\r\n\r\n";
   if (::connect(connection, reinterpret_cast<const sockaddr*>(&name), sizeof(name)) == 0 &&
       ::send(connection, request.data(), request.size(), MSG_NOSIGNAL) > 0) {
     std::array<char, 4096> part{};
@@ -127,6 +126,12 @@ std::string http_get(const std::string& address, const std::string& path) {
       answer.append(part.data(), static_cast<std::size_t>(size));
   }
   ::close(connection);
+  return answer;
+}
+
+std::string http_get(const std::string& address, const std::string& path) {
+  const std::string answer =
+      http_answer(address, "GET " + path + " HTTP/1.1\r\nHost: localhost\r\n\r\n");
   const std::size_t head = answer.find("\r\n\r\n");
   return head == std::string::npos ? "" : answer.substr(head + 4);
 }

@@ -57,6 +57,8 @@ class Folder {
 
 [[nodiscard]] std::string content_of(const std::string& path);
 
+// All that comes back to `request` before the connection is closed.
+[[nodiscard]] std::string http_answer(const std::string& address, const std::string& request);
 // The body of the answer to GET; empty when there is none.
 [[nodiscard]] std::string http_get(const std::string& address, const std::string& path);
 

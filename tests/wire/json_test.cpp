@@ -74,6 +74,17 @@ TEST(JsonFault, NamesWhatAListCannotHold) {
   EXPECT_EQ(fault_of(R"({"setup":{"clientTag":"a'null"}})"), "");
 }
 
+// Protobuf takes them, and would take the second of two names though only one has quotes.
+TEST(JsonFault, NamesWhatIsNoJson) {
+  EXPECT_EQ(fault_of(R"({"setup":{"toolRadius":5, tool_radius:6}})"), "setup: a name stands in \"");
+  EXPECT_EQ(fault_of("{setup:{}}"), "a name stands in \"");
+  EXPECT_EQ(fault_of(R"({"setup":{"toolRadius":5,}})"), "setup: a comma stands in front of }");
+  EXPECT_EQ(fault_of(R"({"batch":{"blocks":[{"linear":{}}, ]}})"),
+            "batch.blocks: a comma stands in front of ]");
+  EXPECT_EQ(fault_of("{\"setup\" : {} , }"), "a comma stands in front of }");
+  EXPECT_EQ(fault_of(" { \"setup\" :\t{ } }\n"), "");
+}
+
 TEST(JsonFault, NamesOfAMapAreWhatTheyAre) {
   v1::ProgramSetup setup;
   EXPECT_EQ(Json().read(R"({"variables":{"a_b":1,"aB":2,"\\":3,"\"":4,"[":5}})", setup), "");
