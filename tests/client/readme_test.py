@@ -172,10 +172,17 @@ class Readme(unittest.TestCase):
         columns = ["\n".join(row[begin:end].rstrip() for row in rows).strip() + "\n"
                    for begin, end in zip(begins, begins[1:])]
         (self.work / "outside.nc").write_text(columns[0])
-        self.assertEqual(columns[1], (self.work / "tools.csv").read_text())
-        done = self.run_here(head[begins[2] + 2:])
+        pocket = self.work / "pocket.nc"
+        self.addCleanup(pocket.write_text, pocket.read_text())  # that of the client's README
+        pocket.write_text(columns[1])
+        tools, _, asked = columns[2].partition("$ ")
+        command, _, shown = asked.partition("\n")
+        self.assertEqual(tools, (self.work / "tools.csv").read_text())
+        done = self.run_here(command)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.is_said(columns[2], done.stdout)
+        self.is_said(shown, done.stdout)
+        around = self.run_here("trc compensate outside.nc --tools tools.csv")
+        self.assertEqual(around.returncode, 0, around.stderr)
 
         first = columns[0].replace("Y40\n", "Y40\n" + SLOT, 1)
         (self.work / "slot.nc").write_text(first)

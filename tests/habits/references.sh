@@ -29,11 +29,11 @@ trap 'rm -rf "$scratch"' EXIT
   sed -nE 's/^([0-9]+\.[0-9]+) .*/\1/p' core/doc/rules.md
   sed -nE 's/^## ([0-9]+) .*/\1/p' core/doc/rules.md
 } | sort -u >"$scratch/rules"
-sed -nE 's/^\| (D-[0-9]{2}) .*/\1/p' core/doc/decisions.md | sort -u >"$scratch/decisions"
+sed -nE 's/^(\| |\* \*\*)(D-[0-9]{2,}) .*/\2/p' core/doc/decisions.md | sort -u >"$scratch/decisions"
 
 everything | cited '\brules? [0-9]+(\.[0-9]+)?' | sed -E 's/rules? //' | sort -u >"$scratch/rules_cited"
-everything | cited '\bD-[0-9]{2}\b' >"$scratch/decisions_cited"
-code | cited '\bD-[0-9]{2}\b' >"$scratch/decisions_coded"
+everything | cited '\bD-[0-9]{2,}\b' >"$scratch/decisions_cited"
+code | cited '\bD-[0-9]{2,}\b' >"$scratch/decisions_coded"
 
 expect "$scratch/rules_cited" "$scratch/rules" 'cited, but not in core/doc/rules.md'
 expect "$scratch/decisions_cited" "$scratch/decisions" 'cited, but not in core/doc/decisions.md'
