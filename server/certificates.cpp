@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "server/plain_file.h"
+#include "server/trial_handshake.h"
 
 namespace trc::server {
 namespace {
@@ -90,6 +91,19 @@ void read_dates(const Chain& chain, Certificate& read) {
   }
 }
 
+// Of two that overlap one may have expired: with each client the dates of its own are looked at.
+std::string fault_of_authorities(const Certificates::Files& files, const Certificate& read) {
+  const Chain chain =
+      certificates_in("tls-client-ca-file", files.client_authorities, read.client_authorities);
+  if (!chain.fault.empty()) return chain.fault;
+  const std::int64_t now_s = std::time(nullptr);
+  const auto has_expired = [&](const X509Pointer& one) {
+    return seconds_of(X509_get0_notAfter(one.get())) <= now_s;
+  };
+  if (!std::all_of(chain.certificates.begin(), chain.certificates.end(), has_expired)) return {};
+  return "tls-client-ca-file: all authorities in '" + files.client_authorities + "' have expired";
+}
+
 std::string fault_of(const Certificates::Files& files, Certificate& read) {
   const Chain chain = certificates_in("tls-cert-file", files.chain, read.chain);
   if (!chain.fault.empty()) return chain.fault;
@@ -100,11 +114,11 @@ std::string fault_of(const Certificates::Files& files, Certificate& read) {
     return "tls-key-file: '" + files.key + "' does not belong to '" + files.chain + "'";
   std::string fault = fault_of_order(files.chain, chain);
   if (!fault.empty()) return fault;
+  fault = fault_of_handshake(read.chain, read.key);
+  if (!fault.empty())
+    return "tls-cert-file: with '" + files.chain + "' and its key no client could connect: " + fault;
   read_dates(chain, read);
-  if (files.client_authorities.empty()) return {};
-  // Their dates are looked at with each client: of two that overlap one may have expired.
-  return certificates_in("tls-client-ca-file", files.client_authorities, read.client_authorities)
-      .fault;
+  return files.client_authorities.empty() ? std::string() : fault_of_authorities(files, read);
 }
 
 std::string day_of(std::int64_t seconds) {

@@ -75,6 +75,15 @@ std::optional<std::string> fault_of_empty_guard(int argc, const char* const* arg
   return std::nullopt;
 }
 
+// The same for a list of nothing but commas or brackets, as "$A,$B" is where neither is set.
+std::optional<std::string> fault_of_nameless_guard(const CLI::App& app, const Config& config) {
+  const auto& names = config.tls_allowed_clients;
+  const bool names_somebody =
+      std::any_of(names.begin(), names.end(), [](const auto& name) { return !name.empty(); });
+  if (app.get_option("--tls-allowed-clients")->count() == 0 || names_somebody) return std::nullopt;
+  return "tls-allowed-clients is given but empty";
+}
+
 std::string one_line(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   while (!text.empty() && text.back() == ' ') text.pop_back();
@@ -132,6 +141,7 @@ CommandLine read_command_line(int argc, const char* const* argv) {
     result.config.reflection = std::all_of(listen.begin(), listen.end(), is_local_address);
   }
   auto fault = fault_of_empty_guard(argc, argv);
+  if (!fault) fault = fault_of_nameless_guard(app, result.config);
   if (!fault) fault = first_fault(result.config);
   if (fault) {
     result.exit = CommandLine::Exit{.code = 2, .text = *fault};

@@ -78,6 +78,7 @@ std::vector<FileEntry> yaml_entries(const std::string& file, std::istream& input
                       [&](const FileEntry& earlier) { return earlier.name == entry.name; }))
         refuse_file(file, entry.line, "'" + entry.name + "' is there already");
       const YAML::Node& value = named.second;
+      if (value.IsNull()) refuse_file(file, entry.line, "'" + entry.name + "' has no value");
       if (value.IsSequence()) {
         for (const YAML::Node& one : value) entry.values.push_back(one.as<std::string>());
       } else {
@@ -165,6 +166,8 @@ class ConfigFile : public CLI::ConfigTOML {
       refuse_file(file, entry.line, "'" + entry.name + "' needs at least one entry");
     std::string joined;
     for (std::size_t i = 0; i < entry.values.size(); ++i) {
+      if (entry.values[i].empty())
+        refuse_file(file, entry.line, "'" + entry.name + "' has an empty entry");
       if (entry.values.size() > 1 && entry.values[i].find(',') != std::string::npos)
         refuse_file(file, entry.line, "'" + entry.values[i] + "' holds a comma");
       joined += (i > 0 ? "," : "") + entry.values[i];

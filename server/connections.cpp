@@ -8,9 +8,12 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
+
+#include "server/resources/peers.h"
 
 namespace trc::server {
 namespace {
@@ -24,6 +27,12 @@ constexpr std::uint64_t idle_bytes = 2U << 10U;
 constexpr std::chrono::seconds clearing{5};
 // Frames and records of TLS around small messages.
 constexpr double bytes_for_a_byte = 1.5;
+// What a call, a message, and a second of pings and windows take besides.
+constexpr double bytes_of_call = 1024;
+constexpr double bytes_of_message = 64;
+constexpr double bytes_of_second = 64 << 10;
+// A connection of which less is unfinished is not what fills the buffers.
+constexpr double least_to_close = 1 << 20;
 
 // The number the kernel gives this socket and no other; none when the descriptor is no socket.
 std::optional<std::uint64_t> cookie_of(int descriptor) {
@@ -63,9 +72,6 @@ std::string peer_name(int descriptor) {
   return name_of("ipv6:", &address.sin6_addr, AF_INET6, address.sin6_port);
 }
 
-// Without the port.
-std::string_view address_of(std::string_view peer) { return peer.substr(0, peer.rfind(':')); }
-
 }  // namespace
 
 std::string_view name_of(Connections::Reason reason) {
@@ -78,6 +84,8 @@ std::string_view name_of(Connections::Reason reason) {
       return "calls";
     case Connections::Reason::connections:
       return "connections";
+    case Connections::Reason::unfinished:
+      return "unfinished";
   }
   return "";
 }
@@ -85,12 +93,12 @@ std::string_view name_of(Connections::Reason reason) {
 class Connections::Connection {
  public:
   Connection(Connections& all, int descriptor, std::uint64_t cookie, std::string peer,
-             Speaks speaks)
+             Use use)
       : all_(all),
         descriptor_(descriptor),
         cookie_(cookie),
         peer_(std::move(peer)),
-        speaks_(speaks) {}
+        use_(use) {}
 
   [[nodiscard]] bool is_there() const { return cookie_of(descriptor_) == cookie_; }
 
@@ -98,7 +106,13 @@ class Connections::Connection {
     if (++calls_ > all_.limits_.calls) close(Reason::calls);
   }
   void call_done() { --calls_; }
-  void carried(std::uint64_t bytes) { carried_ += bytes; }
+  void carried(std::uint64_t bytes) {
+    carried_ += bytes;
+    ++messages_;
+  }
+  [[nodiscard]] bool is_shut() const { return shut_; }
+  // Bytes of messages that have not come to their end.
+  [[nodiscard]] double unfinished() const { return unfinished_; }
 
   void call_ended(bool early) {
     const std::lock_guard lock(mutex_);
@@ -109,6 +123,7 @@ class Connections::Connection {
       early_ = 0;
     }
     ++ended_;
+    ++calls_ended_;
     if (early) ++early_;
     // A client that cancels one call in ten does nothing amiss, however many it makes.
     if (early_ > all_.limits_.early_cancels && 2 * early_ > ended_) close(Reason::early_cancels);
@@ -116,7 +131,8 @@ class Connections::Connection {
 
   // Bytes that came beyond those of messages, over what is allowed by now.
   void look(Clock::time_point now, TransportCounts& counts) {
-    if (speaks_ == Speaks::http1) return;
+    if (use_ == Use::http) return;
+    if (shut_) return discard();
     const auto received = bytes_received(descriptor_);
     if (!received) return;
     if (*received - received_ > idle_bytes) look_at_streams(now, counts);
@@ -128,12 +144,31 @@ class Connections::Connection {
     overhead_ += more - bytes_for_a_byte * carried -
                  seconds * static_cast<double>(all_.limits_.overhead_bytes_per_s);
     overhead_ = std::max(overhead_, 0.0);
+    unfinished_ += more - bytes_for_a_byte * carried - seconds * bytes_of_second -
+                   static_cast<double>(messages_.exchange(0)) * bytes_of_message -
+                   static_cast<double>(calls_ended_.exchange(0)) * bytes_of_call;
+    unfinished_ = std::max(unfinished_, 0.0);
     const std::uint64_t read_ahead =
         all_.limits_.read_ahead + calls_ * all_.limits_.read_ahead_of_call;
     if (overhead_ > static_cast<double>(read_ahead)) close(Reason::overhead);
   }
 
+  void close(Reason reason) {
+    if (shut_.exchange(true)) return;
+    all_.has_shut_ = true;
+    if (is_there()) shutdown(descriptor_, SHUT_RDWR);
+    if (all_.closed_) all_.closed_(peer_, reason);
+  }
+
  private:
+  // gRPC reads a connection that was shut down to its end, and a flood leaves megabytes behind. In
+  // the thread that accepts, so that no other connection has got the descriptor meanwhile.
+  void discard() const {
+    constexpr std::size_t all = std::size_t{1} << 30U;
+    while (is_there() && recv(descriptor_, nullptr, all, MSG_DONTWAIT | MSG_TRUNC) > 0) {
+    }
+  }
+
   // Streams that came and were not ended by the server: those its client has reset, and the few
   // that are open.
   void look_at_streams(Clock::time_point now, TransportCounts& counts) {
@@ -151,20 +186,15 @@ class Connections::Connection {
       close(Reason::early_cancels);
   }
 
-  void close(Reason reason) {
-    if (shut_.exchange(true)) return;
-    all_.has_shut_ = true;
-    if (is_there()) shutdown(descriptor_, SHUT_RDWR);
-    if (all_.closed_) all_.closed_(peer_, reason);
-  }
-
   Connections& all_;
   const int descriptor_;
   const std::uint64_t cookie_;
   const std::string peer_;
-  const Speaks speaks_;
+  const Use use_;
   std::atomic<std::uint32_t> calls_ = 0;
   std::atomic<std::uint64_t> carried_ = 0;
+  std::atomic<std::uint64_t> messages_ = 0;
+  std::atomic<std::uint64_t> calls_ended_ = 0;
   std::atomic<bool> shut_ = false;
 
   std::mutex mutex_;
@@ -176,6 +206,7 @@ class Connections::Connection {
   Clock::time_point looked_at_ = Clock::now();
   std::uint64_t received_ = 0;
   double overhead_ = 0;
+  double unfinished_ = 0;
   Clock::time_point streams_since_ = Clock::now();
   TransportCounts::Streams streams_{};
 };
@@ -190,21 +221,35 @@ void Connections::Call::ended(bool early) const {
   if (connection_ != nullptr) connection_->call_ended(early);
 }
 
-bool Connections::add(int descriptor, std::size_t most_of_one_address, Speaks speaks) {
+bool Connections::add(int descriptor, std::size_t most_of_one_address, Use use) {
   std::string peer = peer_name(descriptor);
   const auto cookie = cookie_of(descriptor);
   if (peer.empty() || !cookie) return true;
-  auto connection = std::make_shared<Connection>(*this, descriptor, *cookie, peer, speaks);
-  const std::string address(address_of(peer));
+  auto connection = std::make_shared<Connection>(*this, descriptor, *cookie, peer, use);
+  const std::string address = peer_of_address(peer);
   std::unique_lock lock(mutex_);
   if (!has_room_for(address, most_of_one_address)) {
     lock.unlock();
     if (closed_) closed_(peer, Reason::connections);
     return false;
   }
+  if (use == Use::health) {
+    make_room_for_health();
+    of_health_.push_back(connection);
+  }
   if (by_peer_.insert_or_assign(std::move(peer), std::move(connection)).second)
     ++of_address_[address];
   return true;
+}
+
+void Connections::make_room_for_health() {
+  std::erase_if(of_health_, [](const auto& one) {
+    const auto connection = one.lock();
+    return connection == nullptr || !connection->is_there();
+  });
+  if (of_health_.size() < most_of_health) return;
+  of_health_.front().lock()->close(Reason::connections);
+  of_health_.pop_front();
 }
 
 bool Connections::has_room_for(const std::string& address, std::size_t most) {
@@ -218,7 +263,7 @@ bool Connections::has_room_for(const std::string& address, std::size_t most) {
 void Connections::forget_gone() {
   std::erase_if(by_peer_, [this](const auto& entry) {
     if (entry.second->is_there()) return false;
-    const auto found = of_address_.find(std::string(address_of(entry.first)));
+    const auto found = of_address_.find(peer_of_address(entry.first));
     if (found != of_address_.end() && --found->second == 0) of_address_.erase(found);
     return true;
   });
@@ -247,7 +292,24 @@ void Connections::look() {
   const Clock::time_point now = Clock::now();
   counts_.begin_round();
   for (const auto& connection : here) connection->look(now, counts_);
+  close_heaviest(std::move(here));
   give_back_memory(now);
+}
+
+// gRPC takes a message of any size in before it looks at it, and where its buffers are full it ends
+// the stream of anybody.
+void Connections::close_heaviest(std::vector<std::shared_ptr<Connection>> here) {
+  std::erase_if(here, [](const auto& connection) { return connection->is_shut(); });
+  double sum = 0;
+  for (const auto& connection : here) sum += connection->unfinished();
+  const auto most = static_cast<double>(limits_.unfinished);
+  if (sum <= most) return;
+  std::ranges::sort(here, std::greater(), [](const auto& one) { return one->unfinished(); });
+  for (const auto& connection : here) {
+    if (sum <= most / 2 || connection->unfinished() < least_to_close) return;
+    sum -= connection->unfinished();
+    connection->close(Reason::unfinished);
+  }
 }
 
 // gRPC hands over calls more slowly than it reads them, so what a flood has taken becomes free long

@@ -3,12 +3,14 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <vector>
 
 #include "server/transport_counts.h"
 
@@ -30,9 +32,11 @@ class Connections {
     std::uint64_t read_ahead_of_call = 1U << 20U;
     std::uint64_t read_ahead = 24U << 20U;
     std::uint32_t calls = 128;  // begun and not yet done with, whatever the client has reset
+    // Bytes of unfinished messages, of all connections together.
+    std::uint64_t unfinished = 48U << 20U;
   };
-  enum class Reason { early_cancels, overhead, calls, connections };
-  static constexpr std::size_t reason_count = 4;
+  enum class Reason { early_cancels, overhead, calls, connections, unfinished };
+  static constexpr std::size_t reason_count = 5;
   // Where connections are shut down: who it was, and why. Must not throw.
   using Closed = std::function<void(const std::string& peer, Reason reason)>;
 
@@ -59,12 +63,19 @@ class Connections {
     std::shared_ptr<Connection> connection_;  // none: not one of TCP
   };
 
-  // Of HTTP/1.1 every byte belongs to a request, which its own server bounds: it is counted, but
-  // what is about frames is not looked for.
-  enum class Speaks : std::uint8_t { http2, http1 };
+  enum class Use : std::uint8_t {
+    work,
+    // HTTP/1.1: every byte belongs to a request, which its own server bounds. It is counted, but what
+    // is about frames is not looked for.
+    http,
+    // May take some of the descriptors that are kept, and leaves the others alone: of more than
+    // most_of_health the oldest goes.
+    health,
+  };
+  static constexpr std::size_t most_of_health = 16;
   // A descriptor that has just been accepted. False when it is to be closed: its address has so
   // many connections open already.
-  [[nodiscard]] bool add(int descriptor, std::size_t most_of_one_address, Speaks speaks);
+  [[nodiscard]] bool add(int descriptor, std::size_t most_of_one_address, Use use);
   // A call of the peer as gRPC names it: "ipv4:10.0.0.7:40000".
   [[nodiscard]] Call begin(std::string_view peer);
   // To be called several times a second: how many bytes have come, and which connections have gone.
@@ -77,6 +88,10 @@ class Connections {
   [[nodiscard]] bool has_room_for(const std::string& address, std::size_t most);
   void forget_gone();
 
+  // Shuts the oldest one of those that ask for health where there are too many.
+  void make_room_for_health();
+  // Where all together have too much under way, those of which most is unfinished.
+  void close_heaviest(std::vector<std::shared_ptr<Connection>> here);
   // Gives back what the calls of a connection have held that was shut down a while ago.
   void give_back_memory(std::chrono::steady_clock::time_point now);
 
@@ -88,9 +103,10 @@ class Connections {
   mutable std::mutex mutex_;
   std::unordered_map<std::string, std::shared_ptr<Connection>> by_peer_;
   std::unordered_map<std::string, std::size_t> of_address_;  // how many of by_peer_
+  std::deque<std::weak_ptr<Connection>> of_health_;          // the oldest first
 };
 
-// "early_cancels", "overhead", "calls" or "connections".
+// "early_cancels", "overhead", "calls", "connections" or "unfinished".
 [[nodiscard]] std::string_view name_of(Connections::Reason reason);
 
 }  // namespace trc::server

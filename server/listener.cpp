@@ -29,6 +29,8 @@ constexpr int backlog = 1024;
 // How many descriptors connections leave to the rest of the process, at most an eighth of all.
 // Those that ask for its health may take half of them.
 constexpr int kept_descriptors = 32;
+// Each may have streams that ask for nothing but health, of some kilobytes each.
+constexpr std::size_t usual_of_one_peer = 1024;
 constexpr int round_ms = 200;
 constexpr std::int64_t round_ns = round_ms * 1'000'000;
 // Without descriptors: until the next attempt. What waits in the backlog is served then.
@@ -198,18 +200,18 @@ Acceptor::Acceptor(Connections& connections, std::uint32_t of_one_peer)
     : connections_(connections), stop_(eventfd(0, EFD_CLOEXEC)), of_one_peer_(of_one_peer) {
   const int limit = descriptor_limit();
   last_usable_ = limit - 1 - std::min(kept_descriptors, limit / 8);
-  if (of_one_peer_ == 0) of_one_peer_ = static_cast<std::size_t>(limit) / 4 * 3;
+  if (of_one_peer_ == 0)
+    of_one_peer_ = std::min<std::size_t>(static_cast<std::size_t>(limit) / 4 * 3, usual_of_one_peer);
 }
 
 Acceptor::~Acceptor() { stop(); }
 
 void Acceptor::add(Listener listener, Use use, Take take) {
   const int more = use == Use::health ? (descriptor_limit() - 1 - last_usable_) / 2 : 0;
-  doors_.push_back(
-      {.listener = std::move(listener),
-       .last_usable = last_usable_ + more,
-       .take = std::move(take),
-       .speaks = use == Use::http ? Connections::Speaks::http1 : Connections::Speaks::http2});
+  doors_.push_back({.listener = std::move(listener),
+                    .last_usable = last_usable_ + more,
+                    .take = std::move(take),
+                    .use = use});
 }
 
 void Acceptor::start() {
@@ -270,7 +272,7 @@ bool Acceptor::accept_from(const Door& door) {
         ++refused_;
         continue;
       }
-      if (!connections_.add(connection.number(), of_one_peer_, door.speaks)) continue;
+      if (!connections_.add(connection.number(), of_one_peer_, door.use)) continue;
       ++accepted_;
       door.take(std::move(connection));
       continue;

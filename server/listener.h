@@ -78,18 +78,14 @@ class Acceptor {
   };
 
   // Is given every connection to watch. `of_one_peer`: how many one address may have open; 0: three
-  // quarters of the descriptors.
+  // quarters of the descriptors, and 1024 at most.
   Acceptor(Connections& connections, std::uint32_t of_one_peer);
   // Stops accepting.
   ~Acceptor();
   Acceptor(const Acceptor&) = delete;
   Acceptor& operator=(const Acceptor&) = delete;
 
-  enum class Use : std::uint8_t {
-    work,
-    http,    // speaks HTTP/1.1
-    health,  // may take some of the descriptors that are kept
-  };
+  using Use = Connections::Use;
   // Before `start`.
   void add(Listener listener, Use use, Take take);
   void start();
@@ -104,7 +100,7 @@ class Acceptor {
     Listener listener;
     int last_usable = 0;  // descriptor
     Take take;
-    Connections::Speaks speaks = Connections::Speaks::http2;
+    Use use = Use::work;
   };
 
   void run();

@@ -1,5 +1,9 @@
 #include "server/service.h"
 
+#include <memory>
+#include <string>
+
+#include "server/resources/peers.h"
 #include "server/rpc/caller.h"
 #include "server/rpc/compensate_path.h"
 #include "server/rpc/compensate_program.h"
@@ -42,24 +46,50 @@ TrcService::BytesReactor* TrcService::SurveyRadii(grpc::CallbackServerContext* c
   return start_stream<server::SurveyRadii, Reactor>(backend_, *context, Method::survey_radii);
 }
 
+namespace {
+
+// One answer of GetServerInfo. It is some fifty kilobytes, which a client may leave unread: it takes
+// a place of its client until it has gone.
+class ServerInfoReactor final : public grpc::ServerUnaryReactor {
+ public:
+  ServerInfoReactor(Backend& backend, grpc::CallbackServerContext& context,
+                    grpc::ByteBuffer& response)
+      : peer_(backend.peers.of(peer_of(context))), place_(*peer_) {
+    CallRecord record(backend.telemetry, Method::get_server_info, context.peer(),
+                      trace_of(context));
+    const Ending ending = answer(backend, context, response);
+    record.ended(ending);
+    Finish(ending.status);
+  }
+
+ private:
+  void OnDone() override { delete this; }
+
+  Ending answer(const Backend& backend, const grpc::CallbackServerContext& context,
+                grpc::ByteBuffer& response) const {
+    const Config& config = backend.config;
+    if (auto refused = refuse_caller(context, config.tls_allowed_clients)) return *refused;
+    if (peer_->streams() > config.max_streams_per_peer)
+      return refuse(Refusal::stream_limit_of_peer, {},
+                    {{"max_streams_per_peer", std::to_string(config.max_streams_per_peer)}});
+    v1::GetServerInfoResponse info;
+    describe(config, info);
+    bool own = false;
+    static_cast<void>(
+        grpc::SerializationTraits<v1::GetServerInfoResponse>::Serialize(info, &response, &own));
+    return {};
+  }
+
+  const std::shared_ptr<Peer> peer_;
+  const Peer::Place place_;
+};
+
+}  // namespace
+
 grpc::ServerUnaryReactor* TrcService::GetServerInfo(grpc::CallbackServerContext* context,
                                                     const grpc::ByteBuffer* /*request*/,
                                                     grpc::ByteBuffer* response) {
-  CallRecord record(backend_.telemetry, Method::get_server_info, context->peer(),
-                    trace_of(*context));
-  const Ending ending =
-      refuse_caller(*context, backend_.config.tls_allowed_clients).value_or(Ending{});
-  if (ending.status.ok()) {
-    v1::GetServerInfoResponse answer;
-    describe(backend_.config, answer);
-    bool own = false;
-    static_cast<void>(
-        grpc::SerializationTraits<v1::GetServerInfoResponse>::Serialize(answer, response, &own));
-  }
-  record.ended(ending);
-  grpc::ServerUnaryReactor* reactor = context->DefaultReactor();
-  reactor->Finish(ending.status);
-  return reactor;
+  return new ServerInfoReactor(backend_, *context, *response);
 }
 
 }  // namespace trc::server

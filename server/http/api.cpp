@@ -317,6 +317,7 @@ void Api::log(const Request& request, unsigned status, std::uint64_t bytes, doub
 std::shared_ptr<RpcCall> Api::call(RpcCall::Options options, const Request& request,
                                    RpcCall::Done done) {
   options.traceparent = std::string(request.header("traceparent"));
+  options.client = client_of(request.peer);
   (void)read_timeout(request.header("connect-timeout-ms"), options.timeout);
   begin();
   auto call = RpcCall::start(channel_, options,

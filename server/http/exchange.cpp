@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "server/resources/peers.h"
+
 namespace trc::server::http {
 namespace {
 
@@ -32,6 +34,10 @@ std::string parameter_of(std::string_view type, std::string_view name) {
 }
 
 }  // namespace
+
+std::string client_of(const std::string& peer) {
+  return peer_of_address((peer.starts_with('[') ? "ipv6:" : "ipv4:") + peer);
+}
 
 std::string lower(std::string_view text) {
   std::string result(text);

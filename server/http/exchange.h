@@ -40,6 +40,10 @@ struct Request {
   [[nodiscard]] std::shared_ptr<const std::string> take_body();
 };
 
+// Whose limits what comes from "192.0.2.7:40000" or "[2001:db8::1]:40000" counts to: as
+// peer_of_address.
+[[nodiscard]] std::string client_of(const std::string& peer);
+
 // NC text, whatever it is called; but not what a form sends, of which a program loses its lines.
 [[nodiscard]] bool is_text(std::string_view content_type);
 // JSON, also under the name that `curl -d` gives to whatever it sends. A form of a page of somebody

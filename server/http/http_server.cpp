@@ -20,7 +20,6 @@
 #include "server/http/connection.h"
 #include "server/http/memory.h"
 #include "server/http/tls.h"
-#include "server/resources/peers.h"
 #include "server/resources/round.h"
 
 namespace trc::server::http {
@@ -28,11 +27,6 @@ namespace {
 
 namespace asio = boost::asio;
 using Tcp = asio::ip::tcp;
-
-// The client, whatever its port is, as the limits of one client have it.
-std::string client_of(const std::string& peer) {
-  return peer_of_address((peer.starts_with('[') ? "ipv6:" : "ipv4:") + peer);
-}
 
 // Connections that are looked at one after the other: how many, and which may go first.
 struct Waiting {

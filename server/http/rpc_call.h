@@ -29,6 +29,7 @@ class RpcCall final : public grpc::ClientBidiReactor<grpc::ByteBuffer, grpc::Byt
     std::string traceparent{};  // of the caller; may be empty
     std::optional<std::chrono::milliseconds> timeout{};
     std::string run_tap{};  // as of RunTaps; empty: none
+    std::string client{};   // whose limits it counts to, as peer_of has it; empty: this process
   };
 
   // `done` comes last, after reading has ended.

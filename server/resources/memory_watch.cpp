@@ -29,6 +29,9 @@ constexpr unsigned rounds_between = 50;
 constexpr std::uint64_t worth_giving_back = 32U << 20U;
 // Where somebody has to go for it otherwise.
 constexpr std::uint64_t worth_giving_back_at_once = 1U << 20U;
+// What could not be given back once may be free by now: what gRPC holds is counted nowhere, and goes
+// without a word.
+constexpr unsigned rounds_until_forgotten = 1500;
 // A stream that was told to end does so where its turn passes by next.
 constexpr unsigned most_rounds_of_one_ending = 50;
 
@@ -151,6 +154,8 @@ void MemoryWatch::look() {
   } else {
     state_ = passes(scarce) ? State::scarce : State::ample;
   }
+  // Nothing new is begun until it is less.
+  if (passes(scarce)) left_ = 0;
   give_back(resident, worth_giving_back);
 }
 
@@ -160,6 +165,7 @@ void MemoryWatch::give_back(std::uint64_t resident, std::uint64_t worth) {
     // What could not be given back before is free now.
     left_ = 0;
   }
+  if (++rounds_since_trimmed_ >= rounds_until_forgotten) left_ = 0;
   if (rounds_until_give_back_ > 0) {
     --rounds_until_give_back_;
     return;
@@ -168,6 +174,7 @@ void MemoryWatch::give_back(std::uint64_t resident, std::uint64_t worth) {
   left_ = std::min(left_, resident);
   if (resident < in_use + worth) return;
   rounds_until_give_back_ = rounds_between;
+  rounds_since_trimmed_ = 0;
   PagePiece::give_back_spare();
   malloc_trim(0);
   const std::uint64_t now = settings_.resident_bytes();

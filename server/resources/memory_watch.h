@@ -64,6 +64,7 @@ class MemoryWatch {
   bool has_room_ = true;
   std::uint64_t left_ = 0;  // resident, after what could be given back was
   unsigned rounds_until_give_back_ = 0;
+  unsigned rounds_since_trimmed_ = 0;
   unsigned rounds_of_one_ending_ = 0;
   std::mutex mutex_;
   std::condition_variable changed_;

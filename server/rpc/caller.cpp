@@ -11,6 +11,9 @@
 namespace trc::server {
 namespace {
 
+// As gRPC calls a caller within this process. Who comes through a port may say whatever he likes.
+constexpr std::string_view own_process = "inproc";
+
 // Whether a certificate carries a name. A URI is taken for one only where the list says a URI: one
 // that reads like the name of a machine must not pass for that machine.
 bool carries(const grpc::AuthContext& certificate, const std::string& name) {
@@ -42,7 +45,10 @@ std::string peer_of(const grpc::CallbackServerContext& context) {
       if (!names.empty() && !names.front().empty())
         return "certificate:" + std::string(names.front().data(), names.front().size());
     }
-  return peer_of_address(context.peer());
+  std::string peer = peer_of_address(context.peer());
+  const auto client = context.client_metadata().find(client_of_http);
+  const bool is_of_http = peer == own_process && client != context.client_metadata().end();
+  return is_of_http ? std::string(client->second.data(), client->second.size()) : peer;
 }
 
 std::optional<Ending> refuse_caller(const grpc::CallbackServerContext& context,

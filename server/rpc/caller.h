@@ -14,8 +14,11 @@ namespace trc::server {
 // The trace the caller's metadata name; its id goes back to the caller as `trace-id`.
 [[nodiscard]] Trace trace_of(grpc::CallbackServerContext& context);
 
+// Metadata of a call of this process' own: for which client of HTTP it is made.
+inline constexpr const char* client_of_http = "trc-client-of-http";
+
 // Whose limits and share the call counts against: the name in the client's certificate, else where
-// it comes from.
+// it comes from, also of what comes over HTTP.
 [[nodiscard]] std::string peer_of(const grpc::CallbackServerContext& context);
 
 // The refusal of a caller whose certificate has none of the names; no names allow all. Who has

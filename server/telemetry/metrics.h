@@ -76,7 +76,7 @@ class Metrics {
   // How long the oldest turn has waited, s, and threads the system has refused.
   void set_pool(double longest_wait_s, std::uint64_t threads_missed);
   void set_log(const Log::Counts& counts);
-  // "early_cancels", "overhead" or "calls".
+  // As name_of(Connections::Reason) has it.
   void count_connection_closed(std::string_view reason);
   // Seconds since 1970.
   void set_certificate_expiry(std::int64_t expires_s);

@@ -18,7 +18,8 @@ Connections::Limits limits_of(const Config& config) {
           .read_ahead_of_call = config.max_message_bytes,
           .read_ahead = (std::uint64_t{8} << 20U) + all / 4,
           // gRPC's own count knows nothing of a stream its client has reset.
-          .calls = std::max(2 * config.max_streams_per_connection, 16U)};
+          .calls = std::max(2 * config.max_streams_per_connection, 16U),
+          .unfinished = (std::uint64_t{config.max_grpc_buffer_mib} << 20U) / 4 * 3};
 }
 
 }  // namespace

@@ -9,7 +9,9 @@
 #include <chrono>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <thread>
+#include <vector>
 
 #include "tests/faults/questions.h"
 #include "tests/faults/raw_connection.h"
@@ -102,6 +104,28 @@ TEST(Floods, StreamsThatAreResetAtOnceEndTheirConnection) {
       << server.resident_mib();
   EXPECT_NE(server.log().find("\"connection_closed\",\"peer\":\"ipv4:127.0.0.2:"),
             std::string::npos);
+}
+
+// Each of many connections stays within what one may do until it is looked at.
+TEST(Floods, OfManyConnectionsLeaveNoMemoryBehind) {
+  const ServerProcess server({"--admin-listen", "127.0.0.1:0", "--memory-limit-mib", "1024"});
+  std::uint32_t stream = 1;
+  const std::string bytes = http2::greeting() + flood(20'000, stream, [](std::uint32_t number) {
+                              return http2::headers(number, compensate_path) + http2::reset(number);
+                            });
+  std::vector<std::thread> clients;
+  for (int i = 0; i < 24; ++i)
+    clients.emplace_back([&] {
+      const RawConnection connection(server.address(), "127.0.0.2");
+      for (std::size_t at = 0; at < bytes.size(); at += 65536)
+        if (!connection.send_bytes(std::string_view(bytes).substr(at, 65536))) return;
+    });
+  for (std::thread& client : clients) client.join();
+  EXPECT_TRUE(eventually([&] { return serves(server.address()); }, 60));
+  EXPECT_TRUE(!memory_tells ||
+              eventually([&] { return server.resident_mib() < given_back_mib; }, 90))
+      << server.resident_mib();
+  EXPECT_GT(closed_for_floods(server), 0);
 }
 
 // DATA frames without a byte on one stream: no flow control holds them back.

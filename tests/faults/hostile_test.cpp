@@ -144,6 +144,39 @@ TEST(Hostile, OneAddressHasSoManyConnectionsAndNoMore) {
   }));
 }
 
+// Who stands in the door of the probes keeps nobody out, neither there nor at the others.
+TEST(Hostile, ConnectionsForHealthGiveWayToNewOnes) {
+  const ServerProcess server({"--health-listen", "127.0.0.1:0"}, "127.0.0.1:0", 128);
+  std::vector<std::unique_ptr<RawConnection>> held;
+  for (int i = 0; i < 60; ++i) {
+    held.push_back(std::make_unique<RawConnection>(server.health(),
+                                                   i % 2 == 0 ? "127.0.0.2" : "127.0.0.3"));
+    held.back()->send_bytes(http2::greeting());
+  }
+  EXPECT_TRUE(serves(server.address()));
+  grpc::ClientContext context;
+  context.set_wait_for_ready(true);
+  context.set_deadline(std::chrono::system_clock::now() + std::chrono::seconds(20));
+  grpc::health::v1::HealthCheckResponse response;
+  EXPECT_TRUE(
+      grpc::health::v1::Health::NewStub(channel_to(server.health()))->Check(&context, {}, &response).ok());
+  EXPECT_TRUE(eventually([&] { return !held.front()->is_open(); }));
+}
+
+// An answer that nobody reads takes a place, as a stream does.
+TEST(Hostile, AnswersThatAreNotReadTakeThePlacesOfTheirClient) {
+  const ServerProcess server({"--max-streams-per-peer", "10"});
+  constexpr std::string_view no_window("\0\x04\0\0\0\0", 6);
+  const RawConnection connection(server.address(), "127.0.0.2");
+  std::string calls = http2::greeting(no_window);
+  for (std::uint32_t stream = 1; stream < 121; stream += 2)
+    calls += http2::headers(stream, "/trc.v1.TrcService/GetServerInfo") +
+             http2::frame(http2::data, 1, stream, std::string_view("\0\0\0\0\0", 5));
+  EXPECT_TRUE(connection.send_bytes(calls));
+  EXPECT_TRUE(eventually([&] { return server.log().find("STREAM_LIMIT") != std::string::npos; }));
+  EXPECT_TRUE(serves(server.address()));
+}
+
 TEST(Hostile, ConnectionsThatCarryMuchAreLeftAlone) {
   const ServerProcess server({"--admin-listen", "127.0.0.1:0"});
   const auto channel = channel_to(server.address());

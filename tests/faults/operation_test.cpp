@@ -35,13 +35,17 @@ using testing_support::ServerProcess;
 // A certificate that is its own authority, made for one test.
 struct MadeCertificate {
   MadeCertificate(const Folder& folder, const std::string& name,
-                  const std::string& alternative_names = "IP:127.0.0.1,DNS:localhost") {
+                  const std::string& alternative_names = "IP:127.0.0.1,DNS:localhost",
+                  const std::vector<std::string>& kind_of_key = {"ec", "-pkeyopt",
+                                                                 "ec_paramgen_curve:P-256"}) {
     const std::string cert_file = folder.path(name + ".pem");
     const std::string key_file = folder.path(name + ".key");
-    const auto made = testing_support::run(
-        {"/usr/bin/openssl", "req", "-x509", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:P-256",
-         "-nodes", "-days", "2", "-subj", "/CN=" + name, "-addext",
-         "subjectAltName=" + alternative_names, "-keyout", key_file, "-out", cert_file});
+    std::vector<std::string> command{"/usr/bin/openssl", "req", "-x509", "-newkey"};
+    command.insert(command.end(), kind_of_key.begin(), kind_of_key.end());
+    command.insert(command.end(), {"-nodes", "-days", "2", "-subj", "/CN=" + name, "-addext",
+                                   "subjectAltName=" + alternative_names, "-keyout", key_file,
+                                   "-out", cert_file});
+    const auto made = testing_support::run(command);
     EXPECT_EQ(made.code, 0) << made.err;
     cert = content_of(cert_file);
     key = content_of(key_file);
@@ -225,6 +229,52 @@ TEST(Certificates, ThatWouldBreakNewConnectionsLeaveTheOldOne) {
   server.signal(SIGHUP);
   EXPECT_TRUE(eventually([&] { return has_line(server, "certificate_taken"); }));
   EXPECT_TRUE(call(secure_channel(server.address(), trusting)).status.ok());
+}
+
+// gRPC takes such a pair, and then nobody gets in.
+TEST(Certificates, ThatNoClientCouldConnectToAreRefused) {
+  const Folder folder;
+  const MadeCertificate good(folder, "good");
+  const MadeCertificate weak(folder, "weak", "IP:127.0.0.1", {"rsa:1024"});
+  const MadeCertificate curve(folder, "curve", "IP:127.0.0.1",
+                              {"ec", "-pkeyopt", "ec_paramgen_curve:secp256k1"});
+  const Pair pair(folder);
+  pair.put(good.cert, good.key);
+  ServerProcess server(pair.flags());
+  grpc::SslCredentialsOptions trusting;
+  trusting.pem_root_certs = good.cert;
+  for (const MadeCertificate& bad : {weak, curve}) {
+    pair.put(bad.cert, bad.key);
+    std::vector<std::string> command{testing_support::trcd_program()};
+    for (const std::string& flag : pair.flags()) command.push_back(flag);
+    const auto ended = testing_support::run(command);
+    EXPECT_EQ(ended.code, 2);
+    EXPECT_NE(ended.err.find("no client could connect"), std::string::npos) << ended.err;
+    server.signal(SIGHUP);
+    EXPECT_TRUE(call(secure_channel(server.address(), trusting)).status.ok());
+  }
+  EXPECT_TRUE(eventually([&] { return has_line(server, "no client could connect"); }));
+  EXPECT_TRUE(call(secure_channel(server.address(), trusting)).status.ok());
+}
+
+TEST(Certificates, AuthoritiesThatHaveAllExpiredAreRefused) {
+  const Folder folder;
+  const MadeCertificate own(folder, "own");
+  const std::string expired =
+      signed_certificate(folder, "expired", "own", "20200101000000Z", "20200201000000Z");
+  const Pair pair(folder);
+  pair.put(own.cert, own.key);
+  std::vector<std::string> command{testing_support::trcd_program()};
+  for (const std::string& flag : pair.flags()) command.push_back(flag);
+  command.insert(command.end(), {"--tls-client-ca-file", folder.write("clients.pem", expired)});
+  const auto ended = testing_support::run(command);
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_NE(ended.err.find("clients.pem' have expired"), std::string::npos) << ended.err;
+  // Of two that overlap one may be.
+  folder.write("clients.pem", expired + own.cert);
+  std::vector<std::string> flags = pair.flags();
+  flags.insert(flags.end(), {"--tls-client-ca-file", folder.path("clients.pem")});
+  const ServerProcess server(flags);
 }
 
 TEST(Certificates, AuthoritiesAreReadToTheLastOne) {

@@ -164,8 +164,9 @@ TEST(Streams, WithATokenOfAnotherSetupAreRefused) {
 
 // --- large messages ----------------------------------------------------------------------------
 
-// Sends messages as large as they may be and reads no answer, until it is over.
-void send_and_never_read(const std::string& address, const std::atomic<bool>& over) {
+// Sends that text again and again, each time as one message, and reads no answer, until it is over.
+void send_and_never_read(const std::string& address, const std::string& text,
+                         const std::atomic<bool>& over) {
   grpc::ClientContext context;
   const auto stub = v1::TrcService::NewStub(channel_to(address));
   const auto stream = stub->CompensateProgram(&context);
@@ -173,7 +174,6 @@ void send_and_never_read(const std::string& address, const std::atomic<bool>& ov
     while (!over) std::this_thread::sleep_for(milliseconds(50));
     context.TryCancel();
   });
-  const std::string text = zigzag(1'000'000, false);
   bool sends = stream->Write(server::setup_request(v1::ProgramSetup()));
   for (std::uint64_t at = 0; sends; at += text.size())
     sends = stream->Write(server::text_request(at, text, false));
@@ -181,9 +181,13 @@ void send_and_never_read(const std::string& address, const std::atomic<bool>& ov
   stream->Finish();
 }
 
-// gRPC ends whatever stream it comes upon when its buffers are full: they are large enough.
-TEST(Streams, OfOthersOutliveAClientOfLargeMessages) {
+class LargeMessages : public testing::TestWithParam<std::size_t> {};
+
+// gRPC ends whatever stream it comes upon when its buffers are full: they are large enough, and who
+// fills them with messages that nobody takes is shut out.
+TEST_P(LargeMessages, OfAClientAreOutlivedByOthers) {
   constexpr int hostile_streams = 40;
+  const std::string large = zigzag(GetParam(), false);
   const Folder folder;
   const std::string socket = "unix:" + folder.path("socket");
   const ServerProcess server({"--admin-listen", "127.0.0.1:0", "--memory-limit-mib", "512"},
@@ -197,7 +201,7 @@ TEST(Streams, OfOthersOutliveAClientOfLargeMessages) {
   std::atomic<bool> over = false;
   std::vector<std::thread> hostile;
   for (int i = 0; i < hostile_streams; ++i)
-    hostile.emplace_back([&] { send_and_never_read(server.address(), over); });
+    hostile.emplace_back([&] { send_and_never_read(server.address(), large, over); });
   std::vector<std::unique_ptr<Process>> honest;
   for (int i = 0; i < 3; ++i)
     honest.push_back(std::make_unique<Process>(std::vector<std::string>{
@@ -211,6 +215,9 @@ TEST(Streams, OfOthersOutliveAClientOfLargeMessages) {
   for (std::thread& one : hostile) one.join();
   expect_nothing_is_left(server);
 }
+
+// As large as a message may be, and larger.
+INSTANTIATE_TEST_SUITE_P(Streams, LargeMessages, testing::Values(1'000'000U, 16'000'000U));
 
 // --- surveys ----------------------------------------------------------------------------------
 
