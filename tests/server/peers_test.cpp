@@ -1,10 +1,17 @@
 #include "server/resources/peers.h"
 
+#include <grpcpp/grpcpp.h>
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <string>
 #include <thread>
 #include <vector>
+
+#include "server/in_process.h"
+#include "server/rpc/caller.h"
+#include "tests/server/calls.h"
+#include "trc/v1/trc_service.grpc.pb.h"
 
 namespace trc::server {
 namespace {
@@ -57,6 +64,38 @@ TEST(Peers, AreNamedByTheirAddress) {
   EXPECT_EQ(peer_of_address("unix:/run/trcd.sock"), "unix");
   EXPECT_EQ(peer_of_address("inproc"), "inproc");
   EXPECT_EQ(peer_of_address(""), "");
+}
+
+// A stream that is open as long as this object, for a client of HTTP.
+struct StreamOfHttp {
+  StreamOfHttp(v1::TrcService::Stub& stub, const std::string& client) {
+    context.AddMetadata(client_of_http, client);
+    stream = stub.CompensatePath(&context);
+    v1::CompensatePathResponse response;
+    accepted = stream->Write(setup_request(v1::PathSetup())) && stream->Read(&response);
+  }
+  ~StreamOfHttp() {
+    context.TryCancel();
+    stream->Finish();
+  }
+  StreamOfHttp(const StreamOfHttp&) = delete;
+  StreamOfHttp& operator=(const StreamOfHttp&) = delete;
+
+  grpc::ClientContext context;
+  std::unique_ptr<grpc::ClientReaderWriter<v1::CompensatePathRequest, v1::CompensatePathResponse>>
+      stream;
+  bool accepted = false;
+};
+
+TEST(Peers, OfHttpAreThoseWhoAsk) {
+  Config config = InProcessServer::quiet();
+  config.max_streams_per_peer = 1;
+  const InProcessServer server(config);
+  const auto stub = v1::TrcService::NewStub(server.channel());
+  const StreamOfHttp one(*stub, "192.0.2.7");
+  EXPECT_TRUE(one.accepted);
+  EXPECT_FALSE(StreamOfHttp(*stub, "192.0.2.7").accepted);
+  EXPECT_TRUE(StreamOfHttp(*stub, "192.0.2.8").accepted);
 }
 
 }  // namespace
