@@ -16,8 +16,8 @@
 #include "client/cli/program_options.h"
 #include "client/cli/told.h"
 #include "proto/wire/settings.h"
-#include "server/address.h"
 #include "server/http/view/store.h"
+#include "server/net/address.h"
 #include "server/server.h"
 
 namespace trc::cli {

@@ -9,12 +9,12 @@
 #include <utility>
 #include <vector>
 
-#include "server/address.h"
 #include "server/http/connect.h"
 #include "server/http/handlers.h"
 #include "server/http/problem.h"
 #include "server/http/questions.h"
-#include "server/worker_pool.h"
+#include "server/net/address.h"
+#include "server/work/worker_pool.h"
 
 namespace trc::server::http {
 namespace {

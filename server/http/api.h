@@ -19,7 +19,7 @@
 #include "server/http/rpc_call.h"
 #include "server/http/service.h"
 #include "server/http/view/store.h"
-#include "server/worker_pool.h"
+#include "server/work/worker_pool.h"
 
 namespace trc::server::http {
 

@@ -1,4 +1,4 @@
-#include "server/config_file.h"
+#include "server/config/config_file.h"
 
 #include <toml++/toml.h>
 #include <yaml-cpp/yaml.h>
@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include "server/config.h"
-#include "server/config_settings.h"
+#include "server/config/config.h"
+#include "server/config/config_settings.h"
 
 namespace trc::server {
 namespace {

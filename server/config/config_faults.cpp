@@ -1,8 +1,8 @@
 #include <utility>
 
-#include "server/address.h"
-#include "server/config.h"
-#include "server/plain_file.h"
+#include "server/config/config.h"
+#include "server/config/plain_file.h"
+#include "server/net/address.h"
 
 namespace trc::server {
 namespace {

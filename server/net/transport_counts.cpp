@@ -1,4 +1,4 @@
-#include "server/transport_counts.h"
+#include "server/net/transport_counts.h"
 
 #include <grpc/grpc.h>
 #include <grpc/support/alloc.h>

@@ -1,4 +1,4 @@
-#include "server/pulse.h"
+#include "server/work/pulse.h"
 
 #include <algorithm>
 

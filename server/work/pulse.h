@@ -3,7 +3,7 @@
 #include <atomic>
 #include <chrono>
 
-#include "server/worker_pool.h"
+#include "server/work/worker_pool.h"
 
 namespace trc::server {
 

@@ -1,4 +1,4 @@
-#include "server/listener.h"
+#include "server/net/listener.h"
 
 #include <netdb.h>
 #include <netinet/in.h>
@@ -19,7 +19,7 @@
 #include <new>
 #include <utility>
 
-#include "server/address.h"
+#include "server/net/address.h"
 #include "server/resources/round.h"
 
 namespace trc::server {

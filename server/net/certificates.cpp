@@ -1,4 +1,4 @@
-#include "server/certificates.h"
+#include "server/net/certificates.h"
 
 #include <openssl/bio.h>
 #include <openssl/err.h>
@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "server/plain_file.h"
+#include "server/config/plain_file.h"
 
 namespace trc::server {
 namespace {

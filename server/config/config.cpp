@@ -1,4 +1,4 @@
-#include "server/config.h"
+#include "server/config/config.h"
 
 #include <unistd.h>
 
@@ -10,10 +10,10 @@
 #include <string_view>
 
 #include "core/base/version.h"
-#include "server/address.h"
-#include "server/config_file.h"
-#include "server/config_settings.h"
-#include "server/plain_file.h"
+#include "server/config/config_file.h"
+#include "server/config/config_settings.h"
+#include "server/config/plain_file.h"
+#include "server/net/address.h"
 
 namespace trc::server {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "server/config.h"
+#include "server/config/config.h"
 
 namespace trc::server {
 

@@ -1,4 +1,4 @@
-#include "server/plain_file.h"
+#include "server/config/plain_file.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "server/listener.h"
+#include "server/net/listener.h"
 
 namespace trc::server {
 

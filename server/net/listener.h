@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "server/connections.h"
+#include "server/net/connections.h"
 
 namespace trc::server {
 

@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "server/turn_queue.h"
+#include "server/work/turn_queue.h"
 
 namespace trc::server {
 

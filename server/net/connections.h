@@ -10,7 +10,7 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "server/transport_counts.h"
+#include "server/net/transport_counts.h"
 
 namespace trc::server {
 

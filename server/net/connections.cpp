@@ -1,4 +1,4 @@
-#include "server/connections.h"
+#include "server/net/connections.h"
 
 #include <arpa/inet.h>
 #include <linux/tcp.h>

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "server/certificates.h"
+#include "server/net/certificates.h"
 
 namespace trc::server {
 
