@@ -11,7 +11,7 @@
 #include "core/nc/program/program_reader.h"
 #include "core/nc/state/block.h"
 #include "core/nc/state/program_state.h"
-#include "core/session/session.h"
+#include "core/session/path_session.h"
 
 namespace trc::survey {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/diagnostic.h"
-#include "core/session/session.h"
+#include "core/session/path_session.h"
 #include "core/survey/reading.h"
 #include "core/verify/clearance.h"
 #include "core/verify/selection_walls.h"

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/session/session.h"
+#include "core/session/path_session.h"
 #include "proto/wire/block.h"
 #include "proto/wire/compensated_batch_bytes.h"
 #include "proto/wire/compensated_block.h"

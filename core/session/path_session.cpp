@@ -1,4 +1,4 @@
-#include "core/session/session.h"
+#include "core/session/path_session.h"
 
 #include <algorithm>
 #include <iterator>
