@@ -14,7 +14,7 @@
 #include "client/cli/command.h"
 #include "client/cli/files.h"
 #include "client/cli/program_options.h"
-#include "client/cli/told.h"
+#include "client/cli/speech.h"
 #include "proto/wire/settings.h"
 #include "server/http/view/store.h"
 #include "server/net/address.h"

@@ -1,4 +1,4 @@
-#include "client/cli/untouched.h"
+#include "client/cli/untouched_walls.h"
 
 #include <cmath>
 #include <variant>
@@ -32,8 +32,8 @@ double distance_to_course(const Segment& block, const Point& point) {
 
 }  // namespace
 
-Untouched::Untouched(const std::vector<Block>& programmed,
-                     const std::vector<CompensatedBlock>& path) {
+UntouchedWalls::UntouchedWalls(const std::vector<Block>& programmed,
+                               const std::vector<CompensatedBlock>& path) {
   std::map<Place, Point> middle_of;
   for (const CompensatedBlock& block : path)
     if (is_on_contour(block))
@@ -54,7 +54,7 @@ Untouched::Untouched(const std::vector<Block>& programmed,
   }
 }
 
-Untouched::Reason Untouched::reason_of(const verify::UncutWall& wall) const {
+UntouchedWalls::Reason UntouchedWalls::reason_of(const verify::UncutWall& wall) const {
   const auto found = place_of_.find({wall.source.index, wall.source.part});
   if (found == place_of_.end()) return Reason::farther_away;
   const std::size_t place = found->second;
@@ -75,7 +75,7 @@ Untouched::Reason Untouched::reason_of(const verify::UncutWall& wall) const {
   return Reason::inside_corner;
 }
 
-void Untouched::add(const verify::UncutWall& wall) {
+void UntouchedWalls::add(const verify::UncutWall& wall) {
   Share& share = shares_[static_cast<std::size_t>(reason_of(wall))];
   const double length = verify::extent_of(wall.path);
   share.length += length;

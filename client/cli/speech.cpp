@@ -1,4 +1,4 @@
-#include "client/cli/told.h"
+#include "client/cli/speech.h"
 
 #include <array>
 #include <iostream>

@@ -14,7 +14,7 @@
 namespace trc::cli {
 
 // The walls that a path does not touch, by why it does not.
-class Untouched {
+class UntouchedWalls {
  public:
   enum class Reason : std::uint8_t {
     inside_corner,  // a round tool does not reach into one without a fillet
@@ -31,7 +31,7 @@ class Untouched {
     Source longest_at{};
   };
 
-  Untouched(const std::vector<Block>& programmed, const std::vector<CompensatedBlock>& path);
+  UntouchedWalls(const std::vector<Block>& programmed, const std::vector<CompensatedBlock>& path);
   void add(const verify::UncutWall& wall);
   [[nodiscard]] const Share& of(Reason reason) const {
     return shares_[static_cast<std::size_t>(reason)];
