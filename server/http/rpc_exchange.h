@@ -65,7 +65,7 @@ class PreparedQuestions final : public Questions {
 // Answers a request with what an RPC of this process says. What fits into the memory an answer may
 // be held back in is sent when it is known how it ends, so that its status is true; of what does
 // not fit the status comes first, and one that stops is broken off.
-class Run : public std::enable_shared_from_this<Run> {
+class RpcExchange : public std::enable_shared_from_this<RpcExchange> {
  public:
   static void start(Api& api, ExchangePointer exchange, std::string method,
                     std::unique_ptr<Questions> questions, std::shared_ptr<Format> format) {
@@ -76,8 +76,8 @@ class Run : public std::enable_shared_from_this<Run> {
                     std::unique_ptr<Questions> questions, std::shared_ptr<Format> format);
 
  private:
-  Run(Api& api, ExchangePointer exchange, std::unique_ptr<Questions> questions,
-      std::shared_ptr<Format> format);
+  RpcExchange(Api& api, ExchangePointer exchange, std::unique_ptr<Questions> questions,
+              std::shared_ptr<Format> format);
 
   void ask();
   void read();

@@ -1,4 +1,4 @@
-#include "server/http/run.h"
+#include "server/http/rpc_exchange.h"
 
 #include <algorithm>
 #include <iterator>
@@ -12,29 +12,29 @@ constexpr std::size_t most_held_bytes = 1U << 20U;
 
 }  // namespace
 
-void Run::start(Api& api, ExchangePointer exchange, RpcCall::Options call,
-                std::unique_ptr<Questions> questions, std::shared_ptr<Format> format) {
-  const std::shared_ptr<Run> run(
-      new Run(api, std::move(exchange), std::move(questions), std::move(format)));
-  run->call_ =
-      api.call(std::move(call), run->exchange_->request(), [run](const grpc::Status& status) {
-        run->exchange_->post([run, status] { run->on_done(status); });
+void RpcExchange::start(Api& api, ExchangePointer exchange, RpcCall::Options call,
+                        std::unique_ptr<Questions> questions, std::shared_ptr<Format> format) {
+  const std::shared_ptr<RpcExchange> self(
+      new RpcExchange(api, std::move(exchange), std::move(questions), std::move(format)));
+  self->call_ =
+      api.call(std::move(call), self->exchange_->request(), [self](const grpc::Status& status) {
+        self->exchange_->post([self, status] { self->on_done(status); });
       });
-  run->exchange_->when_gone([run] { run->give_up(); });
+  self->exchange_->when_gone([self] { self->give_up(); });
   // In this order: within one process the only answer of a unary RPC is lost where nobody reads yet
   // when its status comes.
-  run->read();
-  run->ask();
+  self->read();
+  self->ask();
 }
 
-Run::Run(Api& api, ExchangePointer exchange, std::unique_ptr<Questions> questions,
-         std::shared_ptr<Format> format)
+RpcExchange::RpcExchange(Api& api, ExchangePointer exchange, std::unique_ptr<Questions> questions,
+                         std::shared_ptr<Format> format)
     : api_(api),
       exchange_(std::move(exchange)),
       questions_(std::move(questions)),
       format_(std::move(format)) {}
 
-void Run::ask() {
+void RpcExchange::ask() {
   bool last = false;
   const grpc::ByteBuffer message = questions_->next(last);
   call_->write(message, last, [self = shared_from_this(), last](bool ok) {
@@ -42,13 +42,13 @@ void Run::ask() {
   });
 }
 
-void Run::read() {
+void RpcExchange::read() {
   call_->read([self = shared_from_this()](bool ok, const grpc::ByteBuffer& answer) {
     self->on_answer(ok, answer);
   });
 }
 
-void Run::on_answer(bool ok, const grpc::ByteBuffer& answer) {
+void RpcExchange::on_answer(bool ok, const grpc::ByteBuffer& answer) {
   // The status follows.
   if (!ok) return;
   const auto work = [self = shared_from_this(), answer] { self->format(answer); };
@@ -58,13 +58,13 @@ void Run::on_answer(bool ok, const grpc::ByteBuffer& answer) {
     work();
 }
 
-void Run::format(const grpc::ByteBuffer& answer) {
+void RpcExchange::format(const grpc::ByteBuffer& answer) {
   piece_.clear();
   too_much_ = too_much_ || !format_->take(answer, piece_);
   exchange_->post([self = shared_from_this()] { self->pass_on(); });
 }
 
-void Run::pass_on() {
+void RpcExchange::pass_on() {
   if (too_much_) call_->cancel();
   if (gone_ || too_much_) return read();
   const bool may_wait = !format_->streams() || held_.size() + piece_.size() <= most_held_bytes;
@@ -87,7 +87,7 @@ void Run::pass_on() {
   });
 }
 
-void Run::on_done(const grpc::Status& status) {
+void RpcExchange::on_done(const grpc::Status& status) {
   if (gone_) return exchange_->break_off();
   if (too_much_)
     return format_->refuse(exchange_, {grpc::StatusCode::RESOURCE_EXHAUSTED,
@@ -104,7 +104,7 @@ void Run::on_done(const grpc::Status& status) {
     close();
 }
 
-void Run::finish() {
+void RpcExchange::finish() {
   if (!begun_) {
     Head head = format_->head();
     std::ranges::move(headers_at_end(), std::back_inserter(head.headers));
@@ -116,13 +116,13 @@ void Run::finish() {
                    });
 }
 
-Pairs Run::headers_at_end() const {
+Pairs RpcExchange::headers_at_end() const {
   Pairs headers = format_->headers_at_end();
   headers.emplace_back("Trc-Status", "OK");
   return headers;
 }
 
-void Run::stop(const grpc::Status& status) {
+void RpcExchange::stop(const grpc::Status& status) {
   if (!begun_) return format_->refuse(exchange_, status);
   const bool is_said = format_->stop(status, held_);
   exchange_->write(std::exchange(held_, {}), [exchange = exchange_, is_said](bool taken) {
@@ -134,7 +134,7 @@ void Run::stop(const grpc::Status& status) {
   });
 }
 
-void Run::give_up() {
+void RpcExchange::give_up() {
   gone_ = true;
   call_->cancel();
 }
