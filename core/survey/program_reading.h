@@ -23,7 +23,7 @@ using Reader = std::function<void(ProgramState& state, Diagnostics& log)>;
                                  Checkpoint::Interrupt interrupt);
 
 // A program as it was read with one radius in the place of all its own.
-struct Reading {
+struct ProgramReading {
   double radius = 0;  // ProgramSetup::every_radius
   std::vector<Block> blocks{};
   std::vector<RadiusUse> uses{};  // of every mode that a block has
@@ -34,7 +34,8 @@ struct Reading {
   ProgramPlaces places{};
   bool refused = false;
 };
-[[nodiscard]] Reading read_with(double radius, const SessionSetup& session, const Reader& reader);
+[[nodiscard]] ProgramReading read_with(double radius, const SessionSetup& session,
+                                       const Reader& reader);
 
 // What is changed in the modes of a reading.
 struct ModeChange {
@@ -45,7 +46,7 @@ struct ModeChange {
 // The modes of a reading for another radius: what reading it with that would have given.
 class ChangedModes {
  public:
-  ChangedModes(const Reading& reading, const ModeChange& change);
+  ChangedModes(const ProgramReading& reading, const ModeChange& change);
 
   // Makes `result` the block with the changed mode; it keeps the memory it has.
   void change(const Block& block, Block& result);

@@ -1,4 +1,4 @@
-#include "core/survey/reading.h"
+#include "core/survey/program_reading.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,8 +37,8 @@ Reader text_reader(std::string_view text, const ReaderLimits& limits,
   };
 }
 
-Reading read_with(double radius, const SessionSetup& session, const Reader& reader) {
-  Reading reading{.radius = radius};
+ProgramReading read_with(double radius, const SessionSetup& session, const Reader& reader) {
+  ProgramReading reading{.radius = radius};
   ProgramSetup setup = program_setup(session);
   setup.every_radius = radius;
   Diagnostics log;
@@ -55,7 +55,7 @@ Reading read_with(double radius, const SessionSetup& session, const Reader& read
   return reading;
 }
 
-ChangedModes::ChangedModes(const Reading& reading, const ModeChange& change)
+ChangedModes::ChangedModes(const ProgramReading& reading, const ModeChange& change)
     : change_(change), at_end_(changed(reading.at_end, reading.use_at_end, reading.radius)) {
   modes_.reserve(reading.uses.size());
   for (const RadiusUse& use : reading.uses)
