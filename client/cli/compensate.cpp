@@ -20,8 +20,8 @@
 #include "client/cli/speech.h"
 #include "client/cli/summary_line.h"
 #include "client/cli/verbose_text.h"
+#include "core/nc/convert/conversion.h"
 #include "core/nc/dialect/dialect.h"
-#include "core/session/conversion.h"
 #include "proto/wire/setup.h"
 
 namespace trc::cli {

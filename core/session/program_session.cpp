@@ -11,6 +11,7 @@
 #include "core/nc/program/program_reader.h"
 #include "core/nc/text/number_format.h"
 #include "core/nc/writer/nc_writer.h"
+#include "core/nc/writer/writer_setup.h"
 #include "core/trc/state_archive.h"
 
 namespace trc {
@@ -24,26 +25,6 @@ constexpr std::size_t bytes_per_piece = 8 * 1024;
 // on its way; if one is, they may take so many bytes.
 constexpr std::uint64_t silent_lines_per_release = 256;
 constexpr std::size_t most_silent_bytes = 16 * 1024 * 1024;
-
-NcWriter::Setup writer_setup(const ProgramSessionSetup& setup) {
-  const ProgramSetup& program = setup.session.program;
-  const Dialect& dialect = dialect_of(program.dialect);
-  const bool klartext = dialect.name == DialectName::heidenhain;
-  // Decimals out of range are refused before anything is written.
-  NcWriter::Setup writer{.decimals = std::clamp(program.decimals, 0, most_decimals - 1),
-                         .start = program.start,
-                         .motion = dialect.motion.value_or(MotionKind::rapid),
-                         .absolute_center = program.absolute_center || klartext,
-                         .plane = program.mode.plane,
-                         .inch = program.inch,
-                         .spelling = {.points = dialect.writes_points, .klartext = klartext},
-                         .renumbers = program.renumbers};
-  for (const std::string& axis : program.tracking_axes) {
-    writer.tracking_letters += axis.size() == 1 ? axis.front() : '?';
-    writer.tracking_names.push_back(axis.size() == 1 ? "" : axis);
-  }
-  return writer;
-}
 
 constexpr double same_place = 1e-9;  // mm
 
@@ -79,7 +60,7 @@ struct ProgramSession::Parts {
         path(setup.session),
         reader({.longest_line = setup.longest_line, .most_faults = setup.most_faults},
                path.program(), path.found(), setup.session.compensator.interrupt),
-        writer(writer_setup(setup)),
+        writer(writer_setup(setup.session.program, dialect_of(setup.session.program.dialect))),
         meaning{.end = setup.session.program.start},
         to_writer([this](Answer& part) { return write(part); }) {
     if (const Dialect& dialect = dialect_of(setup.session.program.dialect); !dialect.available)

@@ -1,19 +1,29 @@
-#include "core/session/conversion.h"
+#include "core/nc/convert/conversion.h"
 
 #include <algorithm>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "core/nc/convert/converted_comments.h"
+#include "core/nc/convert/plain_words.h"
 #include "core/nc/dialect/dialect.h"
 #include "core/nc/dialect/interpreter.h"
 #include "core/nc/text/characters.h"
 #include "core/nc/writer/nc_writer.h"
-#include "core/session/converted_comments.h"
-#include "core/session/plain_words.h"
+#include "core/nc/writer/writer_setup.h"
 
 namespace trc {
 namespace {
+
+// Plain programs are in mm, have centres as the dialect begins with them and axes of one letter.
+NcWriter::Setup plain_setup(const ProgramSetup& setup, const Dialect& to) {
+  NcWriter::Setup plain = writer_setup(setup, to);
+  plain.absolute_center = to.name == DialectName::heidenhain;
+  plain.inch = plain.renumbers = false;
+  plain.tracking_names.clear();
+  return plain;
+}
 
 class Conversion {
  public:
@@ -21,13 +31,8 @@ class Conversion {
       : to_(dialect_of(to)),
         setup_(setup),
         klartext_(to == DialectName::heidenhain),
-        writer_({.decimals = setup.decimals,
-                 .start = setup.start,
-                 .motion = to_.motion.value_or(MotionKind::rapid),
-                 .absolute_center = klartext_,
-                 .plane = setup.mode.plane,
-                 .spelling = {.points = to_.writes_points, .klartext = klartext_},
-                 .tracking_letters = letters_of(setup)}),
+        written_(plain_setup(setup, to_)),
+        writer_(written_),
         words_(setup, to),
         place_(setup.start),
         plane_(setup.mode.plane) {}
@@ -35,13 +40,6 @@ class Conversion {
   ConvertedProgram run(std::string_view program);
 
  private:
-  static std::string letters_of(const ProgramSetup& setup) {
-    std::string letters;
-    for (const std::string& axis : setup.tracking_axes)
-      letters += axis.size() == 1 ? axis.front() : '?';
-    return letters;
-  }
-
   bool write_line(const ProgramLine& line, std::vector<Block>& blocks);
   void write_text(const std::string& text, RoleSet roles = 0);
   bool write_tool(const ProgramLine& line, PlainWords& words);
@@ -58,6 +56,7 @@ class Conversion {
   const Dialect& to_;
   const ProgramSetup& setup_;
   bool klartext_;
+  NcWriter::Setup written_;
   NcWriter writer_;
   PlainWordsReader words_;
   ConvertedProgram result_{};
@@ -134,11 +133,10 @@ AxisSet Conversion::axes_named(const ProgramLine& line) const {
   if (line.klartext) return line.klartext->axes;
   AxisSet named = line.main_axes;
   if (!line.names_other_axes) return named;
-  const std::string letters = letters_of(setup_);
   for (const WordRange& word : line.words) {
     if (word.role != WordRole::coordinate) continue;
     if (is_polar(line, word)) named |= 7;
-    const std::size_t axis = letters.find(upper(line.text[word.begin]));
+    const std::size_t axis = written_.tracking_letters.find(upper(line.text[word.begin]));
     if (axis != std::string::npos && names_an_axis(line, word)) named |= axis_bit(3 + axis);
   }
   return named;
@@ -164,7 +162,7 @@ LinePointer Conversion::line_of_motion(const ProgramLine& line, std::string_view
   if (klartext_) {
     written->klartext = KlartextLine{.axes = named};
   } else {
-    const std::string letters = "XYZ" + letters_of(setup_);
+    const std::string letters = "XYZ" + written_.tracking_letters;
     for (std::size_t axis = 0; axis < letters.size(); ++axis)
       if ((named & axis_bit(axis)) != 0)
         add(std::string_view(letters).substr(axis, 1), WordRole::coordinate);

@@ -1,4 +1,4 @@
-#include "core/session/converted_comments.h"
+#include "core/nc/convert/converted_comments.h"
 
 #include <algorithm>
 #include <array>

@@ -1,14 +1,14 @@
-#include "core/session/plain_words.h"
+#include "core/nc/convert/plain_words.h"
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
+#include "core/nc/convert/converted_comments.h"
 #include "core/nc/dialect/klartext_block.h"
 #include "core/nc/text/characters.h"
 #include "core/nc/text/klartext_tool_words.h"
 #include "core/nc/text/words.h"
-#include "core/session/converted_comments.h"
 
 namespace trc {
 namespace {

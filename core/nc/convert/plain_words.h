@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
+#include "core/nc/convert/conversion.h"
 #include "core/nc/dialect/dialect.h"
 #include "core/nc/state/program_line.h"
 #include "core/nc/state/program_setup.h"
-#include "core/session/conversion.h"
 
 namespace trc {
 
