@@ -91,7 +91,8 @@ std::optional<bool> unit_of(const survey::ProgramReading& reading) {
   return std::nullopt;
 }
 
-// The same of a program that is not read to its end: whole lines of the begin, until there is one.
+// Whether a program counts in inch at its first contour, of which as many lines are read as it
+// takes.
 bool counts_in_inch(const v1::SurveySetup& setup, const std::string& text) {
   constexpr std::size_t first_bytes = 16 * 1024;
   for (std::size_t bytes = first_bytes;; bytes *= 4) {

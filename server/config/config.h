@@ -15,9 +15,9 @@ struct Config {
   std::vector<std::string> listen = {"127.0.0.1:50051"};
   // Allows plain text on an address other machines can reach.
   bool insecure = false;
-  // The same for the health port alone.
+  // Allows plain text there to the health port alone.
   bool insecure_health = false;
-  // The same for the admin port, which speaks no TLS.
+  // Allows the admin port there, which speaks no TLS.
   bool insecure_admin = false;
 
   // PEM files. A certificate switches TLS on for TCP; the client CA makes client certificates

@@ -40,7 +40,7 @@ class WorkerPool {
 
   // The job must live until its turn is over, and its group as long.
   void submit(Job& job, Group& group);
-  // The same in a group of those that name none.
+  // For jobs that name no group: they share one.
   void submit(Job& job) { submit(job, others_); }
 
   // To be called again and again in a turn that may take long. Once it has computed for
