@@ -140,6 +140,7 @@ void declare_sizes(Settings& settings, Config& config) {
                   "threads that compute; 0: one per core");
   settings.number("max-message-bytes", config.max_message_bytes, 4096, 1U << 30U,
                   "largest message in either direction");
+  // Clients begin with batches of 1024 before they know the limits (D-58).
   settings.number("max-blocks-per-batch", config.max_blocks_per_batch, 1024, 1'000'000,
                   "most blocks in one request");
   settings.number("max-batches-in-flight", config.max_batches_in_flight, 1, 1024,
