@@ -2,16 +2,16 @@
 
 #include <string>
 
-#include "server/config.h"
-#include "server/open_streams.h"
-#include "server/pulse.h"
+#include "server/config/config.h"
 #include "server/resources/memory_budget.h"
 #include "server/resources/memory_watch.h"
 #include "server/resources/peers.h"
 #include "server/rpc/resume_tokens.h"
 #include "server/rpc/run_taps.h"
 #include "server/telemetry/telemetry.h"
-#include "server/worker_pool.h"
+#include "server/work/open_streams.h"
+#include "server/work/pulse.h"
+#include "server/work/worker_pool.h"
 
 namespace trc::server {
 

@@ -15,7 +15,7 @@
 #include <thread>
 
 #include "core/base/version.h"
-#include "server/config.h"
+#include "server/config/config.h"
 #include "server/resources/heap_reserve.h"
 #include "server/resources/round.h"
 #include "server/resources/thread_reserve.h"

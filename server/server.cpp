@@ -9,8 +9,8 @@
 #include <system_error>
 #include <utility>
 
-#include "server/address.h"
-#include "server/credentials.h"
+#include "server/net/address.h"
+#include "server/net/credentials.h"
 #include "server/resources/limits.h"
 
 namespace trc::server {

@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "server/backend.h"
-#include "server/certificates.h"
 #include "server/http/http_server.h"
-#include "server/listener.h"
+#include "server/net/certificates.h"
+#include "server/net/listener.h"
 #include "server/rpc/reflection.h"
 #include "server/service.h"
 #include "server/telemetry/admin.h"

@@ -1,7 +1,7 @@
 # Fails when a folder includes what it must not know. Run: cmake -D ROOT=<source tree> -P layers.cmake
 #
-#   base <- geometry <- nc/text <- nc/state <- nc/dialect <- nc/program <- trc <- nc/writer <- verify <- session <- survey
-#   survey <- wire <- server, client
+#   base <- geometry <- nc/text <- nc/state <- nc/dialect <- nc/program <- trc <- nc/writer <- nc/convert
+#   nc/convert <- verify <- session <- survey <- wire <- server, client
 #
 # Quoted includes name a file from the top of the source tree. What a folder may include is one
 # regular expression for these and one for the headers in angle brackets, the standard library's
@@ -29,7 +29,7 @@ endfunction()
 set(known "core/base/.*")
 # Memory goes back to the system by its pages.
 layer(core/base "${known}" "cereal/.*|sys/mman\\.h|unistd\\.h")
-foreach(folder geometry nc/text nc/state nc/dialect nc/program trc nc/writer verify session survey)
+foreach(folder geometry nc/text nc/state nc/dialect nc/program trc nc/writer nc/convert verify session survey)
   string(APPEND known "|core/${folder}/.*")
   layer(core/${folder} "${known}" "Eigen/.*")
 endforeach()

@@ -17,11 +17,11 @@
 #include "client/cli/reporter.h"
 #include "client/cli/result_text.h"
 #include "client/cli/service.h"
+#include "client/cli/speech.h"
 #include "client/cli/summary_line.h"
-#include "client/cli/told.h"
 #include "client/cli/verbose_text.h"
+#include "core/nc/convert/conversion.h"
 #include "core/nc/dialect/dialect.h"
-#include "core/session/conversion.h"
 #include "proto/wire/setup.h"
 
 namespace trc::cli {

@@ -8,7 +8,7 @@
 
 #include "client/cli/command.h"
 #include "client/cli/program_options.h"
-#include "client/cli/told.h"
+#include "client/cli/speech.h"
 #include "core/base/diagnostic.h"
 #include "core/base/explanation.h"
 #include "core/base/german_explanation.h"

@@ -15,7 +15,7 @@
 #include <utility>
 
 #include "client/cli/file_name.h"
-#include "client/cli/told.h"
+#include "client/cli/speech.h"
 
 namespace trc::cli {
 namespace {

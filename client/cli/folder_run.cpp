@@ -23,7 +23,7 @@
 #include "client/cli/program_options.h"
 #include "client/cli/progress.h"
 #include "client/cli/signals.h"
-#include "client/cli/told.h"
+#include "client/cli/speech.h"
 #include "client/cli/workers.h"
 #include "core/base/text_width.h"
 #include "core/base/version.h"

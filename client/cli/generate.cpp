@@ -4,7 +4,7 @@
 #include "client/cli/command.h"
 #include "client/cli/files.h"
 #include "client/cli/program_options.h"
-#include "client/cli/told.h"
+#include "client/cli/speech.h"
 #include "client/load/sample_program.h"
 
 namespace trc::cli {

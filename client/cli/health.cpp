@@ -5,7 +5,7 @@
 #include "client/cli/command.h"
 #include "client/cli/program_options.h"
 #include "client/cli/service.h"
-#include "client/cli/told.h"
+#include "client/cli/speech.h"
 
 namespace trc::cli {
 namespace {

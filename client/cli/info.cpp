@@ -7,7 +7,7 @@
 #include "client/cli/program_info.h"
 #include "client/cli/program_options.h"
 #include "client/cli/service.h"
-#include "client/cli/told.h"
+#include "client/cli/speech.h"
 #include "proto/wire/setup.h"
 
 namespace trc::cli {

@@ -11,7 +11,7 @@
 #include "client/cli/command.h"
 #include "client/cli/program_options.h"
 #include "client/cli/service.h"
-#include "client/cli/told.h"
+#include "client/cli/speech.h"
 #include "client/load/generator.h"
 #include "client/load/load_report.h"
 #include "client/load/process_meter.h"

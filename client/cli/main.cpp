@@ -15,7 +15,7 @@
 #include "client/cli/completion.h"
 #include "client/cli/german_help.h"
 #include "client/cli/program_options.h"
-#include "client/cli/told.h"
+#include "client/cli/speech.h"
 #include "client/cli/wrong_call.h"
 #include "core/base/version.h"
 

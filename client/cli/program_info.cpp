@@ -10,7 +10,7 @@
 #include <variant>
 
 #include "client/cli/reporter.h"
-#include "client/cli/told.h"
+#include "client/cli/speech.h"
 #include "core/geometry/segment.h"
 #include "core/nc/dialect/dialect.h"
 

@@ -10,7 +10,7 @@
 
 #include "client/cli/computing_options.h"
 #include "client/cli/file_name.h"
-#include "client/cli/told.h"
+#include "client/cli/speech.h"
 #include "client/cli/tool_file.h"
 #include "core/base/utf8.h"
 #include "core/nc/dialect/dialect.h"

@@ -32,7 +32,7 @@ struct ProgramOptions {
   ServiceOptions service{};
 };
 void add_program_options(CLI::App& command, ProgramOptions& options);
-// The same but for the file.
+// All options of a program but its file.
 void add_setup_options(CLI::App& command, ProgramOptions& options);
 // Those alone that say what the setup is, not where the service is.
 void add_settings_options(CLI::App& command, ProgramOptions& options);

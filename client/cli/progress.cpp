@@ -6,19 +6,13 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/nc/text/number_format.h"
+#include "client/cli/fixed_text.h"
 
 namespace trc::cli {
 namespace {
 
 constexpr double bytes_per_mb = 1e6;
 constexpr std::chrono::milliseconds between{200};
-
-std::string fixed(double value, int decimals) {
-  std::string text;
-  append_fixed(text, value, decimals);
-  return text;
-}
 
 // Whole minutes from two on: what is left is no more than a guess.
 std::string span(double seconds) {

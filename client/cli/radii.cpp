@@ -15,11 +15,11 @@
 #include "client/cli/progress.h"
 #include "client/cli/reporter.h"
 #include "client/cli/service.h"
+#include "client/cli/speech.h"
 #include "client/cli/survey_text.h"
-#include "client/cli/told.h"
 #include "client/cli/verbose_text.h"
 #include "client/plot/survey_svg.h"
-#include "core/survey/reading.h"
+#include "core/survey/program_reading.h"
 #include "proto/wire/json.h"
 #include "proto/wire/setup.h"
 #include "proto/wire/survey.h"
@@ -75,7 +75,7 @@ Segment segment_of(Plane plane, const v1::UncutWall& wall) {
 }
 
 // The program is read here as well: blocks and units are not sent back.
-survey::Reading reading_of(const v1::SurveySetup& setup, const std::string& text) {
+survey::ProgramReading reading_of(const v1::SurveySetup& setup, const std::string& text) {
   wire::FieldFaults faults;
   const wire::SurveySettings settings = wire::from_proto(setup, wire::FieldPath("setup"), faults);
   const SessionSetup& session = settings.program.path.session;
@@ -84,14 +84,15 @@ survey::Reading reading_of(const v1::SurveySetup& setup, const std::string& text
 }
 
 // Whether it counts in inch at its first contour; nothing where it has none.
-std::optional<bool> unit_of(const survey::Reading& reading) {
+std::optional<bool> unit_of(const survey::ProgramReading& reading) {
   for (const Block& block : reading.blocks)
     if (const auto* motion = std::get_if<MotionBlock>(&block); motion && motion->mode->active())
       return reading.places.units.is_inch(motion->source.index);
   return std::nullopt;
 }
 
-// The same of a program that is not read to its end: whole lines of the begin, until there is one.
+// Whether a program counts in inch at its first contour, of which as many lines are read as it
+// takes.
 bool counts_in_inch(const v1::SurveySetup& setup, const std::string& text) {
   constexpr std::size_t first_bytes = 16 * 1024;
   for (std::size_t bytes = first_bytes;; bytes *= 4) {
@@ -102,7 +103,7 @@ bool counts_in_inch(const v1::SurveySetup& setup, const std::string& text) {
   }
 }
 
-plot::SurveyPicture picture_of(const std::string& name, const survey::Reading& reading,
+plot::SurveyPicture picture_of(const std::string& name, const survey::ProgramReading& reading,
                                const v1::SurveyAnswer& answer, Language language, bool inch,
                                const SurveyText& words) {
   plot::SurveyPicture picture{.language = language, .inch = inch, .title = name};
@@ -163,7 +164,7 @@ Exit run(const Call& call) {
   const SurveyText words(language, inch, names);
   if (!call.json) std::cout << words.table_of(answer);
   if (call.picture.empty()) return Exit::done;
-  const survey::Reading reading = reading_of(setup, text);
+  const survey::ProgramReading reading = reading_of(setup, text);
   Output output(call.picture);
   const std::string name = std::filesystem::path(input.name()).filename().string();
   return output.open() &&

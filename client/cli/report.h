@@ -49,7 +49,7 @@ struct Counted {
 
 // "part.nc: warning 22007: 12 more like it, in lines 8 (N80), 9 …". At least one was counted.
 [[nodiscard]] std::string more_like(const Counted& counted, const Shown& shown);
-// The same of messages that have one code, but not one text.
+// As more_like(), of messages that have one code, but not one text.
 [[nodiscard]] std::string more_of_code(const Counted& counted, const Shown& shown);
 
 // Whether what is written to standard error may be in colour: on a terminal that is not TERM=dumb,

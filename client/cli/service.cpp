@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "client/cli/told.h"
+#include "client/cli/speech.h"
 #include "client/trc/connection.h"
 #include "client/trc/remote_program_session.h"
 #include "client/trc/survey.h"

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/nc/text/number_format.h"
+#include "client/cli/fixed_text.h"
 #include "core/trc/result/compensated_block.h"
 
 namespace trc::cli {
@@ -20,12 +20,6 @@ std::string grouped(std::uint64_t count, Language language) {
     digits.insert(place, 1, between);
   }
   return digits;
-}
-
-std::string fixed(double value, int decimals) {
-  std::string text;
-  append_fixed(text, value, decimals);
-  return text;
 }
 
 }  // namespace

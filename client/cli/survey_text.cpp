@@ -5,20 +5,10 @@
 #include <cstddef>
 #include <vector>
 
+#include "client/cli/fixed_text.h"
 #include "core/base/text_width.h"
-#include "core/nc/text/number_format.h"
 
 namespace trc::cli {
-namespace {
-
-std::string fixed(double value, int decimals) {
-  std::string text;
-  append_fixed(text, value, decimals);
-  return text;
-}
-
-}  // namespace
-
 struct SurveyText::Words {
   std::array<const char*, column_count> head;
   const char* block;

@@ -6,11 +6,12 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <utility>
-#include <vector>
 
+#include "client/cli/csv_tools.h"
 #include "client/cli/files.h"
+#include "client/cli/heidenhain_tools.h"
 #include "client/cli/table_text.h"
+#include "client/cli/tool_table.h"
 #include "core/base/utf8.h"
 #include "core/nc/text/characters.h"
 #include "core/nc/text/number_format.h"
@@ -18,26 +19,10 @@
 namespace trc::cli {
 namespace {
 
-// A tool by its number, or by its name alone, and which of its edges.
-struct Key {
-  std::uint32_t number = 0;
-  std::string name{};  // empty: the number tells
-  std::uint32_t edge = 1;
-
-  auto operator<=>(const Key&) const = default;
-};
-
-struct Sizes {
-  double radius = 0;
-  double wear = 0;
-  bool has_radius = true;
-
-  bool operator==(const Sizes&) const = default;
-};
-
-class Table {
+// Reads the lines of a table, whatever its format.
+class ToolFile {
  public:
-  explicit Table(v1::ProgramSetup& setup)
+  explicit ToolFile(v1::ProgramSetup& setup)
       : setup_(setup), unit_(setup.unit() == v1::LENGTH_UNIT_INCH ? mm_per_inch : 1) {}
 
   std::string read(std::string_view text) {
@@ -57,73 +42,33 @@ class Table {
         return "line " + std::to_string(line_number) + ": " + fault;
     }
     take_edges();
-    if (tools_.empty()) return "it names no tool with a radius";
-    if (!columns_.empty())
-      unit_unsaid_ = !table_unit_ && std::ranges::find(columns_, "UNIT") == columns_.end();
+    if (table_.empty()) return "it names no tool with a radius";
+    if (csv_.has_header())
+      unit_unsaid_ = csv_.unit_unsaid();
     else
-      unit_unsaid_ = !heidenhain_ && !unit_said_ && setup_.unit() == v1::LENGTH_UNIT_UNSPECIFIED;
-    for (const auto& [key, sizes] : tools_) {
-      if (!sizes.has_radius) return text_of(key) + " has wear, but no radius";
-      v1::Tool& tool = *setup_.add_tools();
-      tool.set_number(key.number);
-      const auto name = names_.find(key.number);
-      if (!key.name.empty() || name != names_.end())
-        tool.set_name(key.name.empty() ? name->second : key.name);
-      if (key.edge != 1) tool.set_edge(key.edge);
-      tool.set_radius(sizes.radius);
-      tool.set_wear(sizes.wear);
-    }
-    return {};
+      unit_unsaid_ =
+          !heidenhain_.has_begun() && !unit_said_ && setup_.unit() == v1::LENGTH_UNIT_UNSPECIFIED;
+    return table_.write(setup_);
   }
 
   [[nodiscard]] bool unit_unsaid() const { return unit_unsaid_; }
 
  private:
-  static constexpr char comma = ',';
-  static constexpr char semicolon = ';';
-
-  static std::string text_of(const Key& key) {
-    const std::string tool = key.name.empty() ? std::to_string(key.number) : "\"" + key.name + "\"";
-    return "tool " + tool + (key.edge == 1 ? "" : ", edge " + std::to_string(key.edge));
-  }
-  // The sizes of a tool that stands in one row; what is wrong, else.
-  std::string take(const Key& key, const Sizes& sizes) {
-    return tools_.try_emplace(key, sizes).second ? std::string() : text_of(key) + " a second time";
-  }
-
-  // Of a CSV.
-  static bool is_header(std::string_view line, char separator) {
-    const auto columns = split(line, separator);
-    return std::ranges::any_of(columns, [](std::string_view column) {
-      const std::string name = in_upper_case(column);
-      return name == "NUMBER" || name == "NAME";
-    });
-  }
-  static std::optional<double> unit_named(std::string_view name) {
-    if (in_upper_case(name) == "MM") return 1;
-    if (in_upper_case(name) == "INCH") return mm_per_inch;
-    return {};
-  }
-
   // As it stands in the file: blanks in front count where columns do.
   std::string read_line(std::string_view line, std::string_view as_written) {
-    if (const std::string words = in_upper_case(line);
-        words.starts_with("BEGIN ") && words.find(".T") != std::string::npos) {
-      heidenhain_ = true;
-      unit_ = words.ends_with("INCH") ? mm_per_inch : 1;
+    if (const std::string words = in_upper_case(line); HeidenhainTools::begins_with(words)) {
+      heidenhain_.begin(words);
       return {};
     }
-    if (heidenhain_) return line == "[END]" ? std::string() : row_of_places(as_written);
-    if (columns_.empty()) separator_ = line.find(';') < line.find(',') ? semicolon : comma;
-    if (columns_.empty() && in_upper_case(line).starts_with(std::string("UNIT") + separator_) &&
-        !is_header(line, separator_)) {
-      const auto cells = split(line, separator_);
-      table_unit_ = unit_named(cells[1]);
-      return table_unit_ ? std::string()
-                         : "unit is \"" + std::string(cells[1]) + "\", not mm or inch";
-    }
-    if (columns_.empty() && is_header(line, separator_)) return header(line);
-    if (!columns_.empty()) return row(line);
+    if (heidenhain_.has_begun())
+      return line == "[END]" ? std::string() : heidenhain_.read(as_written);
+    if (csv_.has_header()) return csv_.read(line);
+    if (const auto begun = csv_.begin(line)) return *begun;
+    return read_words(line);
+  }
+
+  // Of lines with words, as programs have them.
+  std::string read_words(std::string_view line) {
     if (in_upper_case(line).starts_with("%_N_")) {
       sinumerik_ = true;
       return {};
@@ -145,7 +90,7 @@ class Table {
     if (has('T') && has('D')) {
       const auto number = tool_number(words.find('T')->second);
       if (!number) return "T is no number of a tool";
-      return take({.number = *number}, {.radius = words.find('D')->second / 2 * unit_});
+      return table_.take({.number = *number}, {.radius = words.find('D')->second / 2 * unit_});
     }
     return has('G') || line == "%" || has('O') || has('M') || has('T')
                ? std::string()
@@ -180,8 +125,7 @@ class Table {
       else if (setup_.whole_numbers() == v1::WHOLE_NUMBERS_UNSPECIFIED && std::abs(size) > doubtful)
         return "R has no decimal point: say what it counts in with --whole-numbers";
     }
-    Sizes& sizes =
-        tools_.try_emplace({.number = *number}, Sizes{.has_radius = false}).first->second;
+    ToolSizes& sizes = table_.sizes_of({.number = *number});
     (wear ? sizes.wear : sizes.radius) = size;
     sizes.has_radius |= !wear;
     return {};
@@ -203,7 +147,7 @@ class Table {
     const std::size_t equals = std::min(line.find('=', close), line.size());
     const auto tool = tool_number(number_from(places[0]));
     if (names && tool && equals < line.size()) {
-      names_[*tool] = in_capitals_as_utf8(trimmed(line.substr(equals + 1)));
+      table_.name(*tool, in_capitals_as_utf8(trimmed(line.substr(equals + 1))));
       return {};
     }
     const auto edge = places.size() == 2 ? tool_number(number_from(places[1])) : std::nullopt;
@@ -220,8 +164,9 @@ class Table {
       if (*value >= first_turning_type && *value <= last_turning_type) turning_.insert(*tool);
       return {};
     }
-    Sizes& sizes = edges_.try_emplace({.number = *tool, .edge = *edge}, Sizes{.has_radius = false})
-                       .first->second;
+    ToolSizes& sizes =
+        edges_.try_emplace({.number = *tool, .edge = *edge}, ToolSizes{.has_radius = false})
+            .first->second;
     (wear ? sizes.wear : sizes.radius) = *value * unit_;
     sizes.has_radius |= radius;
     return {};
@@ -232,173 +177,27 @@ class Table {
     for (const auto& [key, sizes] : edges_) {
       // What stands nowhere is 0 there.
       const bool empty = !sizes.has_radius && sizes.wear == 0;
-      if (!empty && !turning_.contains(key.number)) tools_.emplace(key, sizes);
+      if (!empty && !turning_.contains(key.number)) table_.add(key, sizes);
     }
-  }
-
-  // TOOL.T of Heidenhain: the first line names the columns, each cell begins below its name.
-  std::string row_of_places(std::string_view line) {
-    if (places_.empty()) {
-      for (std::size_t at = line.find_first_not_of(" \t\r"); at != std::string_view::npos;) {
-        const auto end = std::min(line.find_first_of(" \t\r", at), line.size());
-        places_.emplace_back(in_upper_case(line.substr(at, end - at)), at);
-        at = line.find_first_not_of(" \t\r", end);
-      }
-      for (const char* name : {"T", "R"})
-        if (!column_of(name)) return std::string("the table has no column ") + name;
-      return {};
-    }
-    const std::string_view place = cell(line, "T");
-    const auto number = tool_number(number_from(place.substr(0, place.find('.'))));
-    // 5.2: the second index of tool 5.
-    const auto index = place.find('.') < place.size()
-                           ? tool_number(number_from(place.substr(place.find('.') + 1)))
-                           : std::optional<std::uint32_t>(0);
-    if (!number || !index) return "T is no number of a tool";
-    const std::string_view name = cell(line, "NAME");
-    if (!name.empty() && *index == 0) names_[*number] = in_capitals_as_utf8(name);
-    const std::string_view radius = cell(line, "R");
-    const std::string_view wear = cell(line, "DR");
-    // Places without a tool.
-    if (radius.empty() && wear.empty()) return {};
-    const auto read_radius = number_from(radius);
-    const auto read_wear = wear.empty() ? std::optional(0.0) : number_from(wear);
-    if (!read_radius || !read_wear)
-      return (read_radius ? "DR is \"" + std::string(wear) : "R is \"" + std::string(radius)) +
-             "\", which is no number";
-    return take({.number = *number, .edge = *index + 1},
-                {.radius = *read_radius * unit_, .wear = *read_wear * unit_});
-  }
-
-  [[nodiscard]] std::optional<std::size_t> column_of(std::string_view name) const {
-    for (std::size_t i = 0; i < places_.size(); ++i)
-      if (places_[i].first == name) return i;
-    return std::nullopt;
-  }
-
-  // Columns count characters.
-  static std::size_t byte_of_character(std::string_view line, std::size_t character) {
-    if (!is_utf8(line)) return std::min(character, line.size());
-    std::size_t byte = 0;
-    for (; character > 0 && byte < line.size(); --character)
-      byte += utf8_character(line.substr(byte));
-    return byte;
-  }
-
-  [[nodiscard]] std::string_view cell(std::string_view line, std::string_view name) const {
-    const auto column = column_of(name);
-    if (!column) return {};
-    const std::size_t begin = byte_of_character(line, places_[*column].second);
-    const std::size_t end = *column + 1 < places_.size()
-                                ? byte_of_character(line, places_[*column + 1].second)
-                                : line.size();
-    return trimmed(line.substr(begin, end - begin));
-  }
-
-  // Where semicolons part the columns, a comma stands for the decimal point.
-  [[nodiscard]] std::optional<double> number_in(std::string_view cell) const {
-    std::string number(cell);
-    if (separator_ == semicolon) std::ranges::replace(number, ',', '.');
-    return number_from(number);
-  }
-
-  std::string header(std::string_view line) {
-    for (const std::string_view name : split(line, separator_))
-      columns_.push_back(in_upper_case(name));
-    const auto has = [&](std::string_view wanted) {
-      for (const std::string& column : columns_)
-        if (column == wanted) return true;
-      return false;
-    };
-    for (const std::string& column : columns_)
-      if (column != "NUMBER" && column != "RADIUS" && column != "DIAMETER" && column != "WEAR" &&
-          column != "NAME" && column != "EDGE" && column != "HOLDS" && column != "UNIT")
-        return "unknown column \"" + column + "\"";
-    if (!(has("NUMBER") || has("NAME")) || has("RADIUS") == has("DIAMETER"))
-      return "the header needs number or name, and one of radius, diameter";
-    return {};
-  }
-
-  std::string row(std::string_view line) {
-    const auto cells = split(line, separator_);
-    // A decimal comma makes two cells of one number, and the first of them would count.
-    for (std::size_t i = columns_.size(); i < cells.size(); ++i)
-      if (!cells[i].empty())
-        return "it has more values than the header; decimals have a point, or semicolons stand "
-               "between the values";
-    std::optional<double> number;
-    std::string name;
-    std::uint32_t edge = 1;
-    double value = 0;
-    double wear = 0;
-    bool diameter = false;
-    double unit = table_unit_.value_or(1);
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-      const std::string_view cell = i < cells.size() ? cells[i] : std::string_view();
-      const std::string& column = columns_[i];
-      if (column == "NAME") {
-        name = in_capitals_as_utf8(cell);
-        continue;
-      }
-      if (column == "NUMBER" && cell.empty()) continue;  // the name tells
-      if (column == "EDGE") {
-        const auto given =
-            cell.empty() ? std::optional<std::uint32_t>(1) : tool_number(number_from(cell));
-        if (!given || *given == 0) return "edge is \"" + std::string(cell) + "\", which is none";
-        edge = *given;
-        continue;
-      }
-      if (column == "UNIT") {
-        const auto named = unit_named(cell);
-        if (!named && !cell.empty()) return "unit is \"" + std::string(cell) + "\", not mm or inch";
-        unit = named.value_or(unit);
-        continue;
-      }
-      if (column == "HOLDS") {
-        const std::string holds = in_upper_case(cell);
-        if (!holds.empty() && holds != "RADIUS" && holds != "DIAMETER")
-          return "holds is \"" + holds + "\", not RADIUS or DIAMETER";
-        diameter |= holds == "DIAMETER";
-        continue;
-      }
-      const auto read = number_in(cell);
-      if (!read && !(column == "WEAR" && cell.empty()))
-        return column + " is \"" + std::string(cell) + "\", which is no number";
-      if (column == "NUMBER") number = read;
-      if (column == "WEAR") wear = read.value_or(0);
-      if (column == "RADIUS" || column == "DIAMETER") value = *read;
-      diameter |= column == "DIAMETER";
-    }
-    const auto tool = number ? tool_number(number) : std::optional<std::uint32_t>(0);
-    if (!tool) return "number is no number of a tool";
-    if (!number && name.empty()) return "the tool has neither number nor name";
-    if (number && !name.empty()) names_[*tool] = std::exchange(name, {});
-    const double factor = unit * (diameter ? 0.5 : 1);
-    return take({.number = *tool, .name = name, .edge = edge},
-                {.radius = factor * value, .wear = factor * wear});
   }
 
   v1::ProgramSetup& setup_;
   double unit_;
-  std::optional<double> table_unit_{};  // of a CSV, for all of its rows
   bool unit_unsaid_ = false;
   bool unit_said_ = false;  // by G20 or G21 of Fanuc
   bool adds_ = false;       // G91
-  std::vector<std::string> columns_{};
-  char separator_ = comma;  // of columns, as the first line of the CSV has it
-  bool heidenhain_ = false;
-  std::vector<std::pair<std::string, std::size_t>> places_{};  // of its columns: name and begin
+  ToolTable table_;
+  CsvTools csv_{table_};
+  HeidenhainTools heidenhain_{table_};
   bool sinumerik_ = false;
-  std::map<Key, Sizes> edges_{};
+  std::map<ToolKey, ToolSizes> edges_{};
   std::set<std::uint32_t> turning_{};
-  std::map<std::uint32_t, std::string> names_{};  // of tools with numbers
-  std::map<Key, Sizes> tools_{};
 };
 
 }  // namespace
 
 std::string read_tool_table(std::string_view text, v1::ProgramSetup& setup) {
-  return Table(setup).read(text);
+  return ToolFile(setup).read(text);
 }
 
 std::string read_tool_file(const std::string& path, v1::ProgramSetup& setup, bool& unit_unsaid) {
@@ -406,9 +205,9 @@ std::string read_tool_file(const std::string& path, v1::ProgramSetup& setup, boo
   std::string text;
   if (!read_bounded(path, most_bytes, text)) return "cannot read " + path;
   if (text.size() > most_bytes) return path + ": it is larger than 16 MiB";
-  Table table(setup);
-  const std::string fault = table.read(text);
-  unit_unsaid = table.unit_unsaid();
+  ToolFile file(setup);
+  const std::string fault = file.read(text);
+  unit_unsaid = file.unit_unsaid();
   return fault.empty() ? fault : path + ": " + as_utf8(fault);
 }
 

@@ -27,8 +27,8 @@ namespace trc::cli {
 // Returns what is wrong, as a sentence; empty when all is read.
 [[nodiscard]] std::string read_tool_table(std::string_view text, v1::ProgramSetup& setup);
 
-// The same for a file; - reads nothing here. `unit_unsaid`: it was read in mm as neither it nor
-// the setup names a unit.
+// Reads a file as such a table; - reads nothing here. `unit_unsaid`: it was read in mm as neither
+// it nor the setup names a unit.
 [[nodiscard]] std::string read_tool_file(const std::string& path, v1::ProgramSetup& setup,
                                          bool& unit_unsaid);
 

@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <iostream>
 
+#include "client/cli/fixed_text.h"
 #include "client/cli/program_options.h"
 #include "core/nc/dialect/dialect.h"
-#include "core/nc/text/number_format.h"
 #include "core/trc/result/compensated_block.h"
 #include "proto/wire/settings.h"
 #include "proto/wire/setup.h"
@@ -128,16 +128,10 @@ constexpr Words german{
 
 const Words& words_in(Language language) { return language == Language::german ? german : english; }
 
-std::string fixed(double value, int decimals = 3) {
-  std::string text;
-  append_fixed(text, value, decimals);
-  return text;
-}
-
 // A length in the unit of the program.
 std::string length_text(double mm, bool inch) {
   constexpr double mm_per_inch = 25.4;
-  return inch ? fixed(mm / mm_per_inch, 4) + " in" : fixed(mm) + " mm";
+  return inch ? fixed(mm / mm_per_inch, 4) + " in" : fixed(mm, 3) + " mm";
 }
 
 std::string signed_length(double mm, bool inch) {
@@ -231,8 +225,9 @@ std::string text_of_done(const std::string& name, const wire::ProgramSummary& su
       text += ", " + fixed(100 * measured.coverage(), 1) + words.of_wall_touched;
     text += '\n';
   }
-  return text + begin + words.time + fixed(seconds) + words.in_engine +
-         fixed(path.wall_time_seconds) + words.computing + fixed(path.cpu_time_seconds) + " s\n";
+  return text + begin + words.time + fixed(seconds, 3) + words.in_engine +
+         fixed(path.wall_time_seconds, 3) + words.computing + fixed(path.cpu_time_seconds, 3) +
+         " s\n";
 }
 
 }  // namespace trc::cli

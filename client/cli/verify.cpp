@@ -13,8 +13,8 @@
 #include "client/cli/program_paths.h"
 #include "client/cli/progress.h"
 #include "client/cli/reporter.h"
-#include "client/cli/told.h"
-#include "client/cli/untouched.h"
+#include "client/cli/speech.h"
+#include "client/cli/untouched_walls.h"
 #include "client/cli/verbose_text.h"
 #include "core/base/tolerances.h"
 #include "core/nc/text/number_format.h"
@@ -48,7 +48,7 @@ std::string worst_line(const verify::Clearance& worst) {
          block_name(worst.path) + " beside contour block " + block_name(worst.contour);
 }
 
-void print_share(const Untouched::Share& share, const char* what) {
+void print_share(const UntouchedWalls::Share& share, const char* what) {
   if (share.stretches == 0) return;
   std::cout << told("  " + mm(share.length) + " mm " + what + ": " +
                     std::to_string(share.stretches) +
@@ -58,9 +58,9 @@ void print_share(const Untouched::Share& share, const char* what) {
 }
 
 // How much of the walls the path touches, and why not the rest.
-void print_coverage(const verify::ClearanceReport& report, const Untouched& untouched) {
+void print_coverage(const verify::ClearanceReport& report, const UntouchedWalls& untouched) {
   if (report.wall_length <= 0) return;
-  using Reason = Untouched::Reason;
+  using Reason = UntouchedWalls::Reason;
   std::cout << told("the path touches " + percent(report.coverage()) + " of " +
                     mm(report.wall_length) + " mm of wall")
             << '\n';
@@ -152,7 +152,7 @@ Exit run(const ProgramOptions& options) {
 
   const double allowed = Tolerances{}.on_contour;
   Progress progress(false, options.loudness.quiet, language_of(setup));
-  Untouched untouched(paths.programmed, paths.compensated);
+  UntouchedWalls untouched(paths.programmed, paths.compensated);
   const verify::ClearanceReport report = verify::measure_clearance(
       paths.programmed, paths.compensated,
       {.allowed = allowed,

@@ -14,10 +14,10 @@
 #include "client/cli/command.h"
 #include "client/cli/files.h"
 #include "client/cli/program_options.h"
-#include "client/cli/told.h"
+#include "client/cli/speech.h"
 #include "proto/wire/settings.h"
-#include "server/address.h"
 #include "server/http/view/store.h"
+#include "server/net/address.h"
 #include "server/server.h"
 
 namespace trc::cli {

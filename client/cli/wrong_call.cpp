@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "client/cli/told.h"
+#include "client/cli/speech.h"
 #include "core/base/likely_meant.h"
 #include "proto/wire/settings.h"
 

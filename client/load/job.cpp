@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/session/path_session.h"
 #include "core/session/program_session.h"
-#include "core/session/session.h"
 #include "proto/wire/block.h"
 #include "proto/wire/setup.h"
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/session/outline.h"
 #include "core/verify/shape.h"
 
 namespace trc::plot {

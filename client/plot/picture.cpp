@@ -14,6 +14,8 @@
 #include "client/plot/lead_blocks.h"
 #include "client/plot/words.h"
 #include "core/geometry/along.h"
+#include "core/session/not_travelled.h"
+#include "core/session/projection.h"
 #include "core/trc/result/first_motions.h"
 #include "core/trc/result/listing.h"
 

@@ -97,7 +97,7 @@ struct Contents {
 inline constexpr std::size_t most_single_strokes = 20'000;
 // A picture with more marks than this shows nothing else.
 inline constexpr std::size_t most_warnings = 100;
-// The same of places where the radius changes.
+// Of the places where the radius changes so many are shown, the first ones.
 inline constexpr std::size_t most_radius_changes = 50;
 
 // Movements in other planes than the one that is shown are seen from there.

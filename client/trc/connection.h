@@ -64,7 +64,7 @@ class Connection {
   explicit Connection(std::shared_ptr<grpc::Channel> channel, const ResumePolicy& resume = {})
       : channel_(std::move(channel)), resume_(resume) {}
 
-  // The same way, for sessions of another policy.
+  // The connection for sessions of another policy.
   [[nodiscard]] Connection with(const ResumePolicy& resume) const {
     Connection other = *this;
     other.resume_ = resume;

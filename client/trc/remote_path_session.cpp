@@ -25,27 +25,35 @@ struct RemotePathSession::Parts {
   Parts(const Connection& connection, const v1::PathSetup& setup)
       : stub(v1::TrcService::NewStub(connection.channel())),
         session(
-            start_of(setup),
+            setup,
             [this](auto* context, auto* reactor) {
               stub->async()->CompensatePath(context, reactor);
             },
             connection),
-        unsent_setup(setup),
         columns(setup.response_layout() == v1::RESPONSE_LAYOUT_COLUMNS) {}
 
-  bool send_batch(std::span<const wire::PathInput> items, bool final, Answers& out) {
+  bool send(std::span<const wire::PathInput> items, Answers& out) {
     if (columns)
-      writer.write(items, final, *session.outgoing().mutable_columns());
+      writer.write(items, *session.outgoing().mutable_columns());
     else
-      writer.write(items, final, *session.outgoing().mutable_batch());
-    return session.send(final ? session.end_of_input : writer.next_block(), out);
+      writer.write(items, *session.outgoing().mutable_batch());
+    return session.send(writer.next_block(), out);
+  }
+  bool send_end(Answers& out) {
+    const auto write_end = [this](auto& batch) {
+      writer.write({}, batch);
+      batch.set_final(true);
+    };
+    if (columns)
+      write_end(*session.outgoing().mutable_columns());
+    else
+      write_end(*session.outgoing().mutable_batch());
+    return session.send(session.end_of_input, out);
   }
 
   std::unique_ptr<v1::TrcService::Stub> stub;
   StreamSession<Request, Response, wire::PathSummary> session;
-  v1::PathSetup unsent_setup;
   bool columns;
-  bool set_up = false;
   wire::BlockWriter writer;
 };
 
@@ -60,21 +68,17 @@ RemotePathSession::~RemotePathSession() = default;
 
 bool RemotePathSession::feed(std::span<const wire::PathInput> items, Answers& out) {
   Parts& parts = *parts_;
-  if (!parts.set_up) {
-    parts.set_up = true;
-    parts.session.outgoing().mutable_setup()->Swap(&parts.unsent_setup);
-    if (!parts.session.open(out)) return false;
-  }
+  if (!parts.session.open(out)) return false;
   while (!items.empty()) {
     const auto part = items.first(std::min(items.size(), parts.session.message_size().blocks()));
-    if (!parts.send_batch(part, false, out)) return false;
+    if (!parts.send(part, out)) return false;
     items = items.subspan(part.size());
   }
   return !parts.session.failure();
 }
 
 bool RemotePathSession::finish(Answers& out) {
-  if (feed({}, out)) parts_->send_batch({}, true, out);
+  if (feed({}, out)) parts_->send_end(out);
   return parts_->session.finish(out);
 }
 

@@ -14,8 +14,8 @@
 
 namespace trc::client {
 
-// A path compensated by a server: the face of trc::PathSession. Used by one
-// thread at a time.
+// A path compensated by a server. It is fed with items, where trc::PathSession is given them
+// through program(). Used by one thread at a time.
 class RemotePathSession {
  public:
   // Requests use the layout of the responses.

@@ -19,53 +19,53 @@ struct RemoteProgramSession::Parts {
   Parts(const Connection& connection, const v1::ProgramSetup& setup)
       : stub(v1::TrcService::NewStub(connection.channel())),
         session(
-            start_of(setup.path()),
+            setup,
             [this](auto* context, auto* reactor) {
               stub->async()->CompensateProgram(context, reactor);
             },
             connection) {}
 
-  bool send_text(std::string_view text, bool final, Answers& out) {
+  v1::ProgramText& write(std::string_view text) {
     v1::ProgramText& message = *session.outgoing().mutable_text();
     message.set_first_byte(sent_bytes);
     message.set_text(text.data(), text.size());
-    message.set_final(final);
+    message.set_final(false);
     sent_bytes += text.size();
-    return session.send(final ? session.end_of_input : sent_bytes, out);
+    return message;
+  }
+  bool send(std::string_view text, Answers& out) {
+    write(text);
+    return session.send(sent_bytes, out);
+  }
+  bool send_end(Answers& out) {
+    write({}).set_final(true);
+    return session.send(session.end_of_input, out);
   }
 
   std::unique_ptr<v1::TrcService::Stub> stub;
   StreamSession<Request, Response, wire::ProgramSummary> session;
-  v1::ProgramSetup unsent_setup;
-  bool set_up = false;
   std::uint64_t sent_bytes = 0;
 };
 
 RemoteProgramSession::RemoteProgramSession(const Connection& connection,
                                            const v1::ProgramSetup& setup)
-    : parts_(std::make_unique<Parts>(connection, setup)) {
-  parts_->unsent_setup = setup;
-}
+    : parts_(std::make_unique<Parts>(connection, setup)) {}
 
 RemoteProgramSession::~RemoteProgramSession() = default;
 
 bool RemoteProgramSession::feed(std::string_view text, Answers& out) {
   Parts& parts = *parts_;
-  if (!parts.set_up) {
-    parts.set_up = true;
-    parts.session.outgoing().mutable_setup()->Swap(&parts.unsent_setup);
-    if (!parts.session.open(out)) return false;
-  }
+  if (!parts.session.open(out)) return false;
   while (!text.empty()) {
     const std::string_view chunk = text.substr(0, parts.session.message_size().text_bytes());
-    if (!parts.send_text(chunk, false, out)) return false;
+    if (!parts.send(chunk, out)) return false;
     text.remove_prefix(chunk.size());
   }
   return !parts.session.failure();
 }
 
 bool RemoteProgramSession::finish(Answers& out) {
-  if (feed({}, out)) parts_->send_text({}, true, out);
+  if (feed({}, out)) parts_->send_end(out);
   return parts_->session.finish(out);
 }
 

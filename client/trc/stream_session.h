@@ -24,6 +24,15 @@
 
 namespace trc::client {
 
+// Where a setup says the tool stands.
+[[nodiscard]] inline Position start_of(const v1::PathSetup& setup) {
+  const v1::Position& start = setup.start_position();
+  return {start.x(), start.y(), start.z()};
+}
+[[nodiscard]] inline Position start_of(const v1::ProgramSetup& setup) {
+  return start_of(setup.path());
+}
+
 // What both kinds of session share: the window of unanswered requests, reading responses, how a
 // stream ends, and how the session goes on when one was lost:
 //
@@ -41,21 +50,26 @@ class StreamSession {
   // Input behind the last request.
   static constexpr std::uint64_t end_of_input = std::numeric_limits<std::uint64_t>::max();
 
-  StreamSession(const Position& start_position, Start start, const Connection& connection)
+  template <class Setup>
+  StreamSession(const Setup& setup, Start start, const Connection& connection)
       : start_(std::move(start)),
         connection_(connection),
         policy_(connection.resume_policy()),
         clock_(policy_),
-        reader_(start_position),
-        reader_at_token_(start_position) {}
+        reader_(start_of(setup)),
+        reader_at_token_(reader_) {
+    *setup_.mutable_setup() = setup;
+    path_setup(setup_).set_want_resume_tokens(policy_.patience > policy_.patience.zero());
+  }
 
   // The request to fill before `send`; keeps its memory from one to the next.
   [[nodiscard]] Request& outgoing() { return outgoing_; }
 
-  // Sends `outgoing`, a setup, and does not wait until the server has taken it: the first piece of
-  // input follows at once.
+  // Sends the setup, unless that is done, and does not wait until the server has taken it: the
+  // first piece of input follows at once.
   bool open(Answers& out) {
-    prepare();
+    if (std::exchange(opened_, true)) return !failure_;
+    reached_ = connection_.reach();
     return launch(out) || recover(out);
   }
 
@@ -112,12 +126,6 @@ class StreamSession {
 
   auto taker(Answers& out) {
     return [this, &out](const Response& response) { return take(response, out); };
-  }
-
-  void prepare() {
-    setup_ = std::exchange(outgoing_, Request());
-    path_setup(setup_).set_want_resume_tokens(policy_.patience > policy_.patience.zero());
-    reached_ = connection_.reach();
   }
 
   bool launch(Answers& out) {
@@ -329,7 +337,8 @@ class StreamSession {
   MessageSize message_size_;
   std::deque<std::uint64_t> unanswered_;  // input positions behind each request
   std::size_t window_ = 1;                // until the server says more
-  bool reached_ = false;                  // somebody was there at the beginning
+  bool opened_ = false;
+  bool reached_ = false;  // somebody was there at the beginning
   bool accepted_ = false;
   bool ever_accepted_ = false;
   bool stopped_ = false;  // by the caller, or by a response that no server sends
@@ -351,11 +360,5 @@ class StreamSession {
   std::size_t kept_bytes_ = 0;
   std::uint64_t lost_through_ = 0;  // input up to here that is no longer kept
 };
-
-// Where a setup says the tool stands.
-[[nodiscard]] inline Position start_of(const v1::PathSetup& setup) {
-  const v1::Position& start = setup.start_position();
-  return {start.x(), start.y(), start.z()};
-}
 
 }  // namespace trc::client

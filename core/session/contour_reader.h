@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/nc/program/program_reader.h"
-#include "core/session/session.h"
+#include "core/session/path_session.h"
 
 namespace trc {
 

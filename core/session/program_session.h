@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/session/answers.h"
-#include "core/session/session.h"
+#include "core/session/path_session.h"
 
 namespace trc {
 

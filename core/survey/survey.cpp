@@ -79,9 +79,9 @@ bool Survey::read() {
 }
 
 Surveyed Survey::run(double radius) {
-  std::optional<Reading> own;
+  std::optional<ProgramReading> own;
   if (reading_.moves_by_radius) own = read_with(term_of(radius), setup_.session, reader_);
-  const Reading& reading = own ? *own : reading_;
+  const ProgramReading& reading = own ? *own : reading_;
   Surveyed found{.radius = radius};
   if (own && own->refused) {
     for (const Diagnostic& fault : own->diagnostics)
@@ -101,7 +101,7 @@ Surveyed Survey::run(double radius) {
   return found;
 }
 
-void Survey::compensate(const Reading& reading, Loops loops, Surveyed& found) {
+void Survey::compensate(const ProgramReading& reading, Loops loops, Surveyed& found) {
   // So many at once lie in the caches still.
   constexpr std::size_t portion = 256;
   CompensatorSetup compensator = setup_.session.compensator;
@@ -156,7 +156,7 @@ void Survey::compensate(const Reading& reading, Loops loops, Surveyed& found) {
 }
 
 // The verification has not measured what was refused before its end.
-void Survey::look_for_uncut(const Reading& reading, Surveyed& found) {
+void Survey::look_for_uncut(const ProgramReading& reading, Surveyed& found) {
   Surveyed other{.radius = found.radius};
   compensate(reading, Loops::removed, other);
   found.uncut_known = other.accepted();
@@ -168,7 +168,8 @@ void Survey::look_for_uncut(const Reading& reading, Surveyed& found) {
 }
 
 // Of a centre path only: elsewhere reading has looked at the wear, which is the same for all.
-std::optional<Diagnostic> Survey::too_much_wear(const Reading& reading, double radius) const {
+std::optional<Diagnostic> Survey::too_much_wear(const ProgramReading& reading,
+                                                double radius) const {
   const ProgramSetup& program = setup_.session.program;
   if (program.nominal_radius <= 0) return std::nullopt;
   std::unordered_map<const TrcMode*, double> beyond;  // by modes, what they would have
@@ -190,7 +191,7 @@ std::optional<Diagnostic> Survey::too_much_wear(const Reading& reading, double r
   return std::nullopt;
 }
 
-std::vector<Source> Survey::limits_of(const Reading& reading, const Surveyed& found) const {
+std::vector<Source> Survey::limits_of(const ProgramReading& reading, const Surveyed& found) const {
   if (!found.refusal) {
     if (!found.clearance.worst) return {};
     return {found.clearance.worst->path, found.clearance.worst->contour};
@@ -207,7 +208,7 @@ std::vector<Source> Survey::limits_of(const Reading& reading, const Surveyed& fo
 
 // Of a line without a rest the tool stands at the blocks before and behind it. Where the contour
 // begins or ends with it that is itself, which nothing is cut off of there.
-std::vector<Source> Survey::around(const Reading& reading, const Source& pinched) {
+std::vector<Source> Survey::around(const ProgramReading& reading, const Source& pinched) {
   const MotionBlock* before = nullptr;
   const MotionBlock* own = nullptr;
   std::uint32_t selection = 0;

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/base/diagnostic.h"
-#include "core/session/session.h"
-#include "core/survey/reading.h"
+#include "core/session/path_session.h"
+#include "core/survey/program_reading.h"
 #include "core/verify/clearance.h"
 #include "core/verify/selection_walls.h"
 
@@ -91,12 +91,14 @@ class Survey {
   // The radius as the state has it: in wear mode a difference.
   [[nodiscard]] double term_of(double radius) const;
   enum class Loops : std::uint8_t { as_programmed, removed };
-  void compensate(const Reading& reading, Loops loops, Surveyed& found);
-  void look_for_uncut(const Reading& reading, Surveyed& found);
-  [[nodiscard]] std::optional<Diagnostic> too_much_wear(const Reading& reading,
+  void compensate(const ProgramReading& reading, Loops loops, Surveyed& found);
+  void look_for_uncut(const ProgramReading& reading, Surveyed& found);
+  [[nodiscard]] std::optional<Diagnostic> too_much_wear(const ProgramReading& reading,
                                                         double radius) const;
-  [[nodiscard]] std::vector<Source> limits_of(const Reading& reading, const Surveyed& found) const;
-  [[nodiscard]] static std::vector<Source> around(const Reading& reading, const Source& pinched);
+  [[nodiscard]] std::vector<Source> limits_of(const ProgramReading& reading,
+                                              const Surveyed& found) const;
+  [[nodiscard]] static std::vector<Source> around(const ProgramReading& reading,
+                                                  const Source& pinched);
   [[nodiscard]] static std::optional<double> guess_of(const Surveyed& found);
   [[nodiscard]] double search_limit() const;
   const Tried& tried(Micrometres radius);
@@ -112,7 +114,7 @@ class Survey {
 
   SurveySetup setup_;
   Reader reader_;
-  Reading reading_;
+  ProgramReading reading_;
   verify::KnownWalls walls_;       // the same for all radii, mostly
   std::map<double, Tried> tried_;  // by radius, mm
   std::uint32_t runs_ = 0;         // for the largest

@@ -53,8 +53,10 @@ bool read_role(v1::BlockRole role, const FieldPath& path, MoveRequest& move, Fie
   return faults.count() == before;
 }
 
-bool read_move(const v1::LinearMove& message, std::size_t axes, const FieldPath& path,
-               MoveRequest& move, double& feed, FieldFaults& faults) {
+// `feed`: the one in force.
+bool read_move(const v1::LinearMove& message, std::size_t axes, MoveRequest& move, double& feed,
+               const FieldReader& reader) {
+  const auto& [path, faults] = reader;
   move.kind = message.rapid() ? MotionKind::rapid : MotionKind::linear;
   return from_proto(message.end(), FieldPath(path, "end"), move.end, faults) &&
          read_tracking(message.tracking_axes(), axes, path, move.tracking, faults) &&
@@ -62,8 +64,9 @@ bool read_move(const v1::LinearMove& message, std::size_t axes, const FieldPath&
          read_feed(message.has_feed(), message.feed(), path, feed, faults);
 }
 
-bool read_move(const v1::CircularMove& message, std::size_t axes, const FieldPath& path,
-               MoveRequest& move, double& feed, FieldFaults& faults) {
+bool read_move(const v1::CircularMove& message, std::size_t axes, MoveRequest& move, double& feed,
+               const FieldReader& reader) {
+  const auto& [path, faults] = reader;
   move.kind = message.clockwise() ? MotionKind::clockwise : MotionKind::counter_clockwise;
   if (!from_proto(message.end(), FieldPath(path, "end"), move.end, faults)) return false;
   switch (message.arc_case()) {
@@ -160,8 +163,8 @@ bool BlockReader::read(const v1::Block& block, const FieldPath& path, const Sink
     case v1::Block::kLinear: {
       MoveRequest& move = fresh_move();
       move.source = source;
-      if (!read_move(block.linear(), tracking_axes_, FieldPath(path, "linear"), move, feed_,
-                     faults))
+      if (!read_move(block.linear(), tracking_axes_, move, feed_,
+                     {FieldPath(path, "linear"), faults}))
         return false;
       move.feed = feed_;
       break;
@@ -169,8 +172,8 @@ bool BlockReader::read(const v1::Block& block, const FieldPath& path, const Sink
     case v1::Block::kCircular: {
       MoveRequest& move = fresh_move();
       move.source = source;
-      if (!read_move(block.circular(), tracking_axes_, FieldPath(path, "circular"), move, feed_,
-                     faults))
+      if (!read_move(block.circular(), tracking_axes_, move, feed_,
+                     {FieldPath(path, "circular"), faults}))
         return false;
       move.feed = feed_;
       break;
@@ -225,10 +228,9 @@ void BlockWriter::write(const PathInput& item, v1::Block& block) {
              item);
 }
 
-void BlockWriter::write(std::span<const PathInput> items, bool final, v1::BlockBatch& batch) {
+void BlockWriter::write(std::span<const PathInput> items, v1::BlockBatch& batch) {
   batch.Clear();
   batch.set_first_block(next_block_);
-  batch.set_final(final);
   for (const PathInput& item : items) write(item, *batch.add_blocks());
   next_block_ += items.size();
 }

@@ -68,9 +68,10 @@ class BlockReader {
 // Writes the batches of one stream; the counterpart of BlockReader.
 class BlockWriter {
  public:
-  // Replaces the content of the message and numbers it as the next batch.
-  void write(std::span<const PathInput> items, bool final, v1::BlockBatch& batch);
-  void write(std::span<const PathInput> items, bool final, v1::BlockColumns& columns);
+  // Replaces the content of the message and numbers it as the next batch, which is not the final
+  // one as long as nobody says so.
+  void write(std::span<const PathInput> items, v1::BlockBatch& batch);
+  void write(std::span<const PathInput> items, v1::BlockColumns& columns);
 
   [[nodiscard]] std::uint64_t next_block() const { return next_block_; }
 

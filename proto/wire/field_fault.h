@@ -56,6 +56,12 @@ class FieldPath {
 
 void add_fault(const FieldPath& path, std::string description, FieldFaults& faults);
 
+// Where a message is being read, and where its faults go.
+struct FieldReader {
+  const FieldPath& path;
+  FieldFaults& faults;
+};
+
 // What is allowed; the unit "" where there is none.
 struct FieldRange {
   double low = 0;

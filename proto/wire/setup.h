@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "core/session/path_session.h"
 #include "core/session/program_session.h"
-#include "core/session/session.h"
 #include "proto/wire/field_fault.h"
 #include "trc/v1/setup.pb.h"
 

@@ -9,84 +9,14 @@
 #include <utility>
 #include <vector>
 
-#include "server/address.h"
 #include "server/http/connect.h"
-#include "server/http/handlers.h"
 #include "server/http/problem.h"
 #include "server/http/questions.h"
-#include "server/worker_pool.h"
+#include "server/net/address.h"
+#include "server/work/worker_pool.h"
 
 namespace trc::server::http {
 namespace {
-
-constexpr auto survey_questions = std::to_array<Question>(
-    {{"radii", Question::Kind::text, "mm: 3,5,8 or 3:8:0.5, from, to and step; 64 at most"},
-     {"uncut", Question::Kind::text, "true: what each radius leaves uncut"},
-     {"largest", Question::Kind::text, "false: without the largest radius that fits"}});
-constexpr auto view_questions = std::to_array<Question>(
-    {{"shown_plane", Question::Kind::text,
-      "xy, zx, yz: seen across that plane; by default that of the first compensated block"}});
-constexpr auto tile_questions = std::to_array<Question>(
-    {{"segments", Question::Kind::number, "at most, 256 to 16384; 2048 without it"}});
-constexpr auto lines_questions =
-    std::to_array<Question>({{"from", Question::Kind::number, "the first line, from 1"},
-                             {"count", Question::Kind::number, "of lines, 200 without it"}});
-constexpr auto blocks_questions =
-    std::to_array<Question>({{"line", Question::Kind::number, "of the program, from 1"}});
-constexpr auto place_questions =
-    std::to_array<Question>({{"share", Question::Kind::share, "of the way, 0 to 1"}});
-constexpr auto page_questions =
-    std::to_array<Question>({{"offer", Question::Kind::text, "the program that `trc view` shows"}});
-
-constexpr std::array<Route, 20> table{{
-    {"POST", "/v1/programs:compensate", Body::program, true, "text/plain,application/x-ndjson",
-     "Compensates an NC program: NC text in, NC text with TRC resolved out, or the path as JSON "
-     "lines",
-     compensate_program},
-    {"POST", "/v1/programs:verify", Body::program, true, "application/json",
-     "Compensates an NC program and measures the path against the contour", verify_program},
-    {"POST", "/v1/programs:record", Body::program, true, "application/json",
-     "Compensates an NC program and tells what was made of which bytes, and how it was measured: a "
-     "JobRecord, as `trc verify --record` takes it",
-     record_program},
-    {"POST", "/v1/programs:surveyRadii", Body::program, true, "application/json",
-     "Says what tools of many radii make of an NC program: `radii` (3,5,8 or 3:8:0.5), `uncut`, "
-     "`largest`; a SurveyAnswer",
-     survey_program, survey_questions},
-    {"POST", "/v1/paths:compensate", Body::message, false, "application/json,application/x-ndjson",
-     "Compensates a path of motion blocks: a PreviewPathRequest in, a PathAnswer out, or JSON "
-     "lines",
-     compensate_path},
-    {"POST", "/v1/paths:verify", Body::message, false, "application/json",
-     "Compensates a path and measures it against the contour, as `setup.verify` says: "
-     "VERIFICATION_ENFORCE, so without it, or VERIFICATION_REPORT",
-     verify_path},
-    {"POST", "/v1/paths:surveyRadii", Body::message, false, "application/json",
-     "Says what tools of many radii make of a path: a SurveyPathRequest in, a SurveyAnswer out",
-     survey_path},
-    {"POST", "/v1/views", Body::program, true, "application/json",
-     "Keeps a program and its path to be looked at: a View", make_view, view_questions},
-    {"GET", "/v1/views/{id}", Body::none, false, "application/json", "The View again", view_said},
-    {"DELETE", "/v1/views/{id}", Body::none, false, "", "Gives a view up", remove_view},
-    {"GET", "/v1/views/{id}/tiles/{level}/{x}/{y}", Body::none, false, "application/octet-stream",
-     "A square of the picture as segments", view_tile, tile_questions},
-    {"GET", "/v1/views/{id}/lines", Body::none, false, "application/json",
-     "Lines of the program, `from` and `count`: ViewLines", view_lines, lines_questions},
-    {"GET", "/v1/views/{id}/output", Body::none, false, "application/json",
-     "Lines of the compensated program: ViewLines", view_output, lines_questions},
-    {"GET", "/v1/views/{id}/blocks", Body::none, false, "application/json",
-     "The blocks of the line `line`: ViewBlocks", view_blocks, blocks_questions},
-    {"GET", "/v1/views/{id}/place", Body::none, false, "application/json",
-     "Where the tool is after `share` of its way: ViewPlace", view_place, place_questions},
-    {"GET", "/v1/offers/{token}", Body::none, false, "application/octet-stream",
-     "The program that `trc view` shows, with its name and settings as headers", offered_program},
-    {"GET", "/", Body::none, false, "text/html", "The page", page_start, page_questions},
-    {"GET", "/page/{file}", Body::none, false, "text/javascript,text/css", "Its parts", page_file},
-    {"GET", "/v1/info", Body::none, false, "application/json",
-     "Version, limits, settings, options, functions and diagnostics: GetServerInfoResponse",
-     server_info},
-    {"GET", "/v1/openapi.json", Body::none, false, "application/json", "This document", open_api},
-}};
 
 // Since it was last asked for.
 constexpr std::chrono::minutes view_lifetime{30};
@@ -160,8 +90,6 @@ bool is_this_machine(std::string_view host) {
 }
 
 }  // namespace
-
-std::span<const Route> routes() { return table; }
 
 // Lives until its turn is over.
 class Api::Task final : public WorkerPool::Job {

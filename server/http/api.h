@@ -19,7 +19,7 @@
 #include "server/http/rpc_call.h"
 #include "server/http/service.h"
 #include "server/http/view/store.h"
-#include "server/worker_pool.h"
+#include "server/work/worker_pool.h"
 
 namespace trc::server::http {
 
@@ -44,9 +44,9 @@ struct Question {
 struct Route {
   std::string_view method;
   std::string_view path;  // `{id}` stands for one segment
-  Body body;
-  bool takes_settings;       // as query parameters
-  std::string_view answers;  // content types, with commas between
+  Body body = Body::none;
+  bool takes_settings = false;  // as query parameters
+  std::string_view answers{};   // content types, with commas between
   std::string_view meaning;
   void (*handle)(Api& api, const ExchangePointer& exchange);
   std::span<const Question> questions{};  // may be asked too
@@ -85,7 +85,7 @@ class Api final : public Service {
   [[nodiscard]] bool stopping();
   // Has something computed by a worker.
   void compute(std::function<void()> work);
-  // The same for what nobody waits for: behind all others. Gives way to `background` alone.
+  // Has what nobody waits for computed, behind all other work. Gives way to `background` alone.
   void compute_in_background(std::function<void()> work);
   [[nodiscard]] WorkerPool& background() { return background_; }
 

@@ -273,7 +273,7 @@ void start(Api& api, const ExchangePointer& exchange, const Call& call) {
         return call.format->refuse(exchange,
                                    refuse(Refusal::request_unreadable, question.fault).status);
       exchange->request().body = {};
-      Run::start(
+      RpcExchange::start(
           api, exchange, "/" + call.method.service()->full_name() + "/" + call.method.name(),
           std::make_unique<PreparedQuestions>(std::vector{RpcCall::bytes_of(question.bytes)}),
           call.format);

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "server/http/run.h"
+#include "server/http/rpc_exchange.h"
 
 namespace trc::server::http {
 

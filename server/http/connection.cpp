@@ -16,6 +16,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "server/http/body_reader.h"
 #include "server/http/head.h"
 #include "server/http/problem.h"
 #include "server/http/tls.h"
@@ -33,10 +34,6 @@ using tcp = asio::ip::tcp;
 using PlainStream = beast::tcp_stream;
 using TlsStream = beast::ssl_stream<beast::tcp_stream>;
 
-// A body makes that much way, and an answer too, or the connection ends.
-constexpr std::size_t piece_bytes = 64U << 10U;
-// What is read of a body at a time.
-constexpr std::size_t most_read_bytes = 1U << 20U;
 // What is read of a request that was answered before it had come, so that the answer arrives.
 constexpr std::size_t most_ignored_bytes = 4U << 20U;
 constexpr std::chrono::seconds longest_farewell{2};
@@ -55,7 +52,11 @@ class Connection final : public Exchange,
         limits_(limits),
         peer_memory_(std::move(given.of_peer)),
         share_(memory),
-        share_of_peer_(*peer_memory_) {
+        share_of_peer_(*peer_memory_),
+        body_(
+            stream_, buffer_, limits.timeout,
+            [this](std::size_t bytes) { return take_memory(bytes); },
+            [this](const BodyEnding& ending) { on_body(ending); }) {
     request_.peer = std::move(given.peer);
   }
 
@@ -196,81 +197,32 @@ class Connection final : public Exchange,
   void admit() {
     const Service::Admission admission = service_.admit(request_);
     if (admission.refused) return refuse(*admission.refused);
-    most_body_bytes_ = admission.most_body_bytes;
+    const std::size_t most = admission.most_body_bytes;
     const auto length = parser_->content_length();
-    if (length && *length > most_body_bytes_) return refuse(body_too_large(most_body_bytes_));
-    held_body_ = length ? static_cast<std::size_t>(*length) : 0;
-    if (const Room room = take_memory(held_body_); room != Room::some)
+    if (length && *length > most) return refuse(body_too_large(most));
+    const std::size_t announced = length ? static_cast<std::size_t>(*length) : 0;
+    if (const Room room = take_memory(announced); room != Room::some)
       return refuse(no_memory_for_body(room));
     // Of chunks: none is waited for that is announced to be larger.
-    parser_->body_limit(most_body_bytes_);
+    parser_->body_limit(most);
+    const BodyBounds bounds{.most_bytes = most, .held_bytes = announced};
     if (expects_continue(parser_->get()) && !is_whole_)
-      return send("HTTP/1.1 100 Continue\r\n\r\n", [self = this->shared_from_this()](bool taken) {
-        if (taken) self->read_body();
-      });
-    read_body();
+      return send("HTTP/1.1 100 Continue\r\n\r\n",
+                  [self = this->shared_from_this(), bounds](bool taken) {
+                    if (taken) self->read_body(bounds);
+                  });
+    read_body(bounds);
   }
 
-  void read_body() {
+  void read_body(const BodyBounds& bounds) {
     if (is_whole_) return dispatch();
-    if (parser_->chunked()) return read_chunks(0);
-    length_ = static_cast<std::size_t>(*parser_->content_length());
-    request_.body.reserve(length_);
-    has_come_ = std::min(buffer_.size(), length_);
-    request_.body.append(static_cast<const char*>(buffer_.data().data()), has_come_);
-    buffer_.consume(has_come_);
-    read_rest(0);
+    body_.read(this->shared_from_this(), *parser_, request_.body, bounds);
   }
 
-  // A body whose length is known, in pieces as large as they come. `way`: bytes since the last time
-  // it was looked at the clock.
-  void read_rest(std::size_t way) {
-    if (has_come_ == length_) return dispatch();
-    if (way == 0) lowest().expires_after(limits_.timeout);
-    std::string& body = request_.body;
-    // Not all at once: who only promises a large body has not sent it yet.
-    if (has_come_ == body.size()) body.resize(std::min(length_, has_come_ + most_read_bytes));
-    stream_.async_read_some(
-        asio::buffer(body.data() + has_come_, body.size() - has_come_),
-        [self = this->shared_from_this(), way](error_code fault, std::size_t bytes) {
-          self->has_come_ += bytes;
-          if (fault) return self->close_socket();
-          self->read_rest(way_after(way + bytes));
-        });
-  }
-
-  // Only what has come far enough gets more time: a byte now and then does not.
-  static std::size_t way_after(std::size_t way) {
-    return way >= piece_bytes ? 0 : std::max<std::size_t>(way, 1);
-  }
-
-  void read_chunks(std::size_t way) {
-    if (parser_->is_done()) {
-      request_.body = std::move(parser_->get().body());
-      return dispatch();
-    }
-    if (way == 0) lowest().expires_after(limits_.timeout);
-    bhttp::async_read_some(
-        stream_, buffer_, *parser_,
-        [self = this->shared_from_this(), way](error_code fault, std::size_t bytes) {
-          self->on_chunks(fault, way + bytes);
-        });
-  }
-
-  void on_chunks(error_code fault, std::size_t way) {
-    if (fault == bhttp::error::body_limit) return refuse(body_too_large(most_body_bytes_));
-    if (fault && fault.category() == make_error_code(bhttp::error::bad_chunk).category() &&
-        fault != bhttp::error::partial_message && fault != bhttp::error::end_of_stream)
-      return refuse(400, "REQUEST_MALFORMED", "The body of the request is malformed");
-    if (fault) return close_socket();
-    const std::size_t size = parser_->get().body().size();
-    if (size > held_body_) {
-      const std::size_t more = std::max(size - held_body_, piece_bytes);
-      if (const Room room = take_memory(more); room != Room::some)
-        return refuse(no_memory_for_body(room));
-      held_body_ += more;
-    }
-    read_chunks(way_after(way));
+  void on_body(const BodyEnding& ending) {
+    if (ending.broken) return close_socket();
+    if (ending.refused) return refuse(*ending.refused);
+    dispatch();
   }
 
   // What somebody sends now matters more than views that somebody has looked at.
@@ -426,12 +378,9 @@ class Connection final : public Exchange,
   bool allowed_ = true;
 
   beast::flat_buffer buffer_{piece_bytes * 2};
-  std::optional<bhttp::request_parser<bhttp::string_body>> parser_;
+  std::optional<BodyParser> parser_;
   Request request_;
-  std::size_t most_body_bytes_ = 0;
-  std::size_t held_body_ = 0;
-  std::size_t length_ = 0;  // of a body, where it is known
-  std::size_t has_come_ = 0;
+  BodyReader<Stream> body_;
   bool is_whole_ = false;
   bool keep_alive_ = true;
 

@@ -8,7 +8,7 @@
 
 #include "proto/wire/json_lines.h"
 #include "server/http/problem.h"
-#include "server/http/run.h"
+#include "server/http/rpc_exchange.h"
 #include "trc/v1/http.pb.h"
 #include "trc/v1/trc_service.pb.h"
 

@@ -9,9 +9,9 @@
 #include <optional>
 
 #include "server/backend.h"
-#include "server/certificates.h"
 #include "server/http/offer.h"
-#include "server/listener.h"
+#include "server/net/certificates.h"
+#include "server/net/listener.h"
 
 namespace trc::server::http {
 

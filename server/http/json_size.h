@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-#include "server/config.h"
+#include "server/config/config.h"
 #include "server/rpc/status.h"
 
 namespace trc::server::http {

@@ -304,12 +304,6 @@ void add_answers(const Route& route, Struct& operation, Schemas& known) {
               object(object(object(bad, "content"), "application/problem+json"), "schema"));
 }
 
-std::string lower(std::string_view word) {
-  std::string result;
-  for (const char c : word) result += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return result;
-}
-
 void add_routes(Struct& paths, Schemas& known) {
   for (const Route& route : routes()) {
     Struct& operation = object(object(paths, std::string(route.path)), lower(route.method));

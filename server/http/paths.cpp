@@ -69,7 +69,8 @@ void start(Api& api, const ExchangePointer& exchange, const char* rpc, Ask ask,
                                      std::to_string(api.most_message_bytes()) +
                                      " are taken (max-message-bytes); divide the path, send it as "
                                      "an NC program, or stream it with gRPC"));
-      Run::start(api, exchange, rpc, std::make_unique<PreparedQuestions>(asked.messages), format);
+      RpcExchange::start(api, exchange, rpc, std::make_unique<PreparedQuestions>(asked.messages),
+                         format);
     });
   });
 }

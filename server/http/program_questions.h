@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "server/http/run.h"
+#include "server/http/rpc_exchange.h"
 #include "trc/v1/trc_service.pb.h"
 
 namespace trc::server::http {

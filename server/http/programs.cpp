@@ -50,10 +50,10 @@ Pairs take_questions(const Pairs& query, v1::SurveySetup& setup, std::string& fa
 
 void start(Api& api, const ExchangePointer& exchange, const v1::ProgramSetup& setup,
            std::shared_ptr<Format> format) {
-  Run::start(api, exchange, compensate_program_rpc,
-             std::make_unique<ProgramQuestions>(setup, exchange->request().take_body(),
-                                                api.most_message_bytes()),
-             std::move(format));
+  RpcExchange::start(api, exchange, compensate_program_rpc,
+                     std::make_unique<ProgramQuestions>(setup, exchange->request().take_body(),
+                                                        api.most_message_bytes()),
+                     std::move(format));
 }
 
 }  // namespace
@@ -105,10 +105,10 @@ void survey_program(Api& api, const ExchangePointer& exchange) {
                                              presentable(fault)));
   if (!read_setup(*exchange, settings, *setup.mutable_program())) return;
   constexpr std::size_t messages = 4;
-  Run::start(api, exchange, survey_radii_rpc,
-             std::make_unique<SurveyQuestions>(setup, exchange->request().take_body(),
-                                               api.most_message_bytes()),
-             std::make_shared<SurveyFormat>(messages * api.most_message_bytes()));
+  RpcExchange::start(api, exchange, survey_radii_rpc,
+                     std::make_unique<SurveyQuestions>(setup, exchange->request().take_body(),
+                                                       api.most_message_bytes()),
+                     std::make_shared<SurveyFormat>(messages * api.most_message_bytes()));
 }
 
 }  // namespace trc::server::http

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "server/certificates.h"
+#include "server/net/certificates.h"
 
 namespace trc::server::http {
 

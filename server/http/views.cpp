@@ -181,9 +181,10 @@ void start_view(Api& api, const ExchangePointer& exchange, AskedView& asked) {
                     .pass = [&api] { api.backend().pool.give_way(); }});
   const std::string name = ViewStore::new_id();
   api.backend().run_taps.add(name, tap);
-  Run::start(api, exchange, {.method = compensate_program_rpc, .run_tap = name},
-             std::make_unique<ProgramQuestions>(asked.setup, text, api.most_message_bytes()),
-             std::make_shared<ViewFormat>(api, std::move(builder), std::move(tap)));
+  RpcExchange::start(
+      api, exchange, {.method = compensate_program_rpc, .run_tap = name},
+      std::make_unique<ProgramQuestions>(asked.setup, text, api.most_message_bytes()),
+      std::make_shared<ViewFormat>(api, std::move(builder), std::move(tap)));
 }
 
 // Takes from the query which plane is shown; false: it is none.

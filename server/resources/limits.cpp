@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "server/address.h"
+#include "server/net/address.h"
 
 namespace trc::server {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "server/config.h"
+#include "server/config/config.h"
 
 namespace trc::server {
 
@@ -13,7 +13,7 @@ namespace trc::server {
 // sentence.
 [[nodiscard]] std::optional<std::string> fill_in_limits(Config& config, std::uint64_t memory_bytes);
 
-// The same for a server inside the process of its only client, which may use most of the memory.
+// fill_in_limits() for a server inside the process of its only client, which may use most memory.
 [[nodiscard]] std::optional<std::string> fill_in_own_limits(Config& config,
                                                             std::uint64_t memory_bytes);
 

@@ -13,7 +13,7 @@ namespace trc::server {
 // The memory this process may have: the smallest limit of its cgroups, of version 2 or 1, else what
 // the machine has.
 [[nodiscard]] std::uint64_t memory_limit_bytes();
-// The same for these files, in place of /proc/self/cgroup, /sys/fs/cgroup and /proc/meminfo.
+// As these files say it, in place of /proc/self/cgroup, /sys/fs/cgroup and /proc/meminfo.
 [[nodiscard]] std::uint64_t memory_limit_bytes(const std::string& groups_file,
                                                const std::string& hierarchy,
                                                const std::string& machine_file);

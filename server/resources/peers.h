@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "server/resources/memory_budget.h"
-#include "server/worker_pool.h"
+#include "server/work/worker_pool.h"
 
 namespace trc::server {
 

@@ -28,7 +28,7 @@ class ArenaMessage {
     arena_.Reset();
     message_ = google::protobuf::Arena::CreateMessage<Message>(&arena_);
   }
-  // The same once it has grown; until then what it has held may be used again.
+  // reset() once the message has grown; until then what it has held may be used again.
   void reset_if_large() {
     // Ready bytes lie elsewhere.
     if (arena_.SpaceUsed() > large || !ready_bytes_of(*message_).empty()) reset();

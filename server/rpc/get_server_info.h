@@ -1,6 +1,6 @@
 #pragma once
 
-#include "server/config.h"
+#include "server/config/config.h"
 #include "trc/v1/trc_service.pb.h"
 
 namespace trc::server {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/session/session.h"
+#include "core/session/path_session.h"
 #include "proto/wire/block.h"
 #include "server/rpc/stream_run.h"
 #include "trc/v1/trc_service.pb.h"

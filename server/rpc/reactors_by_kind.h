@@ -22,7 +22,7 @@ class BidiReactor final
  private:
   void read() override {
     this->await_request();
-    this->StartRead(&this->request_bytes_);
+    this->StartRead(&this->request_.bytes());
   }
   void OnReadDone(bool ok) override {
     this->arrived(ok ? Base::Input::request : Base::Input::ended);
@@ -39,7 +39,7 @@ class AnswerReactor final
   AnswerReactor(Backend& backend, grpc::CallbackServerContext& context, Method method,
                 const grpc::ByteBuffer& request)
       : Base(backend, context, method) {
-    this->request_bytes_ = request;
+    this->request_.bytes() = request;
   }
 
  private:
@@ -76,7 +76,7 @@ class UnaryReactor final : public StreamReactor<OneAnswer, Request, Response> {
   UnaryReactor(Backend& backend, grpc::CallbackServerContext& context, Method method,
                const grpc::ByteBuffer& request, grpc::ByteBuffer& response)
       : Base(backend, context, method) {
-    this->request_bytes_ = request;
+    this->request_.bytes() = request;
     this->answer_goes_to(response);
   }
 

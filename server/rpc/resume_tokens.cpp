@@ -24,7 +24,7 @@
 
 #include "core/base/archive.h"
 #include "core/base/version.h"
-#include "server/listener.h"
+#include "server/net/listener.h"
 
 namespace trc::server {
 namespace {

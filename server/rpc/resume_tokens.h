@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "core/base/state.h"
-#include "server/config.h"
+#include "server/config/config.h"
 #include "server/rpc/status.h"
 
 namespace google::protobuf {

@@ -4,7 +4,7 @@
 
 #include "proto/wire/setup.h"
 #include "proto/wire/survey.h"
-#include "server/config.h"
+#include "server/config/config.h"
 #include "server/rpc/status.h"
 #include "trc/v1/trc_service.pb.h"
 

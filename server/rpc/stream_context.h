@@ -3,7 +3,7 @@
 #include <atomic>
 #include <memory>
 
-#include "core/session/session.h"
+#include "core/session/path_session.h"
 #include "server/backend.h"
 #include "server/rpc/stream_account.h"
 #include "server/telemetry/call_record.h"

@@ -17,6 +17,7 @@
 #include "server/backend.h"
 #include "server/rpc/arena_message.h"
 #include "server/rpc/caller.h"
+#include "server/rpc/incoming_request.h"
 #include "server/rpc/stream_account.h"
 #include "server/rpc/stream_context.h"
 #include "server/rpc/stream_work.h"
@@ -35,9 +36,6 @@ namespace trc::server {
 // the stream, so that Finish is called once: by the owner, or by the watch for idle streams, which
 // takes the ownership away from a pending read. The watch also writes the heartbeats of a silent
 // stream.
-//
-// gRPC hands over bytes: as a message a request may take forty times as much, and what reads it
-// should be a turn, which is limited and whose memory is counted.
 template <class GrpcReactor, class Request, class Response>
 class StreamReactor
     : public GrpcReactor,
@@ -143,7 +141,7 @@ class StreamReactor
     take_turn();
   }
 
-  grpc::ByteBuffer request_bytes_;
+  IncomingRequest<Request> request_;
 
  private:
   enum class Phase { working, reading, writing, cancelling, finished };
@@ -188,45 +186,30 @@ class StreamReactor
 
   // From a reaction.
   void take_turn() {
-    if (input_ == Input::request) note_size();
+    if (input_ == Input::request) {
+      const std::size_t size = request_.bytes().Length();
+      // A request that is too large is refused in its turn.
+      if (request_.keep_up_to(backend_.config.max_message_bytes)) record_.carried(size);
+    }
     if (!cancelled_ && is_short())
       turn();
     else
       backend_.pool.submit(*this, peer_->turns);
   }
 
-  // A request that is too large is let go of at once, and its turn refuses it.
-  void note_size() {
-    const std::size_t size = request_bytes_.Length();
-    if (size <= backend_.config.max_message_bytes) return record_.carried(size);
-    bytes_too_many_ = size;
-    request_bytes_.Clear();
-  }
-
   // Whether the next turn takes no longer than handing it to a worker would. A small request is
   // read for that.
   [[nodiscard]] bool is_short() {
     constexpr std::size_t small = 16U << 10U;
-    if (bytes_too_many_ > 0) return false;
+    if (request_.bytes_too_many() > 0) return false;
     if (input_ != Input::request) return work_->is_short(nullptr);
-    if (request_bytes_.Length() > small) return false;
+    if (request_.bytes().Length() > small) return false;
     const StreamAccount::Turn accounted(account_);
     try {
-      return read_request() && work_->is_short(&*request_);
+      return request_.read() && work_->is_short(&request_.message());
     } catch (const std::bad_alloc&) {
       return false;
     }
-  }
-
-  // False when it is no such message.
-  bool read_request() {
-    if (!is_read_) {
-      using Bytes = grpc::SerializationTraits<Request>;
-      is_unreadable_ = !Bytes::Deserialize(&request_bytes_, &*request_).ok();
-      request_bytes_.Clear();
-      is_read_ = true;
-    }
-    return !is_unreadable_;
   }
 
   // False when there is no memory.
@@ -308,10 +291,9 @@ class StreamReactor
   Turn compute() {
     switch (std::exchange(input_, Input::none)) {
       case Input::request:
-        if (bytes_too_many_ > 0) return end(too_large());
-        if (!read_request()) return end(refuse(Refusal::request_unreadable));
-        is_read_ = false;
-        return work_->take(*request_, *response_);
+        if (request_.bytes_too_many() > 0) return end(too_large());
+        if (!request_.read()) return end(refuse(Refusal::request_unreadable));
+        return work_->take(request_.take(), *response_);
       case Input::ended:
         return work_->ended(*response_);
       case Input::none:
@@ -321,7 +303,7 @@ class StreamReactor
   }
 
   [[nodiscard]] Ending too_large() const {
-    const std::string size = std::to_string(bytes_too_many_);
+    const std::string size = std::to_string(request_.bytes_too_many());
     const std::string most = std::to_string(backend_.config.max_message_bytes);
     return refuse(Refusal::message_too_large, size + " > " + most + " bytes",
                   {{"message_bytes", size}, {"max_message_bytes", most}});
@@ -412,10 +394,6 @@ class StreamReactor
   OpenStreams::Ticket ticket_;
   std::shared_ptr<StreamReactor> self_;
 
-  ArenaMessage<Request> request_;
-  bool is_read_ = false;  // of its bytes
-  bool is_unreadable_ = false;
-  std::size_t bytes_too_many_ = 0;  // of the request that is refused; 0: none
   ArenaMessage<Response> response_;
   grpc::ByteBuffer answer_;
   grpc::ByteBuffer beat_;

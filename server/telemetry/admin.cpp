@@ -10,8 +10,8 @@
 #include <thread>
 #include <utility>
 
-#include "server/address.h"
-#include "server/listener.h"
+#include "server/net/address.h"
+#include "server/net/listener.h"
 
 namespace trc::server {
 namespace {

@@ -9,7 +9,7 @@
 #include <map>
 
 #include "core/base/version.h"
-#include "server/connections.h"
+#include "server/net/connections.h"
 
 namespace trc::server {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "server/config.h"
+#include "server/config/config.h"
 
 namespace trc::server {
 namespace {

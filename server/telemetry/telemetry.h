@@ -1,6 +1,6 @@
 #pragma once
 
-#include "server/connections.h"
+#include "server/net/connections.h"
 #include "server/telemetry/log.h"
 #include "server/telemetry/metrics.h"
 

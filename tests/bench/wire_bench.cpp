@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/session/session.h"
+#include "core/session/path_session.h"
 #include "proto/wire/block.h"
 #include "proto/wire/compensated_batch_bytes.h"
 #include "proto/wire/compensated_block.h"
@@ -84,7 +84,7 @@ std::vector<CompensatedBlock> compensated_lap() {
 template <class Batch>
 Batch request_batch() {
   Batch batch;
-  wire::BlockWriter().write(inputs_of(part().lap_blocks), false, batch);
+  wire::BlockWriter().write(inputs_of(part().lap_blocks), batch);
   return batch;
 }
 
@@ -113,7 +113,7 @@ void write_request(benchmark::State& state) {
   wire::BlockWriter writer;
   Batch batch;
   run_timed(
-      state, Part::blocks_per_lap, [] {}, [&] { writer.write(inputs, false, batch); });
+      state, Part::blocks_per_lap, [] {}, [&] { writer.write(inputs, batch); });
 }
 
 template <class Batch>

@@ -1,8 +1,8 @@
-#include "client/cli/told.h"
-
 #include <gtest/gtest.h>
 
 #include <string>
+
+#include "client/cli/speech.h"
 
 namespace trc::cli {
 namespace {

@@ -239,10 +239,14 @@ std::vector<v1::CompensatePathRequest> requests_of(const FuzzedPath& path) {
     const auto batch = items.first(std::min(path.cut, items.size()));
     items = items.subspan(batch.size());
     v1::CompensatePathRequest& request = requests.emplace_back();
+    const auto write = [&](auto& message) {
+      writer.write(batch, message);
+      message.set_final(items.empty());
+    };
     if (requests.size() % 2 == 0)
-      writer.write(batch, items.empty(), *request.mutable_batch());
+      write(*request.mutable_batch());
     else
-      writer.write(batch, items.empty(), *request.mutable_columns());
+      write(*request.mutable_columns());
   } while (!items.empty());
   return requests;
 }

@@ -1,4 +1,4 @@
-#include "core/session/conversion.h"
+#include "core/nc/convert/conversion.h"
 
 #include <gtest/gtest.h>
 

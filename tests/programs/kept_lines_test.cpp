@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/session/conversion.h"
+#include "core/nc/convert/conversion.h"
 #include "tests/programs/computing.h"
 
 // What nothing changes in comes out byte for byte, and what is written anew names each axis as the

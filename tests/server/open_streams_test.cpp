@@ -1,4 +1,4 @@
-#include "server/open_streams.h"
+#include "server/work/open_streams.h"
 
 #include <gtest/gtest.h>
 

@@ -149,7 +149,8 @@ TEST_F(CompensatePathRpc, BothLayoutsInBothDirectionsGiveTheSamePath) {
       faults);
   ASSERT_TRUE(faults.empty());
   v1::CompensatePathRequest request;
-  wire::BlockWriter().write(items, true, *request.mutable_columns());
+  wire::BlockWriter().write(items, *request.mutable_columns());
+  request.mutable_columns()->set_final(true);
   v1::PathSetup setup = small_tool();
   setup.set_response_layout(v1::RESPONSE_LAYOUT_COLUMNS);
   const Answer columns = call_path(channel(), {setup_request(setup), request});

@@ -23,7 +23,8 @@ v1::CompensatePathRequest columns_of(const v1::CompensatePathRequest& request) {
       faults);
   EXPECT_TRUE(faults.empty());
   v1::CompensatePathRequest columns;
-  wire::BlockWriter().write(items, request.batch().final(), *columns.mutable_columns());
+  wire::BlockWriter().write(items, *columns.mutable_columns());
+  columns.mutable_columns()->set_final(request.batch().final());
   columns.mutable_columns()->set_first_block(request.batch().first_block());
   return columns;
 }

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "core/session/path_session.h"
 #include "core/session/program_session.h"
-#include "core/session/session.h"
 
 namespace {
 

@@ -1,10 +1,11 @@
+#include "core/session/path_session.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <string>
 #include <vector>
 
-#include "core/session/session.h"
 #include "core/trc/result/listing.h"
 
 namespace trc::testing {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/diagnostic.h"
-#include "core/session/session.h"
+#include "core/session/path_session.h"
 #include "core/trc/result/compensated_block.h"
 #include "tests/support/contours.h"
 #include "tests/support/slow_trc.h"

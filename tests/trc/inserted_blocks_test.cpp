@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/session/session.h"
+#include "core/session/path_session.h"
 #include "tests/support/run.h"
 
 namespace trc {

@@ -42,10 +42,10 @@ std::vector<PathInput> sent_and_read(std::span<const PathInput> items, std::size
   for (std::size_t from = 0; from < items.size(); from += batch) {
     const auto part = items.subspan(from, std::min(batch, items.size() - from));
     EXPECT_EQ(writer.next_block(), from);
-    writer.write(part, from + part.size() == items.size(), messages.emplace_back());
+    writer.write(part, messages.emplace_back());
     EXPECT_EQ(messages.back().first_block(), from);
+    EXPECT_FALSE(messages.back().final());
   }
-  EXPECT_TRUE(messages.back().final());
   FieldFaults faults;
   std::vector<PathInput> read = read_all(messages, faults);
   EXPECT_TRUE(faults.empty()) << faults.listed()[0].field << faults.listed()[0].description;
@@ -82,12 +82,13 @@ TYPED_TEST(PathLayout, ReusedMessageKeepsNothing) {
   const std::vector<PathInput> items = every_path_input();
   TypeParam reused;
   BlockWriter first;
-  first.write(items, true, reused);
+  first.write(items, reused);
+  reused.set_final(true);
   BlockWriter second;
-  second.write(std::span(items).first(2), false, reused);
+  second.write(std::span(items).first(2), reused);
   TypeParam fresh;
   BlockWriter third;
-  third.write(std::span(items).first(2), false, fresh);
+  third.write(std::span(items).first(2), fresh);
   EXPECT_EQ(reused.SerializeAsString(), fresh.SerializeAsString());
 }
 
@@ -95,7 +96,7 @@ TYPED_TEST(PathLayout, StopsWhenTheSinkDoes) {
   const std::vector<PathInput> items = every_path_input();
   BlockWriter writer;
   TypeParam message;
-  writer.write(items, true, message);
+  writer.write(items, message);
   BlockReader reader(tracking_axes);
   FieldFaults faults;
   int given = 0;
@@ -110,7 +111,7 @@ TEST(BlockColumns, UniformColumnsNeedNoPresence) {
                                      MoveRequest{.end = {3, 4, {}}, .feed = 6}};
   BlockWriter writer;
   v1::BlockColumns columns;
-  writer.write(items, true, columns);
+  writer.write(items, columns);
   EXPECT_TRUE(columns.present().empty());
   EXPECT_EQ(columns.x_size(), 2);
   EXPECT_EQ(columns.z_size(), 0);

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/session/outline.h"
+#include "core/session/projection.h"
 #include "core/verify/shape.h"
 
 namespace trc::server::http {

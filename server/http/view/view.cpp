@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "core/session/contour_reader.h"
-#include "core/session/outline.h"
 #include "core/session/program_session.h"
 #include "core/trc/result/compensated_block.h"
+#include "core/verify/shape.h"
 #include "proto/wire/compensated_block.h"
 #include "proto/wire/diagnostic.h"
 #include "proto/wire/geometry.h"

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/session/contour_reader.h"
-#include "core/session/outline.h"
+#include "core/session/not_travelled.h"
 #include "proto/wire/compensated_block.h"
 #include "server/http/view/plane_messages.h"
 #include "server/http/view/seen.h"

@@ -8,7 +8,7 @@
 
 #include "core/geometry/plane.h"
 #include "core/nc/state/block.h"
-#include "core/session/session.h"
+#include "core/session/path_session.h"
 #include "core/trc/result/first_motions.h"
 #include "server/http/view/elements.h"
 

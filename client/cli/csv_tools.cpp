@@ -1,0 +1,130 @@
+#include "client/cli/csv_tools.h"
+
+#include <algorithm>
+#include <array>
+
+#include "client/cli/table_text.h"
+#include "core/nc/text/characters.h"
+#include "core/nc/text/number_format.h"
+
+namespace trc::cli {
+namespace {
+
+constexpr char comma = ',';
+constexpr char semicolon = ';';
+constexpr std::array<std::string_view, 8> known_columns{"NUMBER", "RADIUS", "DIAMETER", "WEAR",
+                                                        "NAME",   "EDGE",   "HOLDS",    "UNIT"};
+
+bool is_header(std::string_view line, char separator) {
+  const auto columns = split(line, separator);
+  return std::ranges::any_of(columns, [](std::string_view column) {
+    const std::string name = in_upper_case(column);
+    return name == "NUMBER" || name == "NAME";
+  });
+}
+
+std::optional<double> unit_named(std::string_view name) {
+  if (in_upper_case(name) == "MM") return 1;
+  if (in_upper_case(name) == "INCH") return mm_per_inch;
+  return {};
+}
+
+std::string unknown_unit(std::string_view name) {
+  return "unit is \"" + std::string(name) + "\", not mm or inch";
+}
+
+}  // namespace
+
+std::optional<std::string> CsvTools::begin(std::string_view line) {
+  separator_ = line.find(semicolon) < line.find(comma) ? semicolon : comma;
+  if (is_header(line, separator_)) return read_header(line);
+  if (!in_upper_case(line).starts_with(std::string("UNIT") + separator_)) return std::nullopt;
+  const auto cells = split(line, separator_);
+  unit_ = unit_named(cells[1]);
+  return unit_ ? std::string() : unknown_unit(cells[1]);
+}
+
+std::string CsvTools::read_header(std::string_view line) {
+  for (const std::string_view name : split(line, separator_))
+    columns_.push_back(in_upper_case(name));
+  const auto has = [&](std::string_view wanted) {
+    return std::ranges::find(columns_, wanted) != columns_.end();
+  };
+  for (const std::string& column : columns_)
+    if (std::ranges::find(known_columns, column) == known_columns.end())
+      return "unknown column \"" + column + "\"";
+  if (!(has("NUMBER") || has("NAME")) || has("RADIUS") == has("DIAMETER"))
+    return "the header needs number or name, and one of radius, diameter";
+  return {};
+}
+
+// Where semicolons part the columns, a comma stands for the decimal point.
+std::optional<double> CsvTools::number_in(std::string_view cell) const {
+  std::string number(cell);
+  if (separator_ == semicolon) std::ranges::replace(number, ',', '.');
+  return number_from(number);
+}
+
+std::string CsvTools::read(std::string_view line) {
+  const auto cells = split(line, separator_);
+  // A decimal comma makes two cells of one number, and the first of them would count.
+  for (std::size_t i = columns_.size(); i < cells.size(); ++i)
+    if (!cells[i].empty())
+      return "it has more values than the header; decimals have a point, or semicolons stand "
+             "between the values";
+  Row row{.unit = unit_.value_or(1)};
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    const std::string_view cell = i < cells.size() ? cells[i] : std::string_view();
+    if (const std::string fault = read_cell(columns_[i], cell, row); !fault.empty()) return fault;
+  }
+  const auto tool = row.number ? tool_number(row.number) : std::optional<std::uint32_t>(0);
+  if (!tool) return "number is no number of a tool";
+  if (!row.number && row.name.empty()) return "the tool has neither number nor name";
+  const bool has_both = row.number && !row.name.empty();
+  if (has_both) table_.name(*tool, row.name);
+  const double factor = row.unit * (row.diameter ? 0.5 : 1);
+  return table_.take({.number = *tool, .name = has_both ? "" : row.name, .edge = row.edge},
+                     {.radius = factor * row.value, .wear = factor * row.wear});
+}
+
+std::string CsvTools::read_cell(const std::string& column, std::string_view cell, Row& row) const {
+  if (column == "NAME") {
+    row.name = in_capitals_as_utf8(cell);
+  } else if (column == "EDGE") {
+    const auto given =
+        cell.empty() ? std::optional<std::uint32_t>(1) : tool_number(number_from(cell));
+    if (!given || *given == 0) return "edge is \"" + std::string(cell) + "\", which is none";
+    row.edge = *given;
+  } else if (column == "UNIT") {
+    const auto named = unit_named(cell);
+    if (!named && !cell.empty()) return unknown_unit(cell);
+    row.unit = named.value_or(row.unit);
+  } else if (column == "HOLDS") {
+    const std::string holds = in_upper_case(cell);
+    if (!holds.empty() && holds != "RADIUS" && holds != "DIAMETER")
+      return "holds is \"" + holds + "\", not RADIUS or DIAMETER";
+    row.diameter |= holds == "DIAMETER";
+  } else {
+    return read_number(column, cell, row);
+  }
+  return {};
+}
+
+std::string CsvTools::read_number(const std::string& column, std::string_view cell,
+                                  Row& row) const {
+  if (column == "NUMBER" && cell.empty()) return {};  // the name tells
+  const auto read = number_in(cell);
+  if (!read && !(column == "WEAR" && cell.empty()))
+    return column + " is \"" + std::string(cell) + "\", which is no number";
+  if (column == "NUMBER") row.number = read;
+  if (column == "WEAR") row.wear = read.value_or(0);
+  if (column == "RADIUS" || column == "DIAMETER") row.value = *read;
+  row.diameter |= column == "DIAMETER";
+  return {};
+}
+
+bool CsvTools::unit_unsaid() const {
+  return !unit_ && std::ranges::find(columns_, "UNIT") == columns_.end();
+}
+
+}  // namespace trc::cli

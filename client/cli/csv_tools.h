@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "client/cli/tool_table.h"
+
+namespace trc::cli {
+
+// The rows of a CSV of tools, below the header that names their columns.
+class CsvTools {
+ public:
+  explicit CsvTools(ToolTable& table) : table_(table) {}
+
+  // A line in front of the header says what all rows count in, or is the header. Nothing: it is
+  // neither of them; else what is wrong with it.
+  [[nodiscard]] std::optional<std::string> begin(std::string_view line);
+  [[nodiscard]] bool has_header() const { return !columns_.empty(); }
+  // What is wrong with the row; empty: nothing.
+  std::string read(std::string_view line);
+  // Neither the rows nor a line above them name their unit.
+  [[nodiscard]] bool unit_unsaid() const;
+
+ private:
+  // What a row says of its tool.
+  struct Row {
+    std::optional<double> number{};
+    std::string name{};
+    std::uint32_t edge = 1;
+    double value = 0;
+    double wear = 0;
+    bool diameter = false;
+    double unit = 1;
+  };
+
+  std::string read_header(std::string_view line);
+  std::string read_cell(const std::string& column, std::string_view cell, Row& row) const;
+  std::string read_number(const std::string& column, std::string_view cell, Row& row) const;
+  [[nodiscard]] std::optional<double> number_in(std::string_view cell) const;
+
+  ToolTable& table_;
+  std::optional<double> unit_{};  // of all rows
+  std::vector<std::string> columns_{};
+  char separator_ = ',';  // as the first line has it
+};
+
+}  // namespace trc::cli

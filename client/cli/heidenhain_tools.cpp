@@ -1,0 +1,84 @@
+#include "client/cli/heidenhain_tools.h"
+
+#include <algorithm>
+
+#include "client/cli/table_text.h"
+#include "core/base/utf8.h"
+#include "core/nc/text/characters.h"
+#include "core/nc/text/number_format.h"
+
+namespace trc::cli {
+namespace {
+
+// Columns count characters.
+std::size_t byte_of_character(std::string_view line, std::size_t character) {
+  if (!is_utf8(line)) return std::min(character, line.size());
+  std::size_t byte = 0;
+  for (; character > 0 && byte < line.size(); --character)
+    byte += utf8_character(line.substr(byte));
+  return byte;
+}
+
+}  // namespace
+
+bool HeidenhainTools::begins_with(std::string_view line) {
+  return line.starts_with("BEGIN ") && line.find(".T") != std::string_view::npos;
+}
+
+void HeidenhainTools::begin(std::string_view line) {
+  has_begun_ = true;
+  unit_ = line.ends_with("INCH") ? mm_per_inch : 1;
+}
+
+std::string HeidenhainTools::read_columns(std::string_view line) {
+  for (std::size_t at = line.find_first_not_of(" \t\r"); at != std::string_view::npos;) {
+    const auto end = std::min(line.find_first_of(" \t\r", at), line.size());
+    columns_.emplace_back(in_upper_case(line.substr(at, end - at)), at);
+    at = line.find_first_not_of(" \t\r", end);
+  }
+  for (const char* name : {"T", "R"})
+    if (!column_of(name)) return std::string("the table has no column ") + name;
+  return {};
+}
+
+std::string HeidenhainTools::read(std::string_view line) {
+  if (columns_.empty()) return read_columns(line);
+  const std::string_view place = cell(line, "T");
+  const auto number = tool_number(number_from(place.substr(0, place.find('.'))));
+  // 5.2: the second index of tool 5.
+  const auto index = place.find('.') < place.size()
+                         ? tool_number(number_from(place.substr(place.find('.') + 1)))
+                         : std::optional<std::uint32_t>(0);
+  if (!number || !index) return "T is no number of a tool";
+  const std::string_view name = cell(line, "NAME");
+  if (!name.empty() && *index == 0) table_.name(*number, in_capitals_as_utf8(name));
+  const std::string_view radius = cell(line, "R");
+  const std::string_view wear = cell(line, "DR");
+  // Places without a tool.
+  if (radius.empty() && wear.empty()) return {};
+  const auto read_radius = number_from(radius);
+  const auto read_wear = wear.empty() ? std::optional(0.0) : number_from(wear);
+  if (!read_radius || !read_wear)
+    return (read_radius ? "DR is \"" + std::string(wear) : "R is \"" + std::string(radius)) +
+           "\", which is no number";
+  return table_.take({.number = *number, .edge = *index + 1},
+                     {.radius = *read_radius * unit_, .wear = *read_wear * unit_});
+}
+
+std::optional<std::size_t> HeidenhainTools::column_of(std::string_view name) const {
+  for (std::size_t i = 0; i < columns_.size(); ++i)
+    if (columns_[i].first == name) return i;
+  return std::nullopt;
+}
+
+std::string_view HeidenhainTools::cell(std::string_view line, std::string_view name) const {
+  const auto column = column_of(name);
+  if (!column) return {};
+  const std::size_t begin = byte_of_character(line, columns_[*column].second);
+  const std::size_t end = *column + 1 < columns_.size()
+                              ? byte_of_character(line, columns_[*column + 1].second)
+                              : line.size();
+  return trimmed(line.substr(begin, end - begin));
+}
+
+}  // namespace trc::cli

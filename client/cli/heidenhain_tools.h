@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "client/cli/tool_table.h"
+
+namespace trc::cli {
+
+// TOOL.T of Heidenhain: the first line names the columns, each cell begins below its name.
+class HeidenhainTools {
+ public:
+  explicit HeidenhainTools(ToolTable& table) : table_(table) {}
+
+  // Whether the line, in capitals, is the one such a file begins with.
+  [[nodiscard]] static bool begins_with(std::string_view line);
+  // That line, which says what the lengths count in.
+  void begin(std::string_view line);
+  [[nodiscard]] bool has_begun() const { return has_begun_; }
+  // The line as it stands in the file: blanks in front count. What is wrong with it; empty:
+  // nothing.
+  std::string read(std::string_view line);
+
+ private:
+  std::string read_columns(std::string_view line);
+  [[nodiscard]] std::optional<std::size_t> column_of(std::string_view name) const;
+  [[nodiscard]] std::string_view cell(std::string_view line, std::string_view name) const;
+
+  ToolTable& table_;
+  bool has_begun_ = false;
+  double unit_ = 1;                                             // mm
+  std::vector<std::pair<std::string, std::size_t>> columns_{};  // name and begin
+};
+
+}  // namespace trc::cli

@@ -1,0 +1,287 @@
+#include "client/cli/speech.h"
+
+#include <array>
+#include <iostream>
+
+#include "core/base/sentences.h"
+#include "proto/wire/setting_sentences.h"
+#include "server/rpc/status.h"
+
+namespace trc::cli {
+namespace {
+
+Language spoken = Language::english;  // by main(), before anything is said
+
+constexpr auto rows = std::to_array<Sentence>({
+    // Wrong calls.
+    {"there is no command {}; did you mean {}?", "es gibt keinen Befehl {}; ist {} gemeint?"},
+    {"there is no command {}; commands are {}", "es gibt keinen Befehl {}; Befehle sind {}"},
+    {"{}: there is no option {}; did you mean {}?", "{}: es gibt keine Option {}; ist {} gemeint?"},
+    {"{}: there is no option {}; {} --help lists all",
+     "{}: es gibt keine Option {}; alle nennt {} --help"},
+    {"say what to do: commands are {}", "es fehlt, was zu tun ist: Befehle sind {}"},
+    {"Run {} --help for more information.", "Mehr sagt {} --help."},
+    {"FILE or --record is required", "FILE oder --record muss angegeben werden"},
+    {"{} is required", "{} muss angegeben werden"},
+    {"{}: File does not exist: {}", "{}: die Datei gibt es nicht: {}"},
+    {"{}: File is actually a directory: {}", "{}: die Datei ist ein Verzeichnis: {}"},
+    {"{}: Path does not exist: {}", "{}: das gibt es nicht: {}"},
+    {"{}: Value {} not in range {} to {}", "{}: der Wert {} liegt nicht zwischen {} und {}"},
+    {"{} is {}, which is no number", "{} ist {}, und das ist keine Zahl"},
+    {"{}: {} is no number; write {}, with a decimal point",
+     "{}: {} ist keine Zahl; {} schreiben, mit Dezimalpunkt"},
+    {"{}: {} is no number", "{}: {} ist keine Zahl"},
+    {"{}: it takes {}", "{}: möglich sind {}"},
+    {"{}: {} not in {{}}; did you mean {}?", "{}: {} gehört nicht zu {{}}; ist {} gemeint?"},
+    {"{}: {} not in {{}}", "{}: {} gehört nicht zu {{}}"},
+    {"{}: {} required {} missing", "{}: es fehlen Angaben ({} × {})"},
+    {"{}: At Most {} required but received {}", "{}: höchstens {} erlaubt, angegeben sind {}"},
+    {"{} requires {}", "{} gilt nur mit {}"},
+    {"{} excludes {}", "{} gilt nicht zusammen mit {}"},
+    {"The following argument was not expected: {}", "dieses Argument ist zu viel: {}"},
+    {"The following arguments were not expected: {}", "diese Argumente sind zu viel: {}"},
+    {"{}: several programs need --output-dir, where their results go",
+     "{}: mehrere Programme brauchen --output-dir, wohin die Ergebnisse gehen"},
+    {"there is no code {}; trc explain lists all",
+     "es gibt keinen Code {}; trc explain nennt alle"},
+    // Settings, as the command line names them.
+    {"--radii: {}", "--radii: {}"},
+    {"--variable: {}", "--variable: {}"},
+    {"--set: {} (all of them: trc compensate --help)", "--set: {} (alle: trc compensate --help)"},
+    {"--set: {}", "--set: {}"},
+    {"unknown setting {}; nearest: {}", "unbekannte Einstellung {}; am ähnlichsten: {}"},
+    // Tables of tools and subprograms.
+    {"--tools: {}", "--tools: {}"},
+    {"--listen {}: the page is for this machine alone; trcd --http-listen serves others",
+     "--listen {}: die Seite ist nur für diesen Rechner da; anderen dient trcd --http-listen"},
+    {"note: the radii of {} are read in mm, as the file names no unit, though the program counts "
+     "in inch; a first line unit,inch or a column unit of a CSV says otherwise, --unit inch of "
+     "other tables",
+     "Hinweis: die Radien von {} werden in mm gelesen, da die Datei keine Einheit nennt, obwohl "
+     "das Programm in Zoll rechnet; anders sagt es eine erste Zeile unit,inch oder eine Spalte "
+     "unit einer CSV, --unit inch bei anderen Tabellen"},
+    {"--wear is of the tool of --radius: tools of a table have a wear of their own",
+     "--wear gilt dem Werkzeug von --radius: Werkzeuge einer Tabelle haben ihren eigenen "
+     "Verschleiß"},
+    {"R has no decimal point: say what it counts in with --whole-numbers",
+     "R hat keinen Dezimalpunkt: mit --whole-numbers sagen, worin es zählt"},
+    {"note: radii and wear of --radius, --wear and --set are in mm, though the program counts in "
+     "inch: 0.25 inch are 6.35",
+     "Hinweis: Radien und Verschleiß von --radius, --wear und --set gelten in mm, obwohl das "
+     "Programm in Zoll rechnet: 0.25 Zoll sind 6.35"},
+    {"{}: line {}: {}", "{}: Zeile {}: {}"},
+    {"it is text in UTF-16; save it as CSV UTF-8",
+     "sie ist Text in UTF-16; als CSV UTF-8 speichern"},
+    {"{}: it is text in UTF-16; save it as CSV UTF-8",
+     "{}: ist Text in UTF-16; als CSV UTF-8 speichern"},
+    {"it names no tool with a radius", "sie nennt kein Werkzeug mit einem Radius"},
+    {"{}: it names no tool with a radius", "{}: nennt kein Werkzeug mit einem Radius"},
+    {"{} has wear, but no radius", "{} hat Verschleiß, aber keinen Radius"},
+    {"tool {}, edge {}", "Werkzeug {}, Schneide {}"},
+    {"{} a second time", "{} ein zweites Mal"},
+    {"tool {}", "Werkzeug {}"},
+    {"unit is {}, not mm or inch", "unit ist {}, nicht mm oder inch"},
+    {"{} is no number of a tool", "{} ist keine Nummer eines Werkzeugs"},
+    {"{} is no row of a table of tools; a CSV begins with a header such as number,radius",
+     "{} ist keine Zeile einer Werkzeugtabelle; eine CSV beginnt mit einem Kopf wie "
+     "number,radius"},
+    {"{} names no tool and edge, as in {}", "{} nennt kein Werkzeug mit Schneide, wie in {}"},
+    {"it has more values than the header; decimals have a point, or semicolons stand between the "
+     "values",
+     "sie hat mehr Werte als der Kopf; Dezimalstellen haben einen Punkt, oder zwischen den Werten "
+     "stehen Semikolons"},
+    {"the table has no column {}", "die Tabelle hat keine Spalte {}"},
+    {"unknown column {}", "unbekannte Spalte {}"},
+    {"the header needs number or name, and one of radius, diameter",
+     "der Kopf braucht number oder name, und radius oder diameter"},
+    {"edge is {}, which is none", "edge ist {}, und das ist keine Schneide"},
+    {"holds is {}, not RADIUS or DIAMETER", "holds ist {}, nicht RADIUS oder DIAMETER"},
+    {"the tool has neither number nor name", "das Werkzeug hat weder Nummer noch Namen"},
+    {"--subprograms: {} cannot be read", "--subprograms: {} lässt sich nicht lesen"},
+    {"--subprograms: {} is no NC text", "--subprograms: {} ist kein NC-Text"},
+    {"--subprograms: more than 900 KiB; name the files that the program calls",
+     "--subprograms: mehr als 900 KiB; die Dateien nennen, die das Programm aufruft"},
+    // Files.
+    {"cannot read standard input: {}", "die Standardeingabe lässt sich nicht lesen: {}"},
+    {"cannot read {}: {}", "{} lässt sich nicht lesen: {}"},
+    {"cannot read {}", "{} lässt sich nicht lesen"},
+    {"cannot write standard output: {}", "die Standardausgabe lässt sich nicht schreiben: {}"},
+    {"cannot write standard output", "die Standardausgabe lässt sich nicht schreiben"},
+    {"cannot hold back {}: {}", "{} lässt sich nicht zurückhalten: {}"},
+    {"cannot write {}: {}", "{} lässt sich nicht schreiben: {}"},
+    {"cannot make {}: {}", "{} lässt sich nicht anlegen: {}"},
+    {"-o {}: the name must end in .svg or .html, or --format must say which it is",
+     "-o {}: der Name muss auf .svg oder .html enden, oder --format muss es sagen"},
+    {"-o {} is the program itself; write another file, or say --force",
+     "-o {} ist das Programm selbst; eine andere Datei schreiben, oder --force angeben"},
+    {"{} is the program itself; write another file",
+     "{} ist das Programm selbst; eine andere Datei schreiben"},
+    {"--to writes an NC program: leave out --format {}",
+     "--to schreibt ein NC-Programm: --format {} weglassen"},
+    {"{} has {} blocks of contour and path, a page holds {}; use trc view, or write .svg",
+     "{} hat {} Sätze an Kontur und Bahn, eine Seite fasst {}; trc view nehmen, oder .svg "
+     "schreiben"},
+    {"{} is given twice; its results would have one name",
+     "{} ist zweimal angegeben; die Ergebnisse hätten denselben Namen"},
+    {"{}: error: --to {} does not convert {} (line {} of the compensated program)",
+     "{}: Fehler: --to {} setzt {} nicht um (Zeile {} des korrigierten Programms)"},
+    {"{} would be written over the program itself", "{} würde das Programm selbst überschreiben"},
+    {"{}: no process can be started for it", "{}: dafür lässt sich kein Prozess starten"},
+    {"{}: the process was ended by signal {}", "{}: der Prozess wurde durch Signal {} beendet"},
+    // The table of a folder, whose columns are as wide as in English.
+    {"not begun", "offen"},
+    {"unchanged", "gleich"},
+    {"done", "fertig"},
+    {"refused", "abgelehnt"},
+    {"failed", "gescheitert"},
+    {"interrupted", "abgebrochen"},
+    {"{} blocks, clearance {} of {} mm, {} warnings",
+     "{} Sätze, Abstand {} von {} mm, {} Warnungen"},
+    {"{} blocks, clearance {} of {} mm", "{} Sätze, Abstand {} von {} mm"},
+    {"{} blocks, {} warnings", "{} Sätze, {} Warnungen"},
+    {"{} blocks", "{} Sätze"},
+    {"error {} at line {}", "Fehler {} in Zeile {}"},
+    {"error {}", "Fehler {}"},
+    {"{} programs", "{} Programme"},
+    // What the system says.
+    {"No such file or directory", "die Datei oder das Verzeichnis gibt es nicht"},
+    {"Permission denied", "keine Berechtigung"},
+    {"Is a directory", "es ist ein Verzeichnis"},
+    {"No space left on device", "kein Platz mehr auf dem Gerät"},
+    {"Not a directory", "es ist kein Verzeichnis"},
+    {"File exists", "die Datei gibt es schon"},
+    {"Input/output error", "Ein-/Ausgabefehler"},
+    // Shapes of trc generate and trc load.
+    {"unknown shape {}", "unbekannte Form {}"},
+    {"a {} of this tool radius has at most {} blocks",
+     "{} hat bei diesem Werkzeugradius höchstens {} Sätze"},
+    {"--{} {}: the server admits {} ({})", "--{} {}: der Server lässt {} zu ({})"},
+    {"the core refuses this contour: {}", "der Kern lehnt diese Kontur ab: {}"},
+    // Records of jobs.
+    {"{}: it is no record of a job: {}", "{}: das ist kein Auftragsprotokoll: {}"},
+    {"format is {}", "format ist {}"},
+    {"{}: it has been changed: its own SHA-256 is not there",
+     "{}: es wurde verändert: seine eigene SHA-256 fehlt"},
+    {"{}: it has been changed since it was written: its SHA-256 is {}, the one in it says {}",
+     "{}: es wurde verändert, seit es geschrieben wurde: seine SHA-256 ist {}, die darin ist {}"},
+    {"{}: it was made by version {} ({}), this is {} ({})",
+     "{}: es stammt von Version {} ({}), dies ist {} ({})"},
+    {"{}: {} does not hold what came out when this record was made",
+     "{}: {} enthält nicht, was herauskam, als dieses Protokoll entstand"},
+    {"{} is not here: only the bytes made anew were compared",
+     "{} ist nicht hier: nur die neu erzeugten Bytes wurden verglichen"},
+    {"the record holds: {} bytes, SHA-256 {}, {}", "das Protokoll stimmt: {} Byte, SHA-256 {}, {}"},
+    {"{}: {}: SHA-256 is {} of {} bytes, the record says {} of {}",
+     "{}: {}: SHA-256 ist {} von {} Byte, im Protokoll steht {} von {}"},
+    {"{}: outcome: {}, the record says {}", "{}: Ausgang: {}, im Protokoll steht {}"},
+    // trc verify.
+    {"nothing to verify: no compensated contour", "nichts zu messen: keine korrigierte Kontur"},
+    {"{} blocks of the path checked, {}", "{} Sätze der Bahn gemessen, {}"},
+    {"smallest clearance {} mm of {} mm at {}, path of {} beside contour block {}",
+     "kleinster Abstand {} mm von {} mm bei {}, Bahn von {} neben Kontursatz {}"},
+    {"the contour closes there: that is a touch, no gouge",
+     "dort schließt die Kontur: das ist eine Berührung, keine Konturverletzung"},
+    {"the path touches {} of {} mm of wall", "die Bahn berührt {} von {} mm Wand"},
+    {"  {} mm {}: {} stretch, the longest {} mm of {}",
+     "  {} mm {}: {} Strecke, die längste {} mm von {}"},
+    {"  {} mm {}: {} stretches, the longest {} mm of {}",
+     "  {} mm {}: {} Strecken, die längste {} mm von {}"},
+    {"lie in inside corners, into which a round tool does not reach",
+     "liegen in Innenecken, in die ein rundes Werkzeug nicht reicht"},
+    {"are left out or passed by, as the tool has no room there",
+     "sind ausgelassen oder umgangen, weil das Werkzeug dort keinen Platz hat"},
+    {"have the path farther away than the tool radius",
+     "haben die Bahn weiter entfernt als den Werkzeugradius"},
+    {"{}: gouge: {} block comes nearer to the contour than the tool radius, {}",
+     "{}: Konturverletzung: {} Satz kommt der Kontur näher als der Werkzeugradius, {}"},
+    {"{}: gouge: {} blocks come nearer to the contour than the tool radius, {}",
+     "{}: Konturverletzung: {} Sätze kommen der Kontur näher als der Werkzeugradius, {}"},
+    {"{} (line {})", "{} (Zeile {})"},
+    {"line {}", "Zeile {}"},
+    // trc info FILE.
+    {"dialect: {}, but it is DIN/ISO of Heidenhain, which is not read",
+     "Dialekt: {}, es ist aber DIN/ISO von Heidenhain, das nicht gelesen wird"},
+    {"dialect: {}, but it looks like {}", "Dialekt: {}, sieht aber aus wie {}"},
+    {"dialect: {}", "Dialekt: {}"},
+    {"unit at the start: inch", "Maßeinheit am Anfang: Zoll"},
+    {"unit at the start: mm", "Maßeinheit am Anfang: mm"},
+    {"lines: {}, read up to {}", "Zeilen: {}, gelesen bis {}"},
+    {"lines: {}", "Zeilen: {}"},
+    {"computes: yes, {} lines executed", "rechnet: ja, {} Zeilen ausgeführt"},
+    {"selections in front of the fault: {}, {} blocks, {} mm",
+     "Anwahlen vor dem Fehler: {}, {} Sätze, {} mm"},
+    {"tools: none are given, so that nothing is said of what fits",
+     "Werkzeuge: keine angegeben, so dass nichts darüber gesagt wird, was passt"},
+    {"selections: {}, {} blocks, {} mm", "Anwahlen: {}, {} Sätze, {} mm"},
+    {"refused:", "abgelehnt:"},
+    {"nothing to refuse", "nichts abzulehnen"},
+    {"to look at:", "zu beachten:"},
+    // Servers and limits.
+    {"serving", "nimmt Arbeit an"},
+    {"not serving", "nimmt keine Arbeit an"},
+    {"the server at {} is there, but shuts down and takes no new programs",
+     "der Server {} ist da, fährt aber herunter und nimmt keine neuen Programme"},
+    {"the server at {} does not let this client in", "der Server {} lässt diesen Client nicht ein"},
+    {"lost the connection to the server at {}; the path is not complete",
+     "die Verbindung zum Server {} ging verloren; die Bahn ist nicht vollständig"},
+    {"lost the connection to the server; the path is not complete",
+     "die Verbindung zum Server ging verloren; die Bahn ist nicht vollständig"},
+    {"cannot reach a server at {}; is trcd running there, and do the --tls files fit?",
+     "kein Server unter {} erreichbar; läuft dort trcd, und passen die Dateien von --tls?"},
+    {"the server at {} shuts down; waiting for up to {} s (--wait)",
+     "der Server {} fährt herunter; bis zu {} s wird gewartet (--wait)"},
+    {"the server at {} has no room now: {}; waiting for up to {} s (--wait)",
+     "der Server {} hat gerade keinen Platz: {}; bis zu {} s wird gewartet (--wait)"},
+    {"the server at {} was lost, and the one there now cannot go on: it was started anew, or has "
+     "another resume-key-file or version; run it again",
+     "der Server {} ging verloren, und der jetzige kann nicht weitermachen: er wurde neu gestartet "
+     "oder hat eine andere resume-key-file oder Version; noch einmal aufrufen"},
+    {"the server at {} was lost; waiting for up to {} s (--wait)",
+     "der Server {} ging verloren; bis zu {} s wird gewartet (--wait)"},
+    {"--memory-limit-mib, --max-session-memory-mib and --max-blocks-per-selection are of a run in "
+     "this process; a server has limits of its own (trc info --server)",
+     "--memory-limit-mib, --max-session-memory-mib und --max-blocks-per-selection gelten für einen "
+     "Lauf in diesem Prozess; ein Server hat eigene Grenzen (trc info --server)"},
+    {"a client certificate and its key belong together",
+     "ein Client-Zertifikat und sein Schlüssel gehören zusammen"},
+    {"in a list of servers {} must be an IP address and a port",
+     "in einer Liste von Servern muss {} eine IP-Adresse mit Port sein"},
+    {"{} mixes IPv4 and IPv6", "{} mischt IPv4 und IPv6"},
+    {"{} has no port: write {}", "{} hat keinen Port: {} schreiben"},
+    {"with TLS give one name that stands for all servers, dns:///NAME:PORT: {} has none their "
+     "certificates could be checked against",
+     "mit TLS einen Namen angeben, der für alle Server steht, dns:///NAME:PORT: {} hat keinen, an "
+     "dem sich ihre Zertifikate prüfen ließen"},
+    {"listen: {} is not HOST:PORT", "listen: {} ist nicht HOST:PORT"},
+    {"http-listen: {} is not HOST:PORT", "http-listen: {} ist nicht HOST:PORT"},
+    {"http-listen: {} can be reached by other machines; give tls-cert-file and tls-key-file, or "
+     "allow plain text with insecure-http",
+     "http-listen: {} ist von anderen Rechnern erreichbar; tls-cert-file und tls-key-file angeben, "
+     "oder Klartext mit insecure-http erlauben"},
+    {"the program needs more memory than this run may take; raise --max-session-memory-mib or "
+     "--memory-limit-mib, or hold less: --set look_ahead_blocks=10000 --set verify=off",
+     "das Programm braucht mehr Speicher, als dieser Lauf nehmen darf; --max-session-memory-mib "
+     "oder --memory-limit-mib anheben, oder weniger halten: --set look_ahead_blocks=10000 --set "
+     "verify=off"},
+    {"there is not enough memory for this program",
+     "für dieses Programm reicht der Speicher nicht"},
+    {"internal error: {}", "innerer Fehler: {}"},
+});
+
+std::string in_german(std::string_view english) {
+  return translated(english, {server::refusal_sentences(), wire::setting_sentences(), rows});
+}
+
+}  // namespace
+
+void speak(Language language) { spoken = language; }
+
+Language spoken_language() { return spoken; }
+
+std::string told(std::string_view english) {
+  return spoken == Language::german ? in_german(english) : std::string(english);
+}
+
+void complain(std::string_view english) { std::cerr << "trc: " << told(english) << '\n'; }
+
+}  // namespace trc::cli

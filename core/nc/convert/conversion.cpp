@@ -1,0 +1,274 @@
+#include "core/nc/convert/conversion.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/nc/convert/converted_comments.h"
+#include "core/nc/convert/plain_words.h"
+#include "core/nc/dialect/dialect.h"
+#include "core/nc/dialect/interpreter.h"
+#include "core/nc/text/characters.h"
+#include "core/nc/writer/nc_writer.h"
+#include "core/nc/writer/writer_setup.h"
+
+namespace trc {
+namespace {
+
+// Plain programs are in mm, have centres as the dialect begins with them and axes of one letter.
+NcWriter::Setup plain_setup(const ProgramSetup& setup, const Dialect& to) {
+  NcWriter::Setup plain = writer_setup(setup, to);
+  plain.absolute_center = to.name == DialectName::heidenhain;
+  plain.inch = plain.renumbers = false;
+  plain.tracking_names.clear();
+  return plain;
+}
+
+class Conversion {
+ public:
+  Conversion(const ProgramSetup& setup, DialectName to)
+      : to_(dialect_of(to)),
+        setup_(setup),
+        klartext_(to == DialectName::heidenhain),
+        written_(plain_setup(setup, to_)),
+        writer_(written_),
+        words_(setup, to),
+        place_(setup.start),
+        plane_(setup.mode.plane) {}
+
+  ConvertedProgram run(std::string_view program);
+
+ private:
+  bool write_line(const ProgramLine& line, std::vector<Block>& blocks);
+  void write_text(const std::string& text, RoleSet roles = 0);
+  bool write_tool(const ProgramLine& line, PlainWords& words);
+  bool write_motions(const ProgramLine& line, const std::vector<Block>& blocks,
+                     const std::string& words, const std::string& comment);
+  [[nodiscard]] LinePointer line_of_motion(const ProgramLine& line, std::string_view words,
+                                           std::string_view comment);
+  [[nodiscard]] std::string spelled(const PlainWords& words) const;
+  [[nodiscard]] AxisSet axes_named(const ProgramLine& line) const;
+  [[nodiscard]] LinePointer new_line();
+  void begin();
+  void end();
+
+  const Dialect& to_;
+  const ProgramSetup& setup_;
+  bool klartext_;
+  NcWriter::Setup written_;
+  NcWriter writer_;
+  PlainWordsReader words_;
+  ConvertedProgram result_{};
+  std::uint64_t index_ = 0;
+  Position place_;
+  Plane plane_;
+  std::int64_t tool_ = 0;  // of T, until it is loaded
+  bool has_feed_ = false;
+  bool ended_ = false;
+};
+
+LinePointer Conversion::new_line() {
+  LinePointer line = std::make_unique<ProgramLine>();
+  line->line_end = "\n";
+  line->has_words = true;
+  line->source = {.index = index_++, .line = 1};
+  line->absolute_center = klartext_;
+  line->plane = plane_;
+  // No feed of the program: the writer puts in what its own text needs.
+  line->feed = -1;
+  return line;
+}
+
+void Conversion::write_text(const std::string& text, RoleSet roles) {
+  LinePointer line = new_line();
+  line->text = text;
+  line->roles = roles;
+  writer_.take(std::move(line), {});
+}
+
+void Conversion::begin() {
+  const std::string plane(name_of(plane_));
+  switch (to_.name) {
+    case DialectName::heidenhain:
+      return write_text("BEGIN PGM CONVERTED MM");
+    case DialectName::fanuc:
+      return write_text(plane + " G21 G40 G90 G94");
+    case DialectName::linuxcnc:
+      return write_text(plane + " G21 G40 G90 G91.1 G94");
+    case DialectName::sinumerik:
+      return write_text(plane + " G71 G40 G90 G94");
+    case DialectName::isg:
+      return write_text(plane + " G71 G40 G90 G94 G162");
+  }
+}
+
+void Conversion::end() {
+  if (klartext_) return write_text("END PGM CONVERTED MM");
+  if (!ended_) write_text("M30");
+}
+
+std::string Conversion::spelled(const PlainWords& words) const {
+  std::string text;
+  const auto add = [&](const std::string& word) { text += (text.empty() ? "" : " ") + word; };
+  if (!klartext_ && words.tool) add("T" + std::to_string(*words.tool));
+  if (!klartext_ && words.loads_tool) add("M6");
+  if (!klartext_ && !words.speed.empty()) add("S" + words.speed);
+  for (const std::string& function : words.functions) add(function);
+  return text;
+}
+
+// In Klartext tool and speed are a statement of their own.
+bool Conversion::write_tool(const ProgramLine& line, PlainWords& words) {
+  if (!klartext_) return true;
+  if (words.tool) tool_ = *words.tool;
+  if (words.loads_tool && tool_ == 0) return words_.fail(line, "M6 without a tool");
+  if (words.loads_tool || !words.speed.empty())
+    write_text("TOOL CALL " + (words.loads_tool ? std::to_string(tool_) + " " : std::string()) +
+               "Z" + (words.speed.empty() ? "" : " S" + words.speed));
+  return true;
+}
+
+AxisSet Conversion::axes_named(const ProgramLine& line) const {
+  if (line.klartext) return line.klartext->axes;
+  AxisSet named = line.main_axes;
+  if (!line.names_other_axes) return named;
+  for (const WordRange& word : line.words) {
+    if (word.role != WordRole::coordinate) continue;
+    if (is_polar(line, word)) named |= 7;
+    const std::size_t axis = written_.tracking_letters.find(upper(line.text[word.begin]));
+    if (axis != std::string::npos && names_an_axis(line, word)) named |= axis_bit(3 + axis);
+  }
+  return named;
+}
+
+// The words of the line for axes stay, also where they need not move by our count: where the
+// machine stands on them before, the line alone may say (D-94).
+LinePointer Conversion::line_of_motion(const ProgramLine& line, std::string_view words,
+                                       std::string_view comment) {
+  LinePointer written = new_line();
+  written->is_motion = written->has_trc_words = true;
+  const AxisSet named = axes_named(line);
+  written->main_axes = static_cast<std::uint8_t>(named & 7);
+  const auto add = [&](std::string_view word, WordRole role) {
+    if (word.empty()) return;
+    const auto begin = static_cast<std::uint32_t>(written->text.size());
+    written->text += word;
+    written->words.push_back(
+        {.begin = begin, .end = static_cast<std::uint32_t>(written->text.size()), .role = role});
+    written->text += ' ';
+    written->roles |= bit(role);
+  };
+  if (klartext_) {
+    written->klartext = KlartextLine{.axes = named};
+  } else {
+    const std::string letters = "XYZ" + written_.tracking_letters;
+    for (std::size_t axis = 0; axis < letters.size(); ++axis)
+      if ((named & axis_bit(axis)) != 0)
+        add(std::string_view(letters).substr(axis, 1), WordRole::coordinate);
+    written->names_other_axes = (named & ~AxisSet{7}) != 0;
+  }
+  add(words, WordRole::technology);
+  add(comment, WordRole::comment);
+  return written;
+}
+
+bool Conversion::write_motions(const ProgramLine& line, const std::vector<Block>& blocks,
+                               const std::string& words, const std::string& comment) {
+  LinePointer written = line_of_motion(line, words, comment);
+  NcWriter::Meaning meaning{.gives_block = true};
+  std::vector<CompensatedBlock> motions;
+  for (const Block& block : blocks) {
+    CompensatedBlock& motion = motions.emplace_back();
+    motion.source = written->source;
+    std::visit(
+        [&](const auto& given) {
+          motion.plane = given.mode->plane;
+          motion.rapid = given.rapid;
+          motion.normal = given.normal;
+          motion.feed = given.feed;
+          motion.tracking = given.tracking;
+        },
+        block);
+    const auto* moved = std::get_if<MotionBlock>(&block);
+    const Point stands = to_plane(motion.plane, place_);
+    motion.path = moved != nullptr ? moved->path : Segment(Line{stands, stands});
+    place_ = from_plane(motion.plane, end_of(motion.path), motion.normal.to);
+    const bool cuts = !motion.rapid && (moved != nullptr || std::get<PassiveBlock>(block).moves);
+    // The feed before it would stay in force.
+    if (cuts && motion.feed == 0 && has_feed_)
+      return words_.fail(line, "a feed that is no number per minute");
+    has_feed_ |= motion.feed > 0;
+  }
+  meaning.end = place_;
+  writer_.take(std::move(written), meaning);
+  for (const CompensatedBlock& motion : motions) writer_.write(motion, result_.text);
+  return true;
+}
+
+bool Conversion::write_line(const ProgramLine& line, std::vector<Block>& blocks) {
+  PlainWords words;
+  const bool said = words_.read(line, words);
+  ended_ |= words.ends_program;
+  if (words.plane && *words.plane != plane_) {
+    plane_ = *words.plane;
+    write_text(std::string(name_of(plane_)), bit(WordRole::mode));
+  }
+  if (!write_tool(line, words) || !said) return false;
+  std::string text = spelled(words);
+  const std::string comment = spelled_comment(std::move(words.comment), to_.name);
+  std::erase_if(blocks, [](const Block& block) {
+    const auto* passive = std::get_if<PassiveBlock>(&block);
+    return passive != nullptr && !passive->text.empty();
+  });
+  if (blocks.empty()) {
+    if (!text.empty() && !comment.empty()) text += ' ';
+    text += comment;
+    if (!text.empty()) write_text(text);
+  } else if (!write_motions(line, blocks, text, comment)) {
+    return false;
+  }
+  // T2 M6 T3: behind the change.
+  if (words.next_tool && klartext_) tool_ = *words.next_tool;
+  if (words.next_tool && !klartext_) write_text("T" + std::to_string(*words.next_tool));
+  return true;
+}
+
+ConvertedProgram Conversion::run(std::string_view program) {
+  Diagnostics diagnostics;
+  std::vector<Block> blocks;
+  ProgramState state(setup_, {}, diagnostics, blocks);
+  Interpreter interpreter({.longest_line = 1 << 20}, state, diagnostics);
+  std::vector<LinePointer> lines;
+  if (interpreter.feed(with_settings_as_comments(program, setup_.dialect), lines))
+    interpreter.finish(lines);
+  if (diagnostics.stopped()) {
+    const std::vector<Diagnostic> told = diagnostics.take();
+    return {.faults = {{.word = message_of(told.back()), .line = told.back().source.line}}};
+  }
+  if (klartext_ && plane_ != Plane::xy)
+    words_.faults().push_back({.word = std::string(name_of(plane_)).append(plane_of_klartext)});
+  words_.look_for_tool_changes(lines);
+  begin();
+  auto next = blocks.begin();
+  for (const LinePointer& line : lines) {
+    std::vector<Block> own;
+    while (line->has_words && next != blocks.end() && index_of(*next) == line->source.index)
+      own.push_back(std::move(*next++));
+    if (ended_) break;
+    (void)write_line(*line, own);
+  }
+  if (!words_.faults().empty()) return {.faults = std::move(words_.faults())};
+  end();
+  writer_.finish(result_.text);
+  return std::move(result_);
+}
+
+}  // namespace
+
+ConvertedProgram convert_program(std::string_view program, const ProgramSetup& setup,
+                                 DialectName to) {
+  return Conversion(setup, to).run(program);
+}
+
+}  // namespace trc

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/nc/convert/conversion.h"
+#include "core/nc/dialect/dialect.h"
+#include "core/nc/state/program_line.h"
+#include "core/nc/state/program_setup.h"
+
+namespace trc {
+
+// Why another plane than G17 is a fault there.
+inline constexpr std::string_view plane_of_klartext = ", a plane: Klartext has it with TOOL CALL";
+
+// G17, G18 or G19.
+[[nodiscard]] inline std::string_view name_of(Plane plane) {
+  return plane == Plane::xy ? "G17" : plane == Plane::zx ? "G18" : "G19";
+}
+
+// What a line of a plain program says besides its motion.
+struct PlainWords {
+  std::vector<std::string> functions{};  // M
+  std::string speed{};                   // S, its number
+  std::optional<std::int64_t> tool{};
+  std::optional<std::int64_t> next_tool{};  // T2 M6 T3: made ready behind the change
+  bool loads_tool = false;
+  std::string comment{};  // its text
+  std::optional<Plane> plane{};
+  bool ends_program = false;
+};
+
+// Reads such words of a dialect for a conversion; each that has no plain meaning is a fault.
+class PlainWordsReader {
+ public:
+  // `to`: what the program is converted to.
+  PlainWordsReader(const ProgramSetup& setup, DialectName to)
+      : from_(dialect_of(setup.dialect)),
+        setup_(setup),
+        to_klartext_(to == DialectName::heidenhain) {}
+
+  // T of a program without M6 changes the tool (D-40, D-56).
+  void look_for_tool_changes(const std::vector<LinePointer>& lines);
+  // All words are read, also behind one that cannot be said. Returns whether all can.
+  bool read(const ProgramLine& line, PlainWords& words);
+  // False.
+  bool fail(const ProgramLine& line, std::string word);
+  [[nodiscard]] std::vector<ConvertedProgram::Fault>& faults() { return faults_; }
+
+ private:
+  bool read_word(const ProgramLine& line, const WordRange& range, PlainWords& words);
+  bool read_mode(const ProgramLine& line, std::string_view given, PlainWords& words);
+  bool read_technology(const ProgramLine& line, std::string_view given, PlainWords& words);
+  bool read_tool_call(const ProgramLine& line, std::string_view given, PlainWords& words);
+
+  const Dialect& from_;
+  const ProgramSetup& setup_;
+  bool to_klartext_;
+  bool changes_by_t_ = false;
+  std::vector<ConvertedProgram::Fault> faults_{};
+};
+
+}  // namespace trc

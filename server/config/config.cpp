@@ -1,0 +1,155 @@
+#include "server/config/config.h"
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <sstream>
+#include <string_view>
+
+#include "core/base/version.h"
+#include "server/config/config_file.h"
+#include "server/config/config_settings.h"
+#include "server/config/plain_file.h"
+#include "server/net/address.h"
+
+namespace trc::server {
+namespace {
+
+// Kubernetes and linked containers tell each other where a service named trcd is.
+bool is_service_link(std::string_view variable) {
+  const std::size_t port = variable.find("_PORT_");
+  return variable.ends_with("_SERVICE_HOST") ||
+         variable.find("_SERVICE_PORT") != std::string_view::npos || variable.ends_with("_PORT") ||
+         (port != std::string_view::npos && port + 6 < variable.size() &&
+          std::isdigit(static_cast<unsigned char>(variable[port + 6])) != 0);
+}
+
+// A misspelt variable is a setting that somebody believes to be in force.
+std::optional<std::string> fault_of_environment(const CLI::App& app) {
+  std::vector<std::string> known{"TRCD_CONFIG"};
+  for (const std::string& name : setting_names(app)) known.push_back(environment_name(name));
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    const std::string_view whole = *entry;
+    const std::string variable(whole.substr(0, whole.find('=')));
+    if (!variable.starts_with("TRCD_") || is_service_link(variable)) continue;
+    if (std::find(known.begin(), known.end(), variable) == known.end())
+      return "there is no setting for the environment variable " + variable +
+             did_you_mean(variable, known);
+  }
+  return std::nullopt;
+}
+
+// Options that do not exist, said with what was likely meant.
+std::string fault_of_extras(const CLI::App& app, int argc, const char* const* argv,
+                            const std::string& fault) {
+  std::vector<std::string> known;
+  for (const CLI::Option* option : app.get_options())
+    known.push_back("--" + option->get_lnames().front());
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view whole = argv[i];
+    const std::string word(whole.substr(0, whole.find('=')));
+    if (word.starts_with("--") && std::find(known.begin(), known.end(), word) == known.end())
+      return "there is no option " + word + did_you_mean(word, known);
+  }
+  return fault;
+}
+
+// A guard that stands empty, as one does that a variable was to be put into, would be switched off
+// without a word. In a file it may be: there it is written down as such.
+std::optional<std::string> fault_of_empty_guard(int argc, const char* const* argv) {
+  for (const std::string guard :
+       {"tls-cert-file", "tls-key-file", "tls-client-ca-file", "tls-allowed-clients"}) {
+    const std::string variable = environment_name(guard);
+    const char* value = std::getenv(variable.c_str());
+    if (value != nullptr && *value == '\0')
+      return variable + " is set but empty; give it a value or unset it";
+    for (int i = 1; i < argc; ++i) {
+      const std::string_view word = argv[i];
+      const bool alone = word == "--" + guard && (i + 1 == argc || *argv[i + 1] == '\0');
+      if (alone || word == "--" + guard + "=") return guard + " is given but empty";
+    }
+  }
+  return std::nullopt;
+}
+
+// The same for a list of nothing but commas or brackets, as "$A,$B" is where neither is set.
+std::optional<std::string> fault_of_nameless_guard(const CLI::App& app, const Config& config) {
+  const auto& names = config.tls_allowed_clients;
+  const bool names_somebody =
+      std::any_of(names.begin(), names.end(), [](const auto& name) { return !name.empty(); });
+  if (app.get_option("--tls-allowed-clients")->count() == 0 || names_somebody) return std::nullopt;
+  return "tls-allowed-clients is given but empty";
+}
+
+std::string one_line(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  while (!text.empty() && text.back() == ' ') text.pop_back();
+  return text;
+}
+
+}  // namespace
+
+CommandLine read_command_line(int argc, const char* const* argv) {
+  CommandLine result;
+  CLI::App app("trcd: computes CNC tool radius compensation as a gRPC service", "trcd");
+  Printed printed;
+  declare(app, result.config, printed);
+  app.set_version_flag("--version", "trcd " + std::string(version()));
+  // The file is read before CLI11 looks at the environment, so its name is looked up here.
+  const char* file = std::getenv("TRCD_CONFIG");
+  app.set_config(
+         "--config", file != nullptr ? file : "",
+         "TOML file, or YAML if named .yaml or .yml, with the same settings (Env:TRCD_CONFIG)",
+         file != nullptr)
+      ->check(CLI::Validator(
+          [](const std::string& path) {
+            const std::string fault = PlainFile::read(path).fault;
+            return fault.empty() ? fault : "cannot read '" + path + "': " + fault;
+          },
+          ""))
+      ->configurable(false);
+  app.allow_config_extras(CLI::config_extras_mode::error);
+  app.config_formatter(config_file(app));
+  bool print = false;
+  app.add_flag("--print-config", print, "print the settings in force and exit")
+      ->configurable(false);
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& asked) {
+    std::ostringstream text;
+    app.exit(asked, text, text);
+    result.exit = CommandLine::Exit{.code = 0, .text = text.str()};
+    return result;
+  } catch (const CLI::Error& fault) {
+    const auto guard = fault_of_empty_guard(argc, argv);
+    const bool extra = fault.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
+    const std::string text =
+        extra ? fault_of_extras(app, argc, argv, fault.what()) : std::string(fault.what());
+    result.exit = CommandLine::Exit{.code = 2, .text = guard.value_or(one_line(text))};
+    return result;
+  }
+  if (const auto fault = fault_of_environment(app)) {
+    result.exit = CommandLine::Exit{.code = 2, .text = one_line(*fault)};
+    return result;
+  }
+  if (app.get_option("--reflection")->count() == 0) {
+    const auto& listen = result.config.listen;
+    result.config.reflection = std::all_of(listen.begin(), listen.end(), is_local_address);
+  }
+  auto fault = fault_of_empty_guard(argc, argv);
+  if (!fault) fault = fault_of_nameless_guard(app, result.config);
+  if (!fault) fault = first_fault(result.config);
+  if (fault) {
+    result.exit = CommandLine::Exit{.code = 2, .text = *fault};
+  } else if (print) {
+    result.exit = CommandLine::Exit{.code = 0, .text = {}};
+    for (const auto& setting : printed) result.exit->text += setting();
+  }
+  return result;
+}
+
+}  // namespace trc::server

@@ -1,0 +1,187 @@
+#include "server/config/config_file.h"
+
+#include <toml++/toml.h>
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <istream>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "server/config/config.h"
+#include "server/config/config_settings.h"
+
+namespace trc::server {
+namespace {
+
+// A setting as a file has it.
+struct FileEntry {
+  std::string name{};
+  std::vector<std::string> values{};  // of a list, else one
+  int line = 0;
+};
+
+[[noreturn]] void refuse_file(const std::string& file, int line, std::string_view what) {
+  std::ostringstream text;
+  text << "configuration file " << file << ", line " << line << ": " << what;
+  throw CLI::ConfigError(text.str());
+}
+
+int line_of(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
+
+std::string toml_scalar(const std::string& file, const toml::node& node, const std::string& key) {
+  if (const auto text = node.value_exact<std::string>()) return *text;
+  if (const auto number = node.value_exact<std::int64_t>()) return std::to_string(*number);
+  if (const auto flag = node.value_exact<bool>()) return *flag ? "true" : "false";
+  refuse_file(file, line_of(node),
+              "'" + key + "' must be a string, an integer, true, false or a list");
+}
+
+std::vector<FileEntry> toml_entries(const std::string& file, std::istream& input) {
+  std::vector<FileEntry> entries;
+  try {
+    for (const auto& [key_node, value] : toml::parse(input)) {
+      FileEntry entry{.name = std::string(key_node.str()), .line = line_of(value)};
+      if (const toml::array* list = value.as_array()) {
+        for (const toml::node& one : *list)
+          entry.values.push_back(toml_scalar(file, one, entry.name));
+      } else {
+        entry.values.push_back(toml_scalar(file, value, entry.name));
+      }
+      entries.push_back(std::move(entry));
+    }
+  } catch (const toml::parse_error& fault) {
+    refuse_file(file, static_cast<int>(fault.source().begin.line), fault.description());
+  }
+  return entries;
+}
+
+std::vector<FileEntry> yaml_entries(const std::string& file, std::istream& input) {
+  std::vector<FileEntry> entries;
+  try {
+    const std::vector<YAML::Node> documents = YAML::LoadAll(input);
+    // Which of several would count is anybody's guess, and so it is with a key that comes twice.
+    if (documents.size() > 1)
+      refuse_file(file, documents[1].Mark().line + 1, "must hold one document, not several");
+    const YAML::Node whole = documents.empty() ? YAML::Node() : documents.front();
+    if (!whole.IsMap() && !whole.IsNull())
+      refuse_file(file, 1, "must hold settings, `name: value`");
+    for (const auto& named : whole) {
+      FileEntry entry{.name = named.first.as<std::string>(), .line = named.first.Mark().line + 1};
+      if (std::any_of(entries.begin(), entries.end(),
+                      [&](const FileEntry& earlier) { return earlier.name == entry.name; }))
+        refuse_file(file, entry.line, "'" + entry.name + "' is there already");
+      const YAML::Node& value = named.second;
+      if (value.IsNull()) refuse_file(file, entry.line, "'" + entry.name + "' has no value");
+      if (value.IsSequence()) {
+        for (const YAML::Node& one : value) entry.values.push_back(one.as<std::string>());
+      } else {
+        entry.values.push_back(value.as<std::string>());
+      }
+      entries.push_back(std::move(entry));
+    }
+  } catch (const YAML::Exception& fault) {
+    refuse_file(file, fault.mark.line + 1, fault.msg);
+  }
+  return entries;
+}
+
+// What a value alone breaks, on a command line that has nothing else.
+class ValueCheck {
+ public:
+  ValueCheck() : app_("", "trcd") {
+    declare(app_, config_, printed_);
+    for (CLI::Option* option : app_.get_options()) option->envname("");
+  }
+
+  [[nodiscard]] std::optional<std::string> fault_of(const std::string& name,
+                                                    const std::string& value) {
+    try {
+      const std::string option = "--" + name;
+      // From the last to the first, as CLI11 takes them.
+      app_.parse(value.empty() ? std::vector<std::string>{"", option}
+                               : std::vector<std::string>{option + "=" + value});
+    } catch (const CLI::Error& fault) {
+      return fault.what();
+    }
+    return std::nullopt;
+  }
+
+ private:
+  Config config_;
+  Printed printed_;
+  CLI::App app_;
+};
+
+class ConfigFile : public CLI::ConfigTOML {
+ public:
+  explicit ConfigFile(const CLI::App& app) : app_(app) {}
+
+  [[nodiscard]] std::vector<CLI::ConfigItem> from_config(std::istream& input) const override {
+    const auto file = app_.get_config_ptr()->as<std::string>();
+    const bool yaml = file.ends_with(".yaml") || file.ends_with(".yml");
+    std::vector<CLI::ConfigItem> settings;
+    ValueCheck check;
+    for (const FileEntry& entry : yaml ? yaml_entries(file, input) : toml_entries(file, input)) {
+      const std::string value = value_of(file, entry);
+      if (std::getenv(environment_name(entry.name).c_str()) != nullptr) continue;
+      // An empty list is that of the defaults, where it may be empty.
+      if (is_list(entry.name) && value.empty() && !needs_entry(entry.name)) continue;
+      if (const auto fault = check.fault_of(entry.name, value))
+        refuse_file(file, entry.line, *fault);
+      CLI::ConfigItem item;
+      item.name = entry.name;
+      item.inputs = {value};
+      settings.push_back(std::move(item));
+    }
+    return settings;
+  }
+
+ private:
+  [[nodiscard]] bool is_list(const std::string& name) const {
+    return app_.get_option("--" + name)->get_delimiter() != '\0';
+  }
+  [[nodiscard]] bool needs_entry(const std::string& name) const {
+    return app_.get_option("--" + name)->get_expected_min() > 0;
+  }
+
+  // A list in the form that flags and the environment have it.
+  [[nodiscard]] std::string value_of(const std::string& file, const FileEntry& entry) const {
+    const CLI::Option* option = app_.get_option_no_throw("--" + entry.name);
+    if (option == nullptr || !option->get_configurable())
+      refuse_file(file, entry.line,
+                  "there is no setting '" + entry.name + "'" +
+                      did_you_mean(entry.name, setting_names(app_)));
+    if (!is_list(entry.name)) {
+      if (entry.values.size() == 1) return entry.values.front();
+      refuse_file(file, entry.line, "'" + entry.name + "' is one value, not a list");
+    }
+    if (entry.values.empty() && needs_entry(entry.name))
+      refuse_file(file, entry.line, "'" + entry.name + "' needs at least one entry");
+    std::string joined;
+    for (std::size_t i = 0; i < entry.values.size(); ++i) {
+      if (entry.values[i].empty())
+        refuse_file(file, entry.line, "'" + entry.name + "' has an empty entry");
+      if (entry.values.size() > 1 && entry.values[i].find(',') != std::string::npos)
+        refuse_file(file, entry.line, "'" + entry.values[i] + "' holds a comma");
+      joined += (i > 0 ? "," : "") + entry.values[i];
+    }
+    return joined;
+  }
+
+  const CLI::App& app_;
+};
+
+}  // namespace
+
+std::shared_ptr<CLI::Config> config_file(const CLI::App& app) {
+  return std::make_shared<ConfigFile>(app);
+}
+
+}  // namespace trc::server

@@ -1,0 +1,329 @@
+#include "server/net/connections.h"
+
+#include <arpa/inet.h>
+#include <linux/tcp.h>
+#include <malloc.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "server/resources/peers.h"
+
+namespace trc::server {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::seconds window{10};
+// A connection on which less has come since the last look does nothing worth asking gRPC about.
+constexpr std::uint64_t idle_bytes = 2U << 10U;
+// Until the calls of a connection that was shut down are gone.
+constexpr std::chrono::seconds clearing{5};
+// Frames and records of TLS around small messages.
+constexpr double bytes_for_a_byte = 1.5;
+// What a call, a message, and a second of pings and windows take besides.
+constexpr double bytes_of_call = 1024;
+constexpr double bytes_of_message = 64;
+constexpr double bytes_of_second = 64 << 10;
+// A connection of which less is unfinished is not what fills the buffers.
+constexpr double least_to_close = 1 << 20;
+
+// The number the kernel gives this socket and no other; none when the descriptor is no socket.
+std::optional<std::uint64_t> cookie_of(int descriptor) {
+  std::uint64_t cookie = 0;
+  socklen_t size = sizeof(cookie);
+  if (getsockopt(descriptor, SOL_SOCKET, SO_COOKIE, &cookie, &size) != 0) return std::nullopt;
+  return cookie;
+}
+
+std::optional<std::uint64_t> bytes_received(int descriptor) {
+  tcp_info info{};
+  socklen_t size = sizeof(info);
+  if (getsockopt(descriptor, IPPROTO_TCP, TCP_INFO, &info, &size) != 0) return std::nullopt;
+  return info.tcpi_bytes_received;
+}
+
+std::string name_of(const char* kind, const void* address, int family, in_port_t port) {
+  std::array<char, INET6_ADDRSTRLEN> text{};
+  inet_ntop(family, address, text.data(), text.size());
+  const bool six = family == AF_INET6;
+  return std::string(kind) + (six ? "%5B" : "") + text.data() + (six ? "%5D" : "") + ':' +
+         std::to_string(ntohs(port));
+}
+
+// As gRPC names it; empty when it is not one of TCP. A local IPv6 address with a zone is not known
+// by this name, and not watched.
+std::string peer_name(int descriptor) {
+  sockaddr_storage peer{};
+  socklen_t size = sizeof(peer);
+  if (getpeername(descriptor, reinterpret_cast<sockaddr*>(&peer), &size) != 0) return {};
+  if (peer.ss_family == AF_INET) {
+    const auto& address = *reinterpret_cast<const sockaddr_in*>(&peer);
+    return name_of("ipv4:", &address.sin_addr, AF_INET, address.sin_port);
+  }
+  if (peer.ss_family != AF_INET6) return {};
+  const auto& address = *reinterpret_cast<const sockaddr_in6*>(&peer);
+  return name_of("ipv6:", &address.sin6_addr, AF_INET6, address.sin6_port);
+}
+
+}  // namespace
+
+std::string_view name_of(Connections::Reason reason) {
+  switch (reason) {
+    case Connections::Reason::early_cancels:
+      return "early_cancels";
+    case Connections::Reason::overhead:
+      return "overhead";
+    case Connections::Reason::calls:
+      return "calls";
+    case Connections::Reason::connections:
+      return "connections";
+    case Connections::Reason::unfinished:
+      return "unfinished";
+  }
+  return "";
+}
+
+class Connections::Connection {
+ public:
+  Connection(Connections& all, int descriptor, std::uint64_t cookie, std::string peer,
+             Use use)
+      : all_(all),
+        descriptor_(descriptor),
+        cookie_(cookie),
+        peer_(std::move(peer)),
+        use_(use) {}
+
+  [[nodiscard]] bool is_there() const { return cookie_of(descriptor_) == cookie_; }
+
+  void call_begins() {
+    if (++calls_ > all_.limits_.calls) close(Reason::calls);
+  }
+  void call_done() { --calls_; }
+  void carried(std::uint64_t bytes) {
+    carried_ += bytes;
+    ++messages_;
+  }
+  [[nodiscard]] bool is_shut() const { return shut_; }
+  // Bytes of messages that have not come to their end.
+  [[nodiscard]] double unfinished() const { return unfinished_; }
+
+  void call_ended(bool early) {
+    const std::lock_guard lock(mutex_);
+    const Clock::time_point now = Clock::now();
+    if (now - window_begin_ > window) {
+      window_begin_ = now;
+      ended_ = 0;
+      early_ = 0;
+    }
+    ++ended_;
+    ++calls_ended_;
+    if (early) ++early_;
+    // A client that cancels one call in ten does nothing amiss, however many it makes.
+    if (early_ > all_.limits_.early_cancels && 2 * early_ > ended_) close(Reason::early_cancels);
+  }
+
+  // Bytes that came beyond those of messages, over what is allowed by now.
+  void look(Clock::time_point now, TransportCounts& counts) {
+    if (use_ == Use::http) return;
+    if (shut_) return discard();
+    const auto received = bytes_received(descriptor_);
+    if (!received) return;
+    if (*received - received_ > idle_bytes) look_at_streams(now, counts);
+    const double seconds = std::chrono::duration<double>(now - looked_at_).count();
+    const auto more = static_cast<double>(*received - received_);
+    const auto carried = static_cast<double>(carried_.exchange(0));
+    looked_at_ = now;
+    received_ = *received;
+    overhead_ += more - bytes_for_a_byte * carried -
+                 seconds * static_cast<double>(all_.limits_.overhead_bytes_per_s);
+    overhead_ = std::max(overhead_, 0.0);
+    unfinished_ += more - bytes_for_a_byte * carried - seconds * bytes_of_second -
+                   static_cast<double>(messages_.exchange(0)) * bytes_of_message -
+                   static_cast<double>(calls_ended_.exchange(0)) * bytes_of_call;
+    unfinished_ = std::max(unfinished_, 0.0);
+    const std::uint64_t read_ahead =
+        all_.limits_.read_ahead + calls_ * all_.limits_.read_ahead_of_call;
+    if (overhead_ > static_cast<double>(read_ahead)) close(Reason::overhead);
+  }
+
+  void close(Reason reason) {
+    if (shut_.exchange(true)) return;
+    all_.has_shut_ = true;
+    if (is_there()) shutdown(descriptor_, SHUT_RDWR);
+    if (all_.closed_) all_.closed_(peer_, reason);
+  }
+
+ private:
+  // gRPC reads a connection that was shut down to its end, and a flood leaves megabytes behind. In
+  // the thread that accepts, so that no other connection has got the descriptor meanwhile.
+  void discard() const {
+    constexpr std::size_t all = std::size_t{1} << 30U;
+    while (is_there() && recv(descriptor_, nullptr, all, MSG_DONTWAIT | MSG_TRUNC) > 0) {
+    }
+  }
+
+  // Streams that came and were not ended by the server: those its client has reset, and the few
+  // that are open.
+  void look_at_streams(Clock::time_point now, TransportCounts& counts) {
+    const auto number = counts.number_of(peer_);
+    const auto streams = number ? TransportCounts::streams_of(*number) : std::nullopt;
+    if (!streams) return counts.forget(peer_);
+    if (now - streams_since_ > window) {
+      streams_since_ = now;
+      streams_ = *streams;
+    }
+    const std::uint64_t started = streams->started - streams_.started;
+    const std::uint64_t succeeded = streams->succeeded - streams_.succeeded;
+    const std::uint64_t open = all_.limits_.calls;
+    if (started > succeeded + open + all_.limits_.early_cancels && started > 2 * succeeded)
+      close(Reason::early_cancels);
+  }
+
+  Connections& all_;
+  const int descriptor_;
+  const std::uint64_t cookie_;
+  const std::string peer_;
+  const Use use_;
+  std::atomic<std::uint32_t> calls_ = 0;
+  std::atomic<std::uint64_t> carried_ = 0;
+  std::atomic<std::uint64_t> messages_ = 0;
+  std::atomic<std::uint64_t> calls_ended_ = 0;
+  std::atomic<bool> shut_ = false;
+
+  std::mutex mutex_;
+  Clock::time_point window_begin_ = Clock::now();
+  std::uint64_t ended_ = 0;
+  std::uint64_t early_ = 0;
+
+  // Of the thread that looks alone.
+  Clock::time_point looked_at_ = Clock::now();
+  std::uint64_t received_ = 0;
+  double overhead_ = 0;
+  double unfinished_ = 0;
+  Clock::time_point streams_since_ = Clock::now();
+  TransportCounts::Streams streams_{};
+};
+
+Connections::Call::~Call() {
+  if (connection_ != nullptr) connection_->call_done();
+}
+void Connections::Call::carried(std::uint64_t bytes) const {
+  if (connection_ != nullptr) connection_->carried(bytes);
+}
+void Connections::Call::ended(bool early) const {
+  if (connection_ != nullptr) connection_->call_ended(early);
+}
+
+bool Connections::add(int descriptor, std::size_t most_of_one_address, Use use) {
+  std::string peer = peer_name(descriptor);
+  const auto cookie = cookie_of(descriptor);
+  if (peer.empty() || !cookie) return true;
+  auto connection = std::make_shared<Connection>(*this, descriptor, *cookie, peer, use);
+  const std::string address = peer_of_address(peer);
+  std::unique_lock lock(mutex_);
+  if (!has_room_for(address, most_of_one_address)) {
+    lock.unlock();
+    if (closed_) closed_(peer, Reason::connections);
+    return false;
+  }
+  if (use == Use::health) {
+    make_room_for_health();
+    of_health_.push_back(connection);
+  }
+  if (by_peer_.insert_or_assign(std::move(peer), std::move(connection)).second)
+    ++of_address_[address];
+  return true;
+}
+
+void Connections::make_room_for_health() {
+  std::erase_if(of_health_, [](const auto& one) {
+    const auto connection = one.lock();
+    return connection == nullptr || !connection->is_there();
+  });
+  if (of_health_.size() < most_of_health) return;
+  of_health_.front().lock()->close(Reason::connections);
+  of_health_.pop_front();
+}
+
+bool Connections::has_room_for(const std::string& address, std::size_t most) {
+  const auto found = of_address_.find(address);
+  if (found == of_address_.end() || found->second < most) return true;
+  forget_gone();
+  const auto now = of_address_.find(address);
+  return now == of_address_.end() || now->second < most;
+}
+
+void Connections::forget_gone() {
+  std::erase_if(by_peer_, [this](const auto& entry) {
+    if (entry.second->is_there()) return false;
+    const auto found = of_address_.find(peer_of_address(entry.first));
+    if (found != of_address_.end() && --found->second == 0) of_address_.erase(found);
+    return true;
+  });
+}
+
+Connections::Call Connections::begin(std::string_view peer) {
+  std::shared_ptr<Connection> connection;
+  {
+    const std::lock_guard lock(mutex_);
+    const auto found = by_peer_.find(std::string(peer));
+    if (found == by_peer_.end()) return {};
+    connection = found->second;
+  }
+  connection->call_begins();
+  return Call(std::move(connection));
+}
+
+void Connections::look() {
+  std::vector<std::shared_ptr<Connection>> here;
+  {
+    const std::lock_guard lock(mutex_);
+    forget_gone();
+    here.reserve(by_peer_.size());
+    for (const auto& [peer, connection] : by_peer_) here.push_back(connection);
+  }
+  const Clock::time_point now = Clock::now();
+  counts_.begin_round();
+  for (const auto& connection : here) connection->look(now, counts_);
+  close_heaviest(std::move(here));
+  give_back_memory(now);
+}
+
+// gRPC takes a message of any size in before it looks at it, and where its buffers are full it ends
+// the stream of anybody.
+void Connections::close_heaviest(std::vector<std::shared_ptr<Connection>> here) {
+  std::erase_if(here, [](const auto& connection) { return connection->is_shut(); });
+  double sum = 0;
+  for (const auto& connection : here) sum += connection->unfinished();
+  const auto most = static_cast<double>(limits_.unfinished);
+  if (sum <= most) return;
+  std::ranges::sort(here, std::greater(), [](const auto& one) { return one->unfinished(); });
+  for (const auto& connection : here) {
+    if (sum <= most / 2 || connection->unfinished() < least_to_close) return;
+    sum -= connection->unfinished();
+    connection->close(Reason::unfinished);
+  }
+}
+
+// gRPC hands over calls more slowly than it reads them, so what a flood has taken becomes free long
+// after.
+void Connections::give_back_memory(Clock::time_point now) {
+  if (has_shut_.exchange(false)) gives_back_at_ = now + clearing;
+  if (gives_back_at_ == Clock::time_point() || now < gives_back_at_) return;
+  gives_back_at_ = {};
+  malloc_trim(0);
+}
+
+std::size_t Connections::count() const {
+  const std::lock_guard lock(mutex_);
+  return by_peer_.size();
+}
+
+}  // namespace trc::server
