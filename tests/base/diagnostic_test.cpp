@@ -142,7 +142,7 @@ TEST(Help, IsAboutWhatTheBlockGives) {
   EXPECT_NE(help_of(arc).find("Correct the radius"), std::string::npos) << help_of(arc);
   EXPECT_NE(help_of(arc, Language::german).find("Den Radius"), std::string::npos);
 
-  // A reason has its own help, whichever of the codes of words it belongs to.
+  // A reason has a help of its own, whichever code it comes with.
   const auto help_for = [](Code code, const char* detail, ControlWords words) {
     Diagnostic found = diagnostic(code, {}, detail);
     found.words = words;
@@ -155,7 +155,7 @@ TEST(Help, IsAboutWhatTheBlockGives) {
   EXPECT_EQ(help_for(Code::nc_unsupported, "LX+40", ControlWords::klartext),
             "Check its spelling. If this is a program of another control, declare its dialect "
             "(--dialect, `dialect` in the setup).");
-  // Where there is none, that of the code stays.
+  // Without a help for the reason that of the code is given.
   EXPECT_EQ(help_for(Code::nc_number, "Y", ControlWords::isg), row_of(Code::nc_number).remedy);
   EXPECT_NE(help_for(Code::circle_incomplete, "", ControlWords::klartext).find("CC"),
             std::string::npos);

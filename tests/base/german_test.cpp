@@ -16,7 +16,7 @@
 namespace trc {
 namespace {
 
-// What is the same in every language: words of programs, settings, options and numbers.
+// The words that no language changes: those of programs, settings and options, and numbers.
 std::multiset<std::string> words_of_machine(std::string_view text) {
   static const std::regex word(
       R"(\{\w+\}|#[A-Z]+|--[a-z-]+|[A-Z]+_[A-Z_]+(=[0-9])?|\b[a-z]+(_[a-z]+)+(=\S+[0-9])?|\bG[0-9]+|\bM[0-9]+|\btrc [a-z]+|V\.G\.\S+R\b|\b(REVERSE|INVERSE|ONLINE|RMIN|I, J, K)\b)");
@@ -119,7 +119,7 @@ std::string english_in(const std::string& detail) {
   return std::regex_search(german, found, english) ? found.str() + " in: " + german : "";
 }
 
-// Of the functions that the rest of a program may not hold either, while TRC is active.
+// Functions that are refused while TRC is active.
 TEST(German, NamesEveryFunctionThatHasNoPlaceInAContour) {
   for (const Dialect& dialect : all_dialects())
     for (const GFunction& function : dialect.functions) {
@@ -133,7 +133,7 @@ TEST(German, NamesEveryFunctionThatHasNoPlaceInAContour) {
     }
 }
 
-// The longest piece that is known counts, not one of its words.
+// The longest piece of a detail that is known is translated, not single words of it.
 TEST(German, SaysNothingInTwoLanguages) {
   for (const char* const detail :
        {"#, a second assignment: one in a block",

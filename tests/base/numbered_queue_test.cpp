@@ -68,7 +68,7 @@ TEST(NumberedQueue, LetsGoOfWhatItsElementsHold) {
   EXPECT_EQ(shared.use_count(), 3);
 }
 
-// A long one takes and lets go of its memory in larger steps.
+// A long queue allocates and frees its memory in larger steps.
 TEST(NumberedQueue, ElementsKeepTheirNumberAndTheirPlaceInALongOne) {
   NumberedQueue<std::size_t> queue(100);
   for (std::size_t number = 100; number < 100'000; ++number) queue.push_back(7 * number);

@@ -67,7 +67,7 @@ TEST(Pages, NoTwoThreadsHaveOnePiece) {
   EXPECT_EQ(PagePiece::count(), before);
 }
 
-// What was in a page that went back reads as zeros.
+// A page that was given back to the system reads as zeros.
 TEST(Pages, ThoseThatLieWhollyInTheMemoryGoBack) {
   const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
   const std::size_t bytes = 5 * page;

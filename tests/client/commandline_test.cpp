@@ -23,6 +23,7 @@
 
 #include "server/resources/memory_account.h"
 #include "tests/support/process.h"
+#include "tests/support/slot.h"
 
 namespace trc::testing_support {
 namespace {
@@ -548,7 +549,7 @@ TEST(WrongCall, SaysWhatWasLikelyMeant) {
             "trc verify: there is no option --tool-radius; did you mean --set tool_radius=…?\n");
   EXPECT_NE(told({"compensate", "part.nc", "--set", "tool_raduis=5"}).find("tool_radius"),
             std::string::npos);
-  // What is near nothing is no slip of the pen.
+  // A word that resembles none gets no suggestion.
   EXPECT_EQ(told({"mill"}).find("did you mean"), std::string::npos);
   EXPECT_NE(told({"mill"}).find("compensate, plot"), std::string::npos);
   EXPECT_EQ(told({"plot", "part.nc", "--no-such-thing"}).find("did you mean"), std::string::npos);
@@ -930,7 +931,7 @@ TEST(Health, TellsAServerThatIsAboutToStopFromOneThatServes) {
   EXPECT_EQ(server.wait(), 0);
 }
 
-// The first word that only English has; empty: none.
+// The first word of a German text that only English has; empty: none.
 std::string english_word_in(const std::string& text) {
   static const std::regex english(
       R"(\b(the|or|of|with|not|has|is|are|that|which|and|to|line|there|cannot|did|Run|more|required|missing|names|no|allowed|value|Value|File|does|exist|unknown|range)\b)");
@@ -1420,11 +1421,6 @@ void write_file(const std::string& path, const std::string& text) {
   std::ofstream(path, std::ios::binary) << text;
 }
 
-std::string read_file(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 TEST(Record, HoldsWhereTheSameComesOutAgain) {
   const Folder folder;
   const std::string part = folder.path("part.nc");
@@ -1435,7 +1431,7 @@ TEST(Record, HoldsWhereTheSameComesOutAgain) {
     const Ended made =
         trc({"compensate", part, "-o", folder.path("out"), "--format", format, "--record", record});
     ASSERT_EQ(made.code, 0) << made.err;
-    const std::string filed = read_file(record);
+    const std::string filed = content_of(record);
     for (const char* key : {"\"sha256\"", "\"certificate\"", "\"method", "\"clientVersion\"",
                             "\"serverCommit\"", "\"started\""})
       EXPECT_NE(filed.find(key), std::string::npos) << key << '\n' << filed;
@@ -1471,7 +1467,7 @@ TEST(Record, ShowsWhatWasTamperedWith) {
   // With coordinates that fewer decimals would change.
   write_file(part, std::regex_replace(demo, std::regex("Y20"), "Y20.1234"));
   ASSERT_EQ(trc({"compensate", part, "-o", folder.path("out"), "--record", record}).code, 0);
-  const std::string filed = read_file(record);
+  const std::string filed = content_of(record);
   const auto expect_shown = [&](const std::string& tampered, const char* what) {
     ASSERT_NE(tampered, filed) << what;
     write_file(record, tampered);
@@ -1487,7 +1483,7 @@ TEST(Record, ShowsWhatWasTamperedWith) {
   expect_shown(filed + "\n", "input");
   write_file(part, std::regex_replace(demo, std::regex("Y20"), "Y20.1234"));
   const std::string out = folder.path("out");
-  const std::string made = read_file(out);
+  const std::string made = content_of(out);
   for (const std::string& changed : {made + "\n", made.substr(1), std::string()}) {
     write_file(out, changed);
     expect_shown(filed + "\n", "does not hold what came out");
@@ -1506,7 +1502,7 @@ TEST(Record, TellsOfARefusedProgramToo) {
   const std::string record = folder.path("part.json");
   write_file(part, violating);
   EXPECT_EQ(trc({"compensate", part, "-o", folder.path("out"), "--record", record}).code, 1);
-  EXPECT_NE(read_file(record).find("\"REFUSED\""), std::string::npos);
+  EXPECT_NE(content_of(record).find("\"REFUSED\""), std::string::npos);
   EXPECT_EQ(trc({"verify", "--record", record}).code, 0);
 }
 
@@ -1524,16 +1520,16 @@ TEST(Folder, IsCompensatedAndOnlyWhatChangedAgain) {
   EXPECT_NE(first.out.find("3 programs, 2 done, 1 refused"), std::string::npos) << first.out;
   EXPECT_NE(first.out.find("clearance 10.0000 of 10.0000 mm"), std::string::npos) << first.out;
   EXPECT_NE(first.err.find("bad.nc:"), std::string::npos) << first.err;
-  const std::string made = read_file(out + "/a.nc");
+  const std::string made = content_of(out + "/a.nc");
   EXPECT_EQ(made, trc({"compensate", folder.path("a.nc")}).out);
-  EXPECT_EQ(read_file(out + "/bad.nc"), "");
+  EXPECT_EQ(content_of(out + "/bad.nc"), "");
 
   const Ended second = trc(call);
   EXPECT_NE(second.out.find("3 programs, 1 refused, 2 unchanged"), std::string::npos) << second.out;
   write_file(out + "/a.nc", made + "M0\n");
   write_file(folder.path("b.nc"), std::regex_replace(demo, std::regex("X120"), "X121"));
   EXPECT_NE(trc(call).out.find("2 done, 1 refused"), std::string::npos);
-  EXPECT_EQ(read_file(out + "/a.nc"), made);
+  EXPECT_EQ(content_of(out + "/a.nc"), made);
   call[6] = "3";
   EXPECT_NE(trc(call).out.find("2 done, 1 refused"), std::string::npos);
 }
@@ -1546,7 +1542,7 @@ TEST(Folder, IsNotMixedUp) {
   EXPECT_EQ(trc({"compensate", file, file}).code, 2);
   EXPECT_EQ(trc({"compensate", file, "--output-dir", folder.path("")}).code, 2);
   EXPECT_EQ(trc({"compensate", file, "--jobs", "2"}).code, 2);
-  EXPECT_EQ(read_file(file), demo);
+  EXPECT_EQ(content_of(file), demo);
 }
 
 // The contour without a radius of its own.
@@ -1573,15 +1569,7 @@ TEST(Compensate, TakesRadiusAndWear) {
   EXPECT_NE(whole.err.find("900222"), std::string::npos) << whole.err;
 }
 
-// Two walls, 8 mm apart.
-const std::string slot =
-    "N10 G90 G17 G00 X-20 Y4\n"
-    "N20 G138 G41 G01 X-10 Y0 F500\n"
-    "N30 X30\n"
-    "N40 Y8\n"
-    "N50 X-10\n"
-    "N60 G40 X-20 Y4\n"
-    "N70 M30\n";
+const std::string slot(support::slot);
 
 TEST(Radii, AreATable) {
   const Ended ended = trc({"radii", "-", "--radii", "3,5"}, slot);
@@ -1624,7 +1612,7 @@ TEST(Radii, AreThoseOfTheTools) {
   ASSERT_EQ(ended.code, 0) << ended.err;
   const auto lines = lines_of(ended.out);
   ASSERT_EQ(lines.size(), 4U) << ended.out;
-  // The reground one fits.
+  // The reground tool fits.
   EXPECT_NE(lines[2].find("3.970  T2    reaches all"), std::string::npos) << ended.out;
   EXPECT_NE(lines[3].find("6.000  T3    refused"), std::string::npos) << ended.out;
 }

@@ -9,7 +9,7 @@
 namespace trc::client {
 namespace {
 
-// As the server refuses.
+// The status of a refusal by the server.
 grpc::Status refusal(const std::string& reason, int retry_after_s) {
   google::rpc::ErrorInfo info;
   info.set_reason(reason);

@@ -510,7 +510,7 @@ TEST(Svg, IsTheSameInGermanButForItsWords) {
     EXPECT_NE(svg.find(word), std::string::npos) << word;
   for (const char* word : {"programmed", "warning 9", "tool radius", "approach", "contour<"})
     EXPECT_EQ(svg.find(word, svg.find("class=\"legend\"")), std::string::npos) << word;
-  // What the service said of it stands there as it was said.
+  // The text of the service is shown unchanged.
   found.front().texts = std::make_shared<const DiagnosticTexts>(
       DiagnosticTexts{.text = "said so", .help = "do that"});
   const std::string said = to_svg(compose(contents), {});
@@ -567,7 +567,7 @@ TEST(Svg, ShowsDepthsAndOtherPlanesInViewsOfTheirOwn) {
   std::vector<Block> two = corner_contour;
   two[3] = motion(40, Line{{0, 0}, {10, 0}}, mode(Side::left, Plane::zx));
   EXPECT_EQ(seen(two), (std::vector{Plane::xy, Plane::zx}));
-  // What is said stands below the first view, and once.
+  // Messages stand below the first view only.
   const std::string svg = to_svg(compose_views({.title = "part.nc", .programmed = deep}), {});
   EXPECT_LT(svg.find("class=\"legend\""), svg.find(">plane YZ<"));
   EXPECT_EQ(svg.find("class=\"legend\""), svg.rfind("class=\"legend\""));

@@ -112,7 +112,7 @@ bool ends_with_input_first(Session session) {
   const Connection connection(server->InProcessChannel({}));
   auto done = std::async(std::launch::async, [&] { return session(connection); });
   const auto ended = done.wait_for(seconds(30));
-  // Who waits for the other one would wait for ever.
+  // If either side waited for the other, both would wait for ever.
   if (ended != std::future_status::ready) server->Shutdown(std::chrono::system_clock::now());
   return done.get();
 }
@@ -451,7 +451,7 @@ TEST(Connection, MissingOrHalfTlsFilesAreNamed) {
   EXPECT_FALSE(connection);
 }
 
-// What no server of ours does: answers that do not hold together.
+// Inconsistent answers, which no server of this project sends.
 class BrokenServer : public v1::TrcService::Service {
  public:
   enum class Fault { no_summary, gap };

@@ -28,7 +28,7 @@ std::string text_of(Sent sent, const Shown& shown) {
   return text_of(sent.diagnostic, shown);
 }
 
-// The same without its line of the program.
+// What is said of a diagnostic without its line of the program.
 std::string alone(std::string_view file, const Sent& received) {
   return text_of(received, {.file = file});
 }

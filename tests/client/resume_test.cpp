@@ -182,7 +182,7 @@ wire::PathSettings small_tool(wire::Layout layout) {
   return settings;
 }
 
-// The same as NC text, with `head` before it.
+// A meander as NC text, with `head` before it.
 std::string meander_text(int turns, const std::string& head) {
   std::string text = head + "N5 G1 G41 V.G.WZ_AKT.R=0.5 X0 Y10 F800\n";
   for (int turn = 0; turn < turns; ++turn) {

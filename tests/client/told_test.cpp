@@ -7,7 +7,7 @@
 namespace trc::cli {
 namespace {
 
-// In German for one test.
+// Switches messages to German for one test.
 class Told : public ::testing::Test {
  protected:
   void SetUp() override { speak(Language::german); }

@@ -48,7 +48,7 @@ podman rm trcd >/dev/null 2>&1
 say "the commands of the page"
 
 # --- hardened, as the kernel sees it ------------------------------------------------------------
-# The same call as on the page, under another name.
+# Starts a container by the call on the page, under another name.
 start_server() { # name, replacement for sed
   local command
   command=$(readme_commands Container 2 | sed -n '/^podman run/,/[^\\]$/p' | sed "s/--name trcd/--name $1/; ${2:-}")

@@ -34,7 +34,7 @@ say "built: $(du -k "$package" | cut -f 1) kB, lintian is content"
 
 make_machine
 in_machine "apt-get install -y --download-only ./$package"
-# The same again under the next revision, to upgrade to.
+# The package under the next revision, to upgrade to.
 mkdir "$work/next"
 (cd build/release && cpack -B "$work/next" -D CPACK_DEBIAN_PACKAGE_RELEASE=2 >/dev/null)
 cp "$work"/next/trcd_0.1.0-2_*.deb "$machine/root/next.deb"

@@ -24,7 +24,7 @@ using testing_support::ServerProcess;
 const std::string first_part = "G0 X0 Y0\nG0 X5\n";
 const std::string second_part = "G1 G41 V.G.WZ_AKT.R=0.5 X10 Y0 F800\nX20\nG40\nX30 Y9\nM30\n";
 
-// The same program as another build: the linker has given it another number.
+// A copy of the server that counts as another build: its build id differs.
 std::string another_build(const Folder& folder) {
   std::string program = content_of(NAMELESS_SERVER);
   // The ELF note of the build id: sizes of name and number, its kind, its name.

@@ -189,7 +189,7 @@ TEST(Hostile, ConnectionsThatCarryMuchAreLeftAlone) {
     requests.push_back(server::text_request(at, text, false));
   requests.push_back(server::text_request(at, "G0 X1\nM30\n", true));
   EXPECT_TRUE(server::call_program(channel, requests).status.ok());
-  // And streams of which some are given up.
+  // Short streams, a third of which the client gives up.
   for (int i = 0; i < 900; ++i) {
     if (i % 3 > 0) {
       EXPECT_TRUE(server::run_program(channel, {}, server::g239_program).status.ok());

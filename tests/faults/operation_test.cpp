@@ -151,7 +151,7 @@ TEST(Certificates, RotateUnderLoadWithoutAFailedStream) {
   for (std::thread& thread : load) thread.join();
   EXPECT_EQ(bad, 0);
 
-  // And it is the last one that counts.
+  // The last certificate counts: a client that trusts the one before is turned away.
   grpc::SslCredentialsOptions old;
   old.pem_root_certs = second.cert;
   EXPECT_EQ(call(secure_channel(server.address(), old)).status.error_code(), grpc::UNAVAILABLE);
@@ -428,7 +428,7 @@ TEST(Probes, HealthIsServedInPlainTextBesideTls) {
   flags.insert(flags.end(), {"--health-listen", "127.0.0.1:0"});
   const ServerProcess server(flags);
   EXPECT_EQ(health_of(server.health()), "SERVING");
-  // And nothing but health.
+  // The port of health serves nothing else.
   const Answer answer =
       call(grpc::CreateChannel(server.health(), grpc::InsecureChannelCredentials()));
   EXPECT_EQ(answer.status.error_code(), grpc::UNIMPLEMENTED);

@@ -14,7 +14,7 @@ void claim(bool holds, std::string_view sentence);
 // Every number is finite, every joint is shared.
 void claim_path(const std::vector<CompensatedBlock>& blocks);
 
-// The same blocks, bit for bit.
+// Both paths have equal blocks, bit for bit.
 void claim_same(const std::vector<CompensatedBlock>& actual,
                 const std::vector<CompensatedBlock>& expected, std::string_view sentence);
 

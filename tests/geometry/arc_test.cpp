@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "core/geometry/distance.h"
+#include "tests/support/on_circle.h"
 
 namespace trc {
 namespace {
@@ -11,9 +12,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 const Point center(0.3, -0.2);
 
-Point at(double angle, double radius) {
-  return center + radius * Vector(std::cos(angle), std::sin(angle));
-}
+Point at(double angle, double radius) { return support::on_circle(center, radius, angle); }
 
 Arc arc_from(double angle, double sweep) {
   return {.start = at(angle, 2), .end = at(angle + sweep, 2), .center = center, .sweep = sweep};

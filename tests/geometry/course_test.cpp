@@ -28,8 +28,8 @@ Segment any_segment(const Point& place, double size, support::Random& random) {
   return Arc{.start = start, .end = end, .center = middle, .sweep = sweep};
 }
 
-// Boxes may only be left out where nothing in them is come nearer to; of those far off most have
-// to be, or the question would be worth nothing.
+// A box may be left out only where the way comes no nearer to anything in it. Most of the boxes far
+// off must be left out, or the test would save nothing.
 TEST(Course, LeavesOutOnlyWhatIsNotEntered) {
   constexpr std::uint64_t seed = 20261122;
   std::cout << "seed " << seed << "\n";

@@ -292,7 +292,7 @@ class Attacks(unittest.TestCase):
                         pass
                     connection.setblocking(True)
         self.assertLess(time.monotonic() - begin, 8)
-        # The same with a body.
+        # A body that comes byte by byte is waited for no longer than such a head.
         begin = time.monotonic()
         with self.server.connect() as connection:
             connection.sendall(HEAD + b"Content-Length: 100000\r\n\r\n")

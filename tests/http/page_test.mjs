@@ -274,7 +274,7 @@ const tests = {
       return page.textContent('#cursor');
     };
     assert.match(await cursor(50), /^X -?\d\.\d{4} {2}Y -?\d\.\d{4} inch$/);
-    // The same point to the same point, by keys: no distance; and from side to side: some inches.
+    // From side to side the distance is some inches; by keys, from a point to itself, it is none.
     await page.click('#measure');
     await page.mouse.click(box.x + 5, box.y + 5);
     await page.mouse.click(box.x + box.width - 5, box.y + 5);
@@ -310,7 +310,7 @@ const tests = {
       await page.locator('#way').fill('5000');
       await page.waitForFunction(() => /^X.*line/.test(document.getElementById('place').textContent));
       const at = await page.textContent('#place');
-      // The same from above, and the text on both sides is linked there too.
+      // Seen from above the place is the same one, and the texts on both sides are linked.
       await page.waitForFunction(() => document.querySelectorAll('#output [role=option]').length > 0);
       await page.locator('#output [role=option]').filter({hasText: 'N80'}).click();
       await page.waitForFunction(() => /N80/.test(document.querySelector('#input [aria-selected=true]')?.textContent));
@@ -645,7 +645,7 @@ const tests = {
         assert.equal(await page.locator('#input [aria-selected=true] .number').textContent(), line);
         continue;
       }
-      // The same as on the page of a server: text, clearance, the way of the tool, both listings.
+      // Text, clearance, the way of the tool and both listings are those of a server's page.
       const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save-nc')]);
       assert.equal(readFileSync(await download.path(), 'utf8'), trc('compensate', path).stdout);
       assert.match(await page.textContent('#certificate'), /smallest distance6 mm, needed 6 mm/);

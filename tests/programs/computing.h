@@ -12,6 +12,7 @@
 
 #include "core/nc/dialect/dialect.h"
 #include "core/session/program_session.h"
+#include "tests/support/program_run.h"
 
 // Programs that compute, for tests: each beside what a person would write in its place.
 
@@ -25,7 +26,7 @@ struct Twin {
 
 inline std::ostream& operator<<(std::ostream& out, const Twin& twin) { return out << twin.name; }
 
-// With as many decimals as leave nothing to be seen of rounding.
+// With so many decimals that rounding does not show.
 inline std::string number(double value) {
   std::array<char, 40> text{};
   std::snprintf(text.data(), text.size(), "%.9f", value);
@@ -35,6 +36,23 @@ inline std::string word(char letter, double value) { return letter + number(valu
 
 inline double sine(double degrees) { return std::sin(degrees * std::numbers::pi / 180); }
 inline double cosine(double degrees) { return std::cos(degrees * std::numbers::pi / 180); }
+
+// Blocks of a square about the origin at the height `z`; `select` selects TRC on the way to it.
+inline std::string square(double size, double z, const std::string& select = "G41") {
+  const std::string s = number(size / 2);
+  return "G0 Z" + number(z) + "\n" + select + " G1 X-" + s + " Y-" + s + " F500\nY" + s + "\nX" +
+         s + "\nY-" + s + "\nX-" + s + "\nG40 X0 Y-40\n";
+}
+
+// A program that goes round a regular polygon clockwise, from its corner on the X axis.
+inline std::string polygon(int corners, double radius, const std::string& select = "G42") {
+  std::string text = "G90 G0 X60 Y0\n" + select + " G1 X" + number(radius) + " Y0 F400\n";
+  for (int corner = 1; corner <= corners; ++corner) {
+    const double angle = -360.0 / corners * corner;
+    text += "X" + number(radius * cosine(angle)) + " Y" + number(radius * sine(angle)) + "\n";
+  }
+  return text + "G40 X60 Y0\nM30\n";
+}
 
 inline ProgramSessionSetup computing_setup(DialectName name, double tool_radius = 2) {
   ProgramSessionSetup setup;
@@ -47,51 +65,16 @@ inline ProgramSessionSetup computing_setup(DialectName name, double tool_radius 
   return setup;
 }
 
-struct Ran {
-  std::string text{};
-  std::vector<CompensatedBlock> blocks{};
-  std::vector<Diagnostic> diagnostics{};
-  bool stopped = false;
-
-  [[nodiscard]] std::string report() const {
-    std::string lines;
-    for (const Diagnostic& found : diagnostics)
-      lines += std::to_string(found.source.line) + ": " +
-               std::to_string(static_cast<int>(found.code)) + ' ' + message_of(found) + '\n';
-    return lines;
-  }
-};
-
-enum class Output { nc_text, blocks };
-
-// Fed in pieces of so many bytes; 0: as a whole.
-inline Ran run_computing(const std::string& text, ProgramSessionSetup setup, Output output,
-                         std::size_t piece = 0) {
-  setup.nc_text = output == Output::nc_text;
-  ProgramSession session(setup);
-  Answers answers;
-  bool running = true;
-  const std::size_t step = piece == 0 ? text.size() + 1 : piece;
-  for (std::size_t at = 0; running && at < text.size(); at += step)
-    running = session.feed(std::string_view(text).substr(at, step), answers);
-  if (running) session.finish(answers);
-  Answer whole = answers.take();
-  return {.text = std::move(whole.text),
-          .blocks = std::move(whole.blocks),
-          .diagnostics = std::move(whole.diagnostics),
-          .stopped = session.diagnostics().stopped()};
-}
-
-// The program as it comes out where nothing is compensated: the flat one.
+// The flat program: the output of a program in which nothing is compensated.
 inline std::string flat_of(const std::string& text, const ProgramSessionSetup& setup) {
-  const Ran ran = run_computing(text, setup, Output::nc_text);
+  const ProgramRun ran = to_text(text, setup);
   return ran.stopped ? ran.report() : ran.text;
 }
 
-// Code and line of what stops the program, of several the first; 0 where nothing does.
+// Code and line of the first error that stops the program; 0 and 0: none does.
 inline std::pair<int, unsigned> refusal_of(const std::string& text,
                                            const ProgramSessionSetup& setup) {
-  const Ran ran = run_computing(text, setup, Output::nc_text);
+  const ProgramRun ran = to_text(text, setup);
   if (!ran.stopped || ran.diagnostics.empty()) return {};
   const auto first = std::ranges::find(ran.diagnostics, Severity::error, &Diagnostic::severity);
   return {static_cast<int>(first->code), first->source.line};

@@ -11,7 +11,7 @@
 
 #include "core/nc/program/program_reader.h"
 
-// What holds for programs that compute, whatever their dialect.
+// Claims that hold for programs that compute in any dialect.
 
 namespace trc::support::computing {
 namespace {
@@ -39,12 +39,11 @@ TEST(AProgramThatComputes, ReachesBackAsFarAsTextIsHeldAndSaysSoBeyond) {
   while (text.size() <= ProgramReader::most_text_before)
     text += "G0 X2. (A LINE OF A LONG PROGRAM)\n";
   const std::size_t lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
-  const Ran ran = run_computing(text + "GOTO 10\n", fanuc(), Output::nc_text);
+  const ProgramRun ran = to_text(text + "GOTO 10\n", fanuc());
   ASSERT_EQ(ran.diagnostics.size(), 1u) << ran.report();
   EXPECT_EQ(ran.diagnostics[0].code, Code::jump_target_unknown);
   EXPECT_EQ(ran.diagnostics[0].source.line, lines + 1);
-  const Ran forward =
-      run_computing(text + "#1=3\nG0 X#1\nGOTO 20\nG0 X4.\nN20 M30\n", fanuc(), Output::nc_text);
+  const ProgramRun forward = to_text(text + "#1=3\nG0 X#1\nGOTO 20\nG0 X4.\nN20 M30\n", fanuc());
   EXPECT_EQ(forward.text, text + "G0 X3.\nN20 M30\n") << forward.report();
 }
 
@@ -64,13 +63,12 @@ TEST(AProgramThatComputes, IsHeldUpToALimit) {
 TEST(AProgramThatComputes, EndsAfterSoManyLines) {
   ProgramSessionSetup setup = fanuc();
   setup.session.program.max_executed_lines = 1000;
-  const Ran ran = run_computing("G0 X5. Y0\nN10 G91 X1.\nGOTO 10\n", setup, Output::blocks);
+  const ProgramRun ran = to_blocks("G0 X5. Y0\nN10 G91 X1.\nGOTO 10\n", setup);
   ASSERT_EQ(ran.diagnostics.size(), 1u) << ran.report();
   EXPECT_EQ(ran.diagnostics[0].code, Code::too_many_lines_executed);
   // Line 3 is executed first; 500 times a line of motion follows it.
   EXPECT_EQ(ran.blocks.size(), 2u + 500);
-  const Ran just_enough =
-      run_computing("#1=0\nN10 #1=#1+1\nIF [#1 LT 499] GOTO 10\nM30\n", setup, Output::nc_text);
+  const ProgramRun just_enough = to_text("#1=0\nN10 #1=#1+1\nIF [#1 LT 499] GOTO 10\nM30\n", setup);
   EXPECT_EQ(just_enough.text, "M30\n") << just_enough.report();
 }
 
@@ -137,8 +135,8 @@ TEST(AProgramThatComputes, IsCompensatedWithAllDecimalsOfItsContour) {
   ProgramSessionSetup fine = computing_setup(DialectName::fanuc);
   ProgramSessionSetup coarse = fine;
   coarse.session.program.decimals = 1;
-  const Ran wanted = run_computing(std::string(part), fine, Output::blocks);
-  const Ran got = run_computing(std::string(part), coarse, Output::blocks);
+  const ProgramRun wanted = to_blocks(std::string(part), fine);
+  const ProgramRun got = to_blocks(std::string(part), coarse);
   ASSERT_FALSE(wanted.stopped) << wanted.report();
   ASSERT_EQ(got.blocks.size(), wanted.blocks.size()) << got.report();
   for (std::size_t block = 0; block < wanted.blocks.size(); ++block) {
@@ -148,8 +146,7 @@ TEST(AProgramThatComputes, IsCompensatedWithAllDecimalsOfItsContour) {
 }
 
 TEST(AProgramThatComputes, StopsWithAllThatCannotBeReadInIt) {
-  const Ran ran =
-      run_computing("G0 X0\n#1=3\nG66 P5\nY#1\nG46 X1.\n#2=1/0\nM30\n", fanuc(), Output::nc_text);
+  const ProgramRun ran = to_text("G0 X0\n#1=3\nG66 P5\nY#1\nG46 X1.\n#2=1/0\nM30\n", fanuc());
   ASSERT_EQ(ran.diagnostics.size(), 3u) << ran.report();
   EXPECT_EQ(ran.diagnostics[0].code, Code::subprogram_unknown);
   EXPECT_EQ(ran.diagnostics[0].source.line, 3u);
@@ -159,9 +156,8 @@ TEST(AProgramThatComputes, StopsWithAllThatCannotBeReadInIt) {
 }
 
 TEST(WhatIsTold, NamesTheCallsThatLedThere) {
-  const Ran ran =
-      run_computing("G0 X0 Y0\nM98 P1\nM30\nO1\nG0 X1.\nM98 P2\nM99\nO2\nG0 X2.\n#1=1/0\nM99\n",
-                    fanuc(), Output::nc_text);
+  const ProgramRun ran =
+      to_text("G0 X0 Y0\nM98 P1\nM30\nO1\nG0 X1.\nM98 P2\nM99\nO2\nG0 X2.\n#1=1/0\nM99\n", fanuc());
   ASSERT_EQ(ran.diagnostics.size(), 1u);
   const Diagnostic& found = ran.diagnostics[0];
   EXPECT_EQ(found.source.line, 10u);
@@ -176,8 +172,7 @@ TEST(WhatIsTold, NamesTheCallsThatLedThere) {
 }
 
 TEST(WhatIsTold, CountsEqualCalls) {
-  const Ran ran =
-      run_computing("G0 X0 Y0\nM98 P1\nM30\nO1\nM98 P1\nM99\n", fanuc(), Output::nc_text);
+  const ProgramRun ran = to_text("G0 X0 Y0\nM98 P1\nM30\nO1\nM98 P1\nM99\n", fanuc());
   ASSERT_EQ(ran.diagnostics.size(), 1u) << ran.report();
   const Diagnostic& found = ran.diagnostics[0];
   EXPECT_EQ(found.code, Code::calls_too_deep);
@@ -196,7 +191,7 @@ TEST(WhatIsTold, NamesTheCallsOfWhatLaterPassesFind) {
   const std::string text =
       "G0 X-20. Y-20.\nM98 P7\nM30\nO7\nG41 D1 G1 X0 Y0 F500\nY40.\nX26.\nY30.\nX34.\nY40.\nX60.\n"
       "Y0\nX0\nG40 X-20. Y-20.\nM99\n";
-  const Ran ran = run_computing(text, setup, Output::blocks);
+  const ProgramRun ran = to_blocks(text, setup);
   ASSERT_FALSE(ran.diagnostics.empty());
   const Diagnostic& found = ran.diagnostics.back();
   EXPECT_EQ(found.code, Code::line_reversed) << ran.report();
@@ -207,7 +202,7 @@ TEST(WhatIsTold, NamesTheCallsOfWhatLaterPassesFind) {
 TEST(WhatIsTold, NamesTheLineOfAGivenSubprogram) {
   ProgramSessionSetup setup = fanuc();
   setup.session.program.subprograms["O9010.nc"] = "%\nO9010\nG0 X1.\n#1=SQRT[-1]\nM99\n%\n";
-  const Ran ran = run_computing("G0 X0 Y0\nG65 P9010\nM30\n", setup, Output::nc_text);
+  const ProgramRun ran = to_text("G0 X0 Y0\nG65 P9010\nM30\n", setup);
   ASSERT_EQ(ran.diagnostics.size(), 1u) << ran.report();
   EXPECT_EQ(ran.diagnostics[0].code, Code::value_invalid);
   EXPECT_EQ(ran.diagnostics[0].source.line, 2u);
@@ -217,8 +212,8 @@ TEST(WhatIsTold, NamesTheLineOfAGivenSubprogram) {
 }
 
 TEST(Blocks, OfAProgramThatComputesNameTheirLine) {
-  const Ran ran = run_computing("G0 X5. Y0\nM98 P1 L2\nM30\nO1\nG91 G1 X1. F100\nY1.\nM99\n",
-                                fanuc(), Output::blocks);
+  const ProgramRun ran =
+      to_blocks("G0 X5. Y0\nM98 P1 L2\nM30\nO1\nG91 G1 X1. F100\nY1.\nM99\n", fanuc());
   std::vector<std::uint32_t> lines;
   for (const CompensatedBlock& block : ran.blocks) lines.push_back(block.source.line);
   EXPECT_EQ(lines, (std::vector<std::uint32_t>{1, 5, 6, 5, 6, 3})) << ran.report();
@@ -258,8 +253,8 @@ TEST(LinesOfAnyKind, GiveTheSameInPieces) {
     ProgramSessionSetup setup =
         computing_setup(round % 2 == 0 ? DialectName::fanuc : DialectName::linuxcnc);
     setup.session.program.max_executed_lines = 300;
-    const Ran whole = run_computing(text, setup, Output::nc_text);
-    const Ran pieces = run_computing(text, setup, Output::nc_text, 1 + pick(5));
+    const ProgramRun whole = to_text(text, setup);
+    const ProgramRun pieces = to_text(text, setup, 1 + pick(5));
     ASSERT_EQ(pieces.text, whole.text);
     ASSERT_EQ(pieces.report(), whole.report());
     accepted += whole.stopped ? 0 : 1;

@@ -4,8 +4,8 @@
 
 #include "tests/programs/computing.h"
 
-// Words that say a contour otherwise than by the ends of lines and the centres of arcs: what comes
-// out is what the plain words give (D-103, D-104, D-85).
+// Words that describe a contour by other means than ends of lines and centres of arcs. The output
+// is that of the plain words (D-103, D-104, D-85).
 
 namespace trc::support::contour_words {
 namespace {
@@ -28,8 +28,7 @@ void expect_same(const std::string& lines, const std::string& plain) {
 }
 
 std::string refused(const std::string& lines, const std::string& end = "G40 G1 X90\n") {
-  const Ran ran =
-      run_computing(behind_wall(lines, end), computing_setup(sinumerik), Output::nc_text);
+  const ProgramRun ran = to_text(behind_wall(lines, end), computing_setup(sinumerik));
   return ran.diagnostics.empty() ? "" : ran.diagnostics.front().detail;
 }
 
@@ -64,8 +63,7 @@ TEST(ContourWords, CornersHaveTheirOwnFeed) {  // D-103
     std::string all;
     const std::string text =
         "G17 G90 G71 G94 CFTCP\nG0 X-20 Y0\nG41 G1 X0 Y0 F300\n" + lines + "G40 X90\nM30\n";
-    for (const CompensatedBlock& block :
-         run_computing(text, computing_setup(sinumerik), Output::blocks).blocks)
+    for (const CompensatedBlock& block : to_blocks(text, computing_setup(sinumerik)).blocks)
       if (is_arc(block.path)) all += std::to_string(static_cast<int>(block.feed)) + " ";
     return all;
   };

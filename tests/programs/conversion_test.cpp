@@ -12,9 +12,9 @@
 
 #include "core/nc/dialect/dialect.h"
 #include "core/nc/text/number_format.h"
-#include "tests/programs/written.h"
 #include "tests/support/contours.h"
 #include "tests/support/places.h"
+#include "tests/support/program_run.h"
 #include "tests/support/run.h"
 
 // Plain programs written anew in another dialect: the same path, or each word named that means
@@ -186,9 +186,9 @@ TEST(Conversion, OfEveryPairOfDialectsIsTheSamePathTo1e6) {
       program.mode.selection = Selection::direct;
       program.mode.transition = Transition::circular;
       program.tools = {{1, 6.0}, {2, 4.125}};
-      const Written written = run(text, setup, true);
+      const ProgramRun written = to_text(text, setup);
       ASSERT_FALSE(written.stopped) << written.report() << text;
-      const auto path = moving(run(text, setup, false).blocks, 1e-6);
+      const auto path = moving(to_blocks(text, setup).blocks, 1e-6);
       if (first.empty()) first = path;
       expect_same(path, first, text);
       for (const Dialect& to : all_dialects()) {
@@ -198,7 +198,7 @@ TEST(Conversion, OfEveryPairOfDialectsIsTheSamePathTo1e6) {
                                        << written.text;
         ProgramSessionSetup read;
         read.session.program.dialect = to.name;
-        const Written again = run(converted.text, read, false);
+        const ProgramRun again = to_blocks(converted.text, read);
         ASSERT_FALSE(again.stopped) << again.report() << converted.text;
         expect_same(moving(again.blocks, 1e-6), path, converted.text);
       }
@@ -245,7 +245,7 @@ std::string program_in_space(DialectName dialect, std::minstd_rand& random) {
   return text.str();
 }
 
-// Another plane changes what is across it, not where the tool goes.
+// Selecting another plane does not change where the tool goes.
 TEST(Conversion, OfProgramsInAllPlanesIsTheSamePathTo1e6) {
   std::minstd_rand random(20210);  // NOLINT(cert-msc32-c,cert-msc51-cpp): the same in each run
   constexpr double same = 1e-6;
@@ -261,7 +261,7 @@ TEST(Conversion, OfProgramsInAllPlanesIsTheSamePathTo1e6) {
     setup.session.program.decimals = 7;
     setup.session.program.tracking_axes = {"A"};
     const std::string text = program_in_space(from, random);
-    const Written read = run(text, setup, false);
+    const ProgramRun read = to_blocks(text, setup);
     ASSERT_FALSE(read.stopped) << read.report() << text;
     const auto wanted = moving(read.blocks, 1e-6);
     for (const DialectName to : dialects) {
@@ -269,7 +269,7 @@ TEST(Conversion, OfProgramsInAllPlanesIsTheSamePathTo1e6) {
       ASSERT_EQ(told(converted), "") << text;
       ProgramSessionSetup other = setup;
       other.session.program.dialect = to;
-      const Written again = run(converted.text, other, false);
+      const ProgramRun again = to_blocks(converted.text, other);
       ASSERT_FALSE(again.stopped) << again.report() << converted.text;
       const auto path = moving(again.blocks, 1e-6);
       ASSERT_EQ(path.size(), wanted.size()) << text << converted.text;
@@ -277,7 +277,7 @@ TEST(Conversion, OfProgramsInAllPlanesIsTheSamePathTo1e6) {
         EXPECT_EQ(path[k].rapid, wanted[k].rapid) << text << converted.text;
         EXPECT_NEAR(end_of_turn(path[k]), end_of_turn(wanted[k]), same) << text << converted.text;
         for (const double t : {0.5, 1.0})
-          ASSERT_LT((place_at(path[k], t) - place_at(wanted[k], t)).norm(), same)
+          ASSERT_LT((point_in_space(path[k], t) - point_in_space(wanted[k], t)).norm(), same)
               << k << '\n'
               << text << converted.text;
       }
@@ -342,7 +342,7 @@ TEST(Conversion, SaysToolsSpeedsAndSwitchesAsTheyAreMeant) {
   }
 }
 
-// What is a comment stays one: behind its bracket there would be words.
+// A comment stays one: a bracket within it would end it, and words would follow.
 TEST(Conversion, LeavesNoBracketInACommentInBrackets) {
   const std::string text = "N1 G0 X1 Y2 ; rapid) Z-100 (here\nN2 G1 X5 F100\nN3 M30\n";
   for (const DialectName to : {DialectName::fanuc, DialectName::linuxcnc, DialectName::isg}) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
 #include <iomanip>
 #include <limits>
 #include <random>
@@ -21,9 +20,10 @@
 #include "core/nc/program/flow.h"
 #include "core/nc/text/number_format.h"
 #include "core/session/program_session.h"
-#include "tests/programs/written.h"
 #include "tests/support/contours.h"
+#include "tests/support/files.h"
 #include "tests/support/places.h"
+#include "tests/support/program_run.h"
 #include "tests/support/run.h"
 
 // Programs in the manner of each control. The first line of each says with which tools it runs, or
@@ -103,10 +103,7 @@ struct ProgramFile {
 std::ostream& operator<<(std::ostream& out, const ProgramFile& file) { return out << file.name; }
 
 DialectProgram read(const ProgramFile& file) {
-  std::ifstream stream(file.path, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  DialectProgram program{.text = text.str()};
+  DialectProgram program{.text = testing_support::content_of(file.path)};
   ProgramSetup& setup = program.setup.session.program;
   setup.dialect = file.dialect->name;
   file.dialect->begin(setup.mode);
@@ -129,8 +126,9 @@ std::vector<ProgramFile> all_programs() {
 }
 
 // Each piece in a session of its own.
-Written run_resumed(const std::string& text, const ProgramSessionSetup& setup, std::size_t piece) {
-  Written result;
+ProgramRun run_resumed(const std::string& text, const ProgramSessionSetup& setup,
+                       std::size_t piece) {
+  ProgramRun result;
   std::string state;
   for (std::size_t at = 0; at < text.size() && !result.stopped; at += piece) {
     ProgramSession session(setup);
@@ -163,7 +161,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 }
 
 void is_accepted_or_refused_for_the_reason_of_its_head(const DialectProgram& program) {
-  const Written written = run(program.text, program.setup, true);
+  const ProgramRun written = to_text(program.text, program.setup);
   if (program.refused == 0) {
     EXPECT_FALSE(written.stopped) << written.report();
     return;
@@ -177,7 +175,7 @@ void is_accepted_or_refused_for_the_reason_of_its_head(const DialectProgram& pro
 
 void makes_the_path_of_its_head(const DialectProgram& program) {
   if (program.path.empty()) return;
-  std::vector<CompensatedBlock> path = moving(run(program.text, program.setup, false).blocks, 1e-6);
+  std::vector<CompensatedBlock> path = moving(to_blocks(program.text, program.setup).blocks, 1e-6);
   path.erase(path.begin(), std::ranges::find_if(path, [](const CompensatedBlock& block) {
                return block.origin != Origin::uncompensated || block.normal.from != block.normal.to;
              }));
@@ -199,20 +197,20 @@ void is_measured_clear(const DialectProgram& program) {
   ProgramSessionSetup measured = program.setup;
   measured.session.verify = Verify::enforce;
   for (const std::size_t piece : {0U, 1U}) {
-    const Written written = run(program.text, measured, true, piece);
+    const ProgramRun written = to_text(program.text, measured, piece);
     EXPECT_FALSE(written.stopped) << written.report();
-    EXPECT_EQ(written.text, run(program.text, program.setup, true).text);
+    EXPECT_EQ(written.text, to_text(program.text, program.setup).text);
   }
   measured.session.program.mode.masking = Masking::on;
   measured.session.program.mode.options.remove_masked_blocks = true;
-  const Written removed = run(program.text, measured, true);
+  const ProgramRun removed = to_text(program.text, measured);
   EXPECT_FALSE(removed.stopped) << removed.report();
 }
 
 void gives_the_same_in_pieces(const DialectProgram& program) {
-  const Written whole = run(program.text, program.setup, true);
+  const ProgramRun whole = to_text(program.text, program.setup);
   for (const std::size_t piece : {1U, 3U, 17U}) {
-    const Written pieces = run(program.text, program.setup, true, piece);
+    const ProgramRun pieces = to_text(program.text, program.setup, piece);
     EXPECT_EQ(pieces.text, whole.text);
     EXPECT_EQ(pieces.report(), whole.report());
   }
@@ -220,9 +218,9 @@ void gives_the_same_in_pieces(const DialectProgram& program) {
 
 // A state is saved and read again behind each piece, wherever that ends.
 void gives_the_same_resumed(const DialectProgram& program) {
-  const Written whole = run(program.text, program.setup, true);
+  const ProgramRun whole = to_text(program.text, program.setup);
   for (const std::size_t piece : {1U, 23U}) {
-    const Written resumed = run_resumed(program.text, program.setup, piece);
+    const ProgramRun resumed = run_resumed(program.text, program.setup, piece);
     EXPECT_EQ(resumed.text, whole.text);
     EXPECT_EQ(resumed.report(), whole.report());
   }
@@ -231,7 +229,7 @@ void gives_the_same_resumed(const DialectProgram& program) {
 // No word of TRC is left, and a reader of the output makes the compensated path.
 void writes_the_path_in_its_dialect(const DialectProgram& program) {
   if (program.refused != 0) return;
-  const Written written = run(program.text, program.setup, true);
+  const ProgramRun written = to_text(program.text, program.setup);
   for (const std::string& line : lines_of(written.text)) {
     const std::string words = std::regex_replace(line, std::regex("\\([^)]*\\)|;.*"), "");
     // There it is for cycles.
@@ -241,8 +239,8 @@ void writes_the_path_in_its_dialect(const DialectProgram& program) {
     EXPECT_FALSE(std::regex_search(words, std::regex(" FMAX.* F ?[0-9]"))) << line;
   }
   const std::vector<CompensatedBlock> wanted =
-      moving(run(program.text, program.setup, false).blocks, 1e-3);
-  const Written again = run(written.text, program.setup, false);
+      moving(to_blocks(program.text, program.setup).blocks, 1e-3);
+  const ProgramRun again = to_blocks(written.text, program.setup);
   ASSERT_FALSE(again.stopped) << again.report() << written.text;
   const std::vector<CompensatedBlock> path = moving(again.blocks, 1e-3);
   ASSERT_EQ(path.size(), wanted.size()) << written.text;
@@ -252,7 +250,7 @@ void writes_the_path_in_its_dialect(const DialectProgram& program) {
     EXPECT_EQ(path[k].rapid, wanted[k].rapid) << text_of(wanted[k]) << '\n' << written.text;
     EXPECT_NEAR(path[k].rapid ? 0 : path[k].feed - wanted[k].feed, 0, 1e-3) << written.text;
     for (const double t : {0.5, 1.0})
-      EXPECT_LT((place_at(path[k], t) - place_at(wanted[k], t)).norm(), 2e-3)
+      EXPECT_LT((point_in_space(path[k], t) - point_in_space(wanted[k], t)).norm(), 2e-3)
           << text_of(wanted[k]) << '\n'
           << written.text;
   }
@@ -274,7 +272,7 @@ void comes_out_as_it_is_without_selections(const DialectProgram& program) {
       std::regex("G ?4[12](\\.1)?( D ?[0-9.]+)? ?|G13[89] ?| R[LR]| M109| M110| M111| M120 LA20",
                  std::regex::ECMAScript | std::regex::icase),
       "");
-  const Written written = run(plain, program.setup, true);
+  const ProgramRun written = to_text(plain, program.setup);
   ASSERT_FALSE(written.stopped) << written.report() << plain;
   EXPECT_EQ(written.text, plain);
 }
@@ -282,7 +280,7 @@ void comes_out_as_it_is_without_selections(const DialectProgram& program) {
 // What comes out in another dialect is the same path there, with the same feeds.
 void is_the_same_path_in_another_dialect_or_refused(const DialectProgram& program) {
   if (program.refused != 0) return;
-  const Written written = run(program.text, program.setup, true);
+  const ProgramRun written = to_text(program.text, program.setup);
   const ProgramSetup& setup = program.setup.session.program;
   for (const Dialect& other : all_dialects()) {
     if (other.name == setup.dialect) continue;
@@ -290,16 +288,18 @@ void is_the_same_path_in_another_dialect_or_refused(const DialectProgram& progra
     if (!converted.faults.empty()) continue;
     ProgramSessionSetup read;
     read.session.program.dialect = other.name;
-    const auto wanted = moving(run(written.text, program.setup, false).blocks, 1e-3);
-    const Written again = run(converted.text, read, false);
+    const auto wanted = moving(to_blocks(written.text, program.setup).blocks, 1e-3);
+    const ProgramRun again = to_blocks(converted.text, read);
     ASSERT_FALSE(again.stopped) << again.report() << converted.text;
     const auto path = moving(again.blocks, 1e-3);
     ASSERT_EQ(path.size(), wanted.size()) << converted.text;
     for (std::size_t k = 0; k < path.size(); ++k) {
       EXPECT_EQ(path[k].rapid, wanted[k].rapid) << converted.text;
       EXPECT_NEAR(path[k].rapid ? 0 : path[k].feed - wanted[k].feed, 0, 1e-3) << converted.text;
-      EXPECT_LT((place_at(path[k], 0.5) - place_at(wanted[k], 0.5)).norm(), 2e-3) << converted.text;
-      EXPECT_LT((place_at(path[k], 1) - place_at(wanted[k], 1)).norm(), 2e-3) << converted.text;
+      EXPECT_LT((point_in_space(path[k], 0.5) - point_in_space(wanted[k], 0.5)).norm(), 2e-3)
+          << converted.text;
+      EXPECT_LT((point_in_space(path[k], 1) - point_in_space(wanted[k], 1)).norm(), 2e-3)
+          << converted.text;
     }
   }
 }
@@ -336,7 +336,7 @@ std::vector<Diagnostic> told(const std::string& text, DialectName dialect) {
   setup.session.program.dialect = dialect;
   setup.session.program.tools = {{1, ToolRow(2)}};
   setup.session.program.mode.selection = dialect_of(dialect).selection;
-  return run(text, setup, true).diagnostics;
+  return to_text(text, setup).diagnostics;
 }
 
 // What hangs on an obstacle that has been told is none of its own.
@@ -394,12 +394,12 @@ TEST(ToolsWithoutARadius, AreNotMissedByMotionsWithoutCorrection) {
   ProgramSessionSetup setup;
   setup.session.program.tools = {{1, ToolRow(5)}};
   const std::string drill = "N10 T17 D17\nN20 G0 X50 Y20\nN30 G1 Z-10 F100\nN40 G0 Z5\n";
-  const Written milled = run(
+  const ProgramRun milled = to_text(
       drill + "N50 T1 D1\nN60 G0 X-20 Y-20\nN70 G41 G1 X0 Y0 F300\nN80 Y40\nN90 G40 X-20\nM30\n",
-      setup, true);
+      setup);
   EXPECT_FALSE(milled.stopped) << milled.report();
-  const Written missed =
-      run(drill + "N60 G0 X-20 Y-20\nN70 G41 G1 X0 Y0 F300\nN80 Y40\nM30\n", setup, true);
+  const ProgramRun missed =
+      to_text(drill + "N60 G0 X-20 Y-20\nN70 G41 G1 X0 Y0 F300\nN80 Y40\nM30\n", setup);
   ASSERT_TRUE(missed.stopped);
   EXPECT_EQ(missed.diagnostics.back().code, Code::tool_unknown);
   EXPECT_EQ(missed.diagnostics.back().source.line, 1U);
@@ -411,9 +411,9 @@ TEST(OffsetsOfFanuc, GoWithTheSelectionThatTheyBelongTo) {
   setup.session.program.dialect = DialectName::fanuc;
   setup.session.program.mode.selection = Selection::direct;
   setup.session.program.mode.tool_radius = 2;
-  const Written written =
-      run("G21 G90\nG43 H4 Z5.\nG0 X-9. Y-9.\nG41 H24 G1 X0 Y0 F100.\nY20.\nX20.\nG40 X40.\nM30\n",
-          setup, true);
+  const ProgramRun written = to_text(
+      "G21 G90\nG43 H4 Z5.\nG0 X-9. Y-9.\nG41 H24 G1 X0 Y0 F100.\nY20.\nX20.\nG40 X40.\nM30\n",
+      setup);
   ASSERT_FALSE(written.stopped) << written.report();
   EXPECT_NE(written.text.find("G43 H4 Z5."), std::string::npos);
   EXPECT_EQ(written.text.find("H24"), std::string::npos) << written.text;
@@ -428,9 +428,9 @@ TEST(BlocksNumberedAnew, CountFromTheFirstNumberOn) {
     setup.session.program.mode.transition = dialect_of(dialect).transition;
     setup.session.program.mode.tool_radius = 5;
     setup.session.program.renumbers = true;
-    const Written whole = run(text, setup, true);
+    const ProgramRun whole = to_text(text, setup);
     EXPECT_FALSE(whole.stopped) << whole.report();
-    EXPECT_EQ(run(text, setup, true, 1).text, whole.text);
+    EXPECT_EQ(to_text(text, setup, 1).text, whole.text);
     EXPECT_EQ(run_resumed(text, setup, 7).text, whole.text);
     return whole.text;
   };
@@ -456,7 +456,7 @@ TEST(BytesOfComments, AreKeptAsTheEncodingSays) {
     setup.session.program.dialect = dialect;
     setup.session.program.encoding = encoding;
     const std::string text = "G90 " + comment + "\nG0 X1 Y1\nM30\n" + comment + "\n";
-    const Written written = run(text, setup, true);
+    const ProgramRun written = to_text(text, setup);
     if (!written.stopped) {
       EXPECT_EQ(written.text, text);
     }
@@ -485,7 +485,7 @@ TEST(LinesWithoutACorrection, ComeOutAsTheyStand) {
         std::pair{DialectName::sinumerik,
                   "G71 G90\nG0 X0 Y0\nG3 AR=90 I5 J0 F500\nG2 X20 AR=120\nG1 X30\nM30\n"}}) {
     setup.session.program.dialect = dialect;
-    const Written written = run(text, setup, true);
+    const ProgramRun written = to_text(text, setup);
     ASSERT_FALSE(written.stopped) << written.report();
     EXPECT_EQ(written.text, text);
   }
@@ -495,8 +495,8 @@ TEST(LinesWithoutACorrection, ComeOutAsTheyStand) {
 TEST(FaultsOfReading, AreAllToldInOneRunWithTheNumberOfTheirLines) {
   ProgramSessionSetup setup;
   setup.session.program.dialect = DialectName::fanuc;
-  const Written written =
-      run("G21\nG999 X1\nG66 P2\nM96 P1\nG0 X0\nG999\nG46 X1\nM30\n", setup, true);
+  const ProgramRun written =
+      to_text("G21\nG999 X1\nG66 P2\nM96 P1\nG0 X0\nG999\nG46 X1\nM30\n", setup);
   ASSERT_EQ(written.diagnostics.size(), 4u) << written.report();
   EXPECT_EQ(written.diagnostics[0].source.line, 2u);
   EXPECT_EQ(written.diagnostics[0].code, Code::nc_unknown_function);
@@ -512,7 +512,7 @@ TEST(FaultsOfReading, AreAllToldInOneRunWithTheNumberOfTheirLines) {
 TEST(FaultsOfReading, NameAStatementOfSinumerikOnce) {
   ProgramSessionSetup setup;
   setup.session.program.dialect = DialectName::sinumerik;
-  const Written written = run("CALL \"SUB\"\nG0 X0\nM30\n", setup, true);
+  const ProgramRun written = to_text("CALL \"SUB\"\nG0 X0\nM30\n", setup);
   ASSERT_EQ(written.diagnostics.size(), 1u) << written.report();
   EXPECT_EQ(written.diagnostics[0].detail, "CALL, a name");
 }
@@ -523,7 +523,7 @@ TEST(FaultsOfReading, AreNoMoreThanTheLimit) {
   setup.most_faults = 3;
   std::string text;
   for (int k = 200; k < 210; ++k) text += "G" + std::to_string(k) + "\n";
-  EXPECT_EQ(run(text, setup, true).diagnostics.size(), 3u);
+  EXPECT_EQ(to_text(text, setup).diagnostics.size(), 3u);
 }
 
 // A line of 64 KiB may have a fault in each byte. What stands behind as many as are told is not
@@ -535,7 +535,7 @@ TEST(FaultsOfReading, ALineWithTooManyIsReadNoFurther) {
     setup.session.program.dialect = dialect;
     std::string line = dialect == DialectName::heidenhain ? "L " : "G1 ";
     for (std::size_t i = 0; i <= setup.most_faults; ++i) line += "X+1 ";
-    const Written written = run(line + "? ?\n? ?\n", setup, true);
+    const ProgramRun written = to_text(line + "? ?\n? ?\n", setup);
     ASSERT_EQ(written.diagnostics.size(), 2u) << dialect_of(dialect).spelling << written.report();
     EXPECT_EQ(written.diagnostics[0].code, Code::nc_word_twice);
     EXPECT_EQ(written.diagnostics[1].source.line, 2u) << written.report();
@@ -559,7 +559,7 @@ TEST(TheGuard, NamesTheDialectAProgramLooksLike) {
                                                         {"TRANS X10\n", "sinumerik"},
                                                         {"G2 X10 Y0 CR=5\n", "sinumerik"},
                                                         {"L X+10 Y+20\n", "heidenhain"}}) {
-    const Written written = run(text, {}, true);
+    const ProgramRun written = to_text(text);
     ASSERT_TRUE(written.stopped) << text;
     EXPECT_EQ(written.diagnostics[0].code, Code::other_dialect) << text << written.report();
     EXPECT_NE(written.diagnostics[0].detail.find(dialect), std::string::npos) << written.report();
@@ -568,7 +568,7 @@ TEST(TheGuard, NamesTheDialectAProgramLooksLike) {
 
 TEST(TheGuard, LeavesProgramsOfIsgAlone) {
   for (const char* text : {"#TRC [REVERSE=1]\nG20\nG0 X1\n", "G138\nG26 X1 Y1\n", "G25\nG1 X1\n"})
-    EXPECT_FALSE(run(text, {}, true).stopped) << text;
+    EXPECT_FALSE(to_text(text).stopped) << text;
 }
 
 // SINUMERIK ONE, programming manual 2.10.4: as the tool came up to DISCL= over the contour, with
@@ -582,11 +582,11 @@ TEST(SoftLeads, TravelAcrossThePlaneInTheirStepsAndFeeds) {
     program.mode.selection = Selection::direct;
     program.mode.transition = Transition::circular;
     program.mode.tool_radius = 5;
-    const Written written =
-        run("G17 G71 G90 G94\nG0 X-20 Y-20 Z20\nG41 " + steps +
-                " G247 DISR=10 DISCL=2 FAD=100 X0 Y30 Z-5 F300\nG1 Y60\nX80\nG0 G40 G248 DISR=10 "
-                "DISCL=AC(3) X120 Y100 Z50\nM30\n",
-            setup, true);
+    const ProgramRun written = to_text(
+        "G17 G71 G90 G94\nG0 X-20 Y-20 Z20\nG41 " + steps +
+            " G247 DISR=10 DISCL=2 FAD=100 X0 Y30 Z-5 F300\nG1 Y60\nX80\nG0 G40 G248 DISR=10 "
+            "DISCL=AC(3) X120 Y100 Z50\nM30\n",
+        setup);
     EXPECT_FALSE(written.stopped) << written.report();
     return written.text;
   };
@@ -605,11 +605,11 @@ TEST(Inches, CountAsInchesInEveryDialect) {
   for (const DialectName name : {DialectName::fanuc, DialectName::linuxcnc}) {
     ProgramSessionSetup setup;
     setup.session.program.dialect = name;
-    const Written written = run("G20 G90\nG0 X1. Y2.\nM30\n", setup, false);
+    const ProgramRun written = to_blocks("G20 G90\nG0 X1. Y2.\nM30\n", setup);
     ASSERT_FALSE(written.stopped) << written.report();
     EXPECT_DOUBLE_EQ(end_of(moving(written.blocks, 1e-3).back().path).x(), 25.4);
     setup.session.program.inch = true;
-    const Written declared = run("G0 X1. Y2.\nM30\n", setup, false);
+    const ProgramRun declared = to_blocks("G0 X1. Y2.\nM30\n", setup);
     EXPECT_DOUBLE_EQ(end_of(moving(declared.blocks, 1e-3).back().path).y(), 50.8);
   }
 }
@@ -618,19 +618,18 @@ TEST(Positions, AreUnknownBehindALineThatIsOnlyCopied) {
   ProgramSessionSetup setup;
   setup.session.program.dialect = DialectName::fanuc;
   setup.session.program.mode.tool_radius = 1;
-  const Written refused = run("G0 X0 Y0\nG28 X0\nG41 D1 G1 Y10. F100\nY20.\n", setup, true);
+  const ProgramRun refused = to_text("G0 X0 Y0\nG28 X0\nG41 D1 G1 Y10. F100\nY20.\n", setup);
   ASSERT_TRUE(refused.stopped);
   EXPECT_EQ(refused.diagnostics.back().code, Code::position_unknown);
   EXPECT_FALSE(
-      run("G0 X0 Y0\nG28 X0\nG0 X0\nG41 D1 G1 Y10. F100\nX9.\nG40 X20.\nM30\n", setup, true)
-          .stopped);
+      to_text("G0 X0 Y0\nG28 X0\nG0 X0\nG41 D1 G1 Y10. F100\nX9.\nG40 X20.\nM30\n", setup).stopped);
 }
 
 // Of the motions of a text, the points where they end.
 std::vector<Point> ends_of(const std::string& text, DialectName name) {
   ProgramSessionSetup setup;
   setup.session.program.dialect = name;
-  const Written written = run(text, setup, false);
+  const ProgramRun written = to_blocks(text, setup);
   EXPECT_FALSE(written.stopped) << written.report();
   std::vector<Point> ends;
   for (const CompensatedBlock& block : moving(written.blocks, 1e-6))
@@ -660,8 +659,8 @@ TEST(Corners, AreCutAsTheirWordsSay) {
     setup.session.program.dialect = tested.name;
     setup.session.program.mode.tool_radius = 2;
     setup.session.program.mode.selection = Selection::direct;
-    const Written cut = run(head + tested.word + tail, setup, false);
-    const Written out = run(head + tested.written_out + tail, setup, false);
+    const ProgramRun cut = to_blocks(head + tested.word + tail, setup);
+    const ProgramRun out = to_blocks(head + tested.written_out + tail, setup);
     ASSERT_FALSE(cut.stopped) << tested.word << cut.report();
     ASSERT_FALSE(out.stopped) << tested.word << out.report();
     const auto path = moving(cut.blocks, 1e-3);
@@ -671,7 +670,7 @@ TEST(Corners, AreCutAsTheirWordsSay) {
       for (const double t : {0.0, 0.5, 1.0})
         EXPECT_LT((point_at(path[k].path, t) - point_at(wanted[k].path, t)).norm(), 2e-6)
             << tested.word << ' ' << k;
-    const std::string text = run(head + tested.word + tail, setup, true).text;
+    const std::string text = to_text(head + tested.word + tail, setup).text;
     EXPECT_EQ(text.find(','), std::string::npos) << text;
     EXPECT_EQ(text.find("RND"), std::string::npos) << text;
     EXPECT_EQ(text.find("CH"), std::string::npos) << text;
@@ -690,9 +689,8 @@ TEST(FeedAtInsideArcs, IsThatOfTheContactPointThereAlone) {
     setup.session.program.dialect = DialectName::sinumerik;
     setup.session.program.mode.tool_radius = 4;
     dialect_of(DialectName::sinumerik).begin(setup.session.program.mode);
-    const Written written =
-        run("G0 X30 Y30\n" + std::string(word) + "\nG41 G1 X40 Y0 F100\n" + contour + "M30\n",
-            setup, false);
+    const ProgramRun written = to_blocks(
+        "G0 X30 Y30\n" + std::string(word) + "\nG41 G1 X40 Y0 F100\n" + contour + "M30\n", setup);
     ASSERT_FALSE(written.stopped) << written.report();
     std::vector<double> feeds;
     for (const CompensatedBlock& block : moving(written.blocks, 1e-3))
@@ -712,7 +710,7 @@ TEST(MotionsBeforeAnyFunction, AreThoseOfTheControlOrRefused) {
     setup.session.program.dialect = dialect.name;
     setup.session.program.mode.tool_radius = 5;
     dialect.begin(setup.session.program.mode);
-    const Written written = run(words + "G40 X80. Y60.\nM30\n", setup, false);
+    const ProgramRun written = to_blocks(words + "G40 X80. Y60.\nM30\n", setup);
     if (dialect.motion) {
       ASSERT_FALSE(written.stopped) << dialect.spelling << written.report();
       for (const CompensatedBlock& block : moving(written.blocks, 1e-3))
@@ -722,7 +720,7 @@ TEST(MotionsBeforeAnyFunction, AreThoseOfTheControlOrRefused) {
     ASSERT_TRUE(written.stopped) << dialect.spelling;
     EXPECT_EQ(written.diagnostics.back().code, Code::motion_unknown);
     EXPECT_EQ(written.diagnostics.back().source.line, 3U);
-    const Written said = run("G1\n" + words + "G40 X80. Y60.\nM30\n", setup, false);
+    const ProgramRun said = to_blocks("G1\n" + words + "G40 X80. Y60.\nM30\n", setup);
     EXPECT_FALSE(said.stopped) << dialect.spelling << said.report();
   }
 }
@@ -736,13 +734,13 @@ TEST(Klartext, TakesTheFeedOfTheToolCall) {
   setup.session.program.dialect = DialectName::heidenhain;
   setup.session.program.mode.tool_radius = 5;
   dialect_of(DialectName::heidenhain).begin(setup.session.program.mode);
-  const Written written = run(program, setup, false);
+  const ProgramRun written = to_blocks(program, setup);
   ASSERT_FALSE(written.stopped) << written.report();
   for (const CompensatedBlock& block : moving(written.blocks, 1e-3)) {
     if (block.rapid) continue;
     EXPECT_EQ(block.feed, block.source.line < 7 ? 500 : 200) << block.source.line;
   }
-  const Written text = run(program, setup, true);
+  const ProgramRun text = to_text(program, setup);
   EXPECT_NE(text.text.find("TOOL CALL 1 Z S3000 F500\nL X-20 Y-20 R0 FMAX M3\nL Z-3\n"),
             std::string::npos)
       << text.text;
@@ -756,9 +754,9 @@ TEST(ToolDataOfAProgram, ThatAreASumAreRefused) {
     ProgramSessionSetup setup;
     setup.session.program.dialect = DialectName::fanuc;
     setup.session.program.tools = {{1, ToolRow(5)}};
-    const Written written = run("G21 G90 G17\nG0 X-20. Y-20.\n" + std::string(sum) +
-                                    "G41 D1 G1 X0. Y0. F300.\nY40.\nX60.\nG40 X80.\nM30\n",
-                                setup, false);
+    const ProgramRun written = to_blocks("G21 G90 G17\nG0 X-20. Y-20.\n" + std::string(sum) +
+                                             "G41 D1 G1 X0. Y0. F300.\nY40.\nX60.\nG40 X80.\nM30\n",
+                                         setup);
     ASSERT_TRUE(written.stopped) << sum;
     EXPECT_EQ(written.diagnostics.back().code, Code::nc_unsupported) << sum;
   }
@@ -770,9 +768,9 @@ TEST(Corners, AreRoundedBesideArcs) {
   setup.session.program.dialect = DialectName::fanuc;
   setup.session.program.tools[1] = 0;
   setup.session.program.mode.selection = Selection::direct;
-  const Written written =
-      run("G0 X-9 Y-9\nG42 D1 G1 X0 Y0 F9\nX40 ,R5\nG3 X40 Y30 I-9 J15 ,R4\nG1 X0\nG40 X-9\nM30\n",
-          setup, false);
+  const ProgramRun written = to_blocks(
+      "G0 X-9 Y-9\nG42 D1 G1 X0 Y0 F9\nX40 ,R5\nG3 X40 Y30 I-9 J15 ,R4\nG1 X0\nG40 X-9\nM30\n",
+      setup);
   ASSERT_FALSE(written.stopped) << written.report();
   std::vector<Arc> arcs;
   for (const CompensatedBlock& block : moving(written.blocks, 1e-6))
@@ -801,7 +799,7 @@ TEST(Corners, ThatHaveNoPlaceAreRefused) {
                               "G41 D1 G1 X0 Y0 F100\nY20 ,R2\nG40 X-9\n",
                               "G41 D1 G1 X0 Y0 F100\nX30 Z5 ,R2\nY9\nG40 X-9\n",
                               "G41 D1 G1 X0 Y0 F100\nY20\nX30 ,C2\nM30\n"}) {
-    const Written refused = run(head + contour, setup, true);
+    const ProgramRun refused = to_text(head + contour, setup);
     ASSERT_TRUE(refused.stopped) << contour;
     EXPECT_EQ(refused.diagnostics.back().code, Code::nc_unsupported) << contour;
   }
@@ -827,8 +825,8 @@ TEST(PolarWords, AreNotFollowedBehindAFrameThatMovedTheirPole) {
   ProgramSessionSetup setup;
   setup.session.program.dialect = DialectName::sinumerik;
   setup.session.program.mode.tool_radius = 1;
-  const Written refused =
-      run("G0 X0 Y0\nG111 X20 Y30\nTRANS X5\nG1 RP=10 AP=0 F100\nG41 G1 X9\nY9\n", setup, true);
+  const ProgramRun refused =
+      to_text("G0 X0 Y0\nG111 X20 Y30\nTRANS X5\nG1 RP=10 AP=0 F100\nG41 G1 X9\nY9\n", setup);
   ASSERT_TRUE(refused.stopped);
   EXPECT_EQ(refused.diagnostics.back().code, Code::position_unknown);
 }
@@ -839,10 +837,10 @@ TEST(PolarWords, AloneDoNotCountOnOnesThatAreNotWritten) {
   setup.session.program.mode.tool_radius = 1;
   setup.session.program.mode.selection = Selection::direct;
   const std::string contour = "G0 X60 Y0\nG111 X20 Y0\nG41 G1 RP=30 AP=0 F100\nAP=90\nG40 X0 Y60\n";
-  const Written refused = run(contour + "G0 AP=180\nM30\n", setup, true);
+  const ProgramRun refused = to_text(contour + "G0 AP=180\nM30\n", setup);
   ASSERT_TRUE(refused.stopped);
   EXPECT_EQ(refused.diagnostics.back().code, Code::nc_unsupported);
-  EXPECT_FALSE(run(contour + "G0 RP=40 AP=180\nAP=90\nM30\n", setup, true).stopped);
+  EXPECT_FALSE(to_text(contour + "G0 RP=40 AP=180\nAP=90\nM30\n", setup).stopped);
 }
 
 // It compensates nothing, and no contour runs so without a word.
@@ -851,13 +849,13 @@ TEST(RegisterZero, IsToldWithTheFirstContourOfIt) {
   setup.session.program.dialect = DialectName::fanuc;
   setup.session.program.mode.selection = Selection::direct;
   const std::string contour = "G41 D0 G1 X0 Y0 F9\nY9\nG40 X-9 Y-9\n";
-  const Written written = run("G0 X-9 Y-9\n" + contour + contour + "M2\n", setup, false);
+  const ProgramRun written = to_blocks("G0 X-9 Y-9\n" + contour + contour + "M2\n", setup);
   EXPECT_FALSE(written.stopped);
   ASSERT_EQ(written.diagnostics.size(), 1u) << written.report();
   EXPECT_EQ(written.diagnostics[0].code, Code::tool_radius_zero);
   EXPECT_EQ(written.diagnostics[0].source.line, 2u);
   setup.session.program.tools[0] = 2;
-  EXPECT_TRUE(run("G0 X-9 Y-9\n" + contour + "M2\n", setup, false).diagnostics.empty());
+  EXPECT_TRUE(to_blocks("G0 X-9 Y-9\n" + contour + "M2\n", setup).diagnostics.empty());
 }
 
 // LinuxCNC: the tool in the spindle; where nobody has loaded one, nobody knows which.
@@ -867,12 +865,12 @@ TEST(RegisterZero, IsTheToolInTheSpindleOfLinuxcnc) {
   setup.session.program.mode.selection = Selection::direct;
   setup.session.program.tools[4] = 2;
   const std::string contour = "G0 X-9 Y-9\nG41 D0 G1 X0 Y0 F9\nY9\nG40 X-9 Y-9\nM2\n";
-  const Written loaded = run("T4 M6\n" + contour, setup, true);
+  const ProgramRun loaded = to_text("T4 M6\n" + contour, setup);
   EXPECT_TRUE(loaded.diagnostics.empty()) << loaded.report();
   EXPECT_NE(loaded.text.find("G01 X-2 Y0"), std::string::npos) << loaded.text;
-  EXPECT_EQ(run(contour, setup, false).diagnostics.back().code, Code::no_tool_radius);
+  EXPECT_EQ(to_blocks(contour, setup).diagnostics.back().code, Code::no_tool_radius);
   setup.session.program.tools[0] = 3;
-  EXPECT_NE(run("T4 M6\n" + contour, setup, true).text.find("G01 X-3 Y0"), std::string::npos);
+  EXPECT_NE(to_text("T4 M6\n" + contour, setup).text.find("G01 X-3 Y0"), std::string::npos);
 }
 
 // A row of a table of corrections has a DR that is not known here.
@@ -884,11 +882,11 @@ TEST(Klartext, ATableOfCorrectionsHoldsUpToTheNextTool) {
   const std::string head = "BEGIN PGM T MM\nTOOL CALL 1 Z S900\n";
   const std::string contour =
       "L X-20 Y-20 R0 FMAX\nL X+0 Y+0 RL F500\nL Y+50\nL X-20 Y-20 R0\nEND PGM T MM\n";
-  const Written refused = run(head + "FUNCTION CORRDATA TCS #2\n" + contour, setup, true);
+  const ProgramRun refused = to_text(head + "FUNCTION CORRDATA TCS #2\n" + contour, setup);
   ASSERT_TRUE(refused.stopped);
   EXPECT_EQ(refused.diagnostics.back().code, Code::nc_unsupported);
   for (const char* const end : {"FUNCTION CORRDATA RESET TCS\n", "TOOL CALL 1 Z S900\n"}) {
-    const Written written = run(head + "FUNCTION CORRDATA TCS #2\n" + end + contour, setup, true);
+    const ProgramRun written = to_text(head + "FUNCTION CORRDATA TCS #2\n" + end + contour, setup);
     EXPECT_FALSE(written.stopped) << end << written.report();
   }
 }
@@ -904,11 +902,11 @@ TEST(Klartext, AProgramThatWritesTheRadiusOfAToolIsNotCompensated) {
   const std::string head = "BEGIN PGM T MM\nFN 17: SYSWRITE ";
   for (const char* const writes : {"ID50 NR2 IDX1 = +6\n", "ID 50 NR5 IDX Q1 = Q2\n",
                                    "ID950 NRQ3 = +6\n", "IDQ1 NR2 IDX1 = +6\n"}) {
-    const Written refused = run(head + writes + contour, setup, true);
+    const ProgramRun refused = to_text(head + writes + contour, setup);
     ASSERT_TRUE(refused.stopped) << writes;
     EXPECT_EQ(refused.diagnostics.back().code, Code::nc_unsupported) << writes;
   }
-  EXPECT_FALSE(run(head + "ID50 NR1 IDX1 = +60\n" + contour, setup, true).stopped);
+  EXPECT_FALSE(to_text(head + "ID50 NR1 IDX1 = +60\n" + contour, setup).stopped);
 }
 
 // Whoever ended the contour there would cut away its wall.
@@ -927,10 +925,10 @@ TEST(Klartext, ACalledProgramFindsTheFeed) {
   setup.session.program.dialect = DialectName::heidenhain;
   setup.session.program.tools[1] = 4;
   setup.session.program.mode.selection = Selection::direct;
-  const Written done = run(
+  const ProgramRun done = to_text(
       "BEGIN PGM T MM\nTOOL CALL 1 Z S900\nL X-20 Y-20 R0 FMAX\nL X+0 Y-10 RL F500 M109\nL Y+40\n"
       "CR X+10 Y+50 R+10 DR-\nL Y+80 R0 FMAX\nCALL PGM K\nEND PGM T MM\n",
-      setup, true);
+      setup);
   EXPECT_FALSE(done.stopped) << done.report();
   EXPECT_NE(done.text.find("M109\nL F500\nCALL PGM K\n"), std::string::npos) << done.text;
 }
@@ -946,7 +944,7 @@ TEST(Sinumerik, WhatIsCopiedMovesAtTheFeedOfTheProgram) {
       "G17 G90 G71\nT1 D1 M6\nG0 X-20 Y-20\nG1 G41 X0 Y-10 F500\nY40\nG2 X10 Y50 CR=10\n"
       "G40 G0 Y80\n";
   const auto ending = [&](const std::string& text) {
-    const Written done = run(contour + text, setup, true);
+    const ProgramRun done = to_text(contour + text, setup);
     EXPECT_FALSE(done.stopped) << done.report();
     return done.text.substr(done.text.find("G00 X10 Y80\n") + 12);
   };
@@ -978,15 +976,15 @@ TEST(Sinumerik, SplinesAndTrcInSpaceAreNoContours) {
   for (const char* const name : {"ASPLINE", "BSPLINE", "CSPLINE", "POLY", "CUT3DC", "CUT3DF",
                                  "TRANSMIT", "TOROT", "MEAFRAME"}) {
     EXPECT_EQ(fault_of_pass_word(name, DialectName::sinumerik), "is known") << name;
-    const Written refused = run(head + name + "\n" + contour, setup, true);
+    const ProgramRun refused = to_text(head + name + "\n" + contour, setup);
     EXPECT_TRUE(refused.stopped) << name;
   }
   const std::string spline = "CSPLINE X0 Y0 F500\nX10 Y10\nX20 Y0\n";
-  const Written copied = run(head + spline + "G0 X-20 Y-20\nG1 " + contour, setup, true);
+  const ProgramRun copied = to_text(head + spline + "G0 X-20 Y-20\nG1 " + contour, setup);
   EXPECT_FALSE(copied.stopped) << copied.report();
   EXPECT_NE(copied.text.find(spline), std::string::npos);
-  const Written flat =
-      run(head + "CUT3DC\nG1 X5 F90\nCUT2D\nG0 X-20 Y-20\nG1 " + contour, setup, true);
+  const ProgramRun flat =
+      to_text(head + "CUT3DC\nG1 X5 F90\nCUT2D\nG0 X-20 Y-20\nG1 " + contour, setup);
   EXPECT_FALSE(flat.stopped) << flat.report();
 }
 
@@ -997,12 +995,12 @@ TEST(Linuxcnc, AToolOffsetInThePlaneMovesTheCoordinates) {
   const std::string contour = "G91 G41 D1 G1 X20 F500\nG90 Y50\nG40 X-20\nM2\n";
   const std::string head = "G21 G90 G17\nT1 M6\nG0 X-20 Y-20\n";
   for (const char* const offset : {"G43.1 X5\n", "G43.2 X5\n", "G43.1 X5\nG0 X-20 Y-20\nG49\n"}) {
-    const Written refused = run(head + offset + contour, setup, true);
+    const ProgramRun refused = to_text(head + offset + contour, setup);
     ASSERT_TRUE(refused.stopped) << offset;
     EXPECT_EQ(refused.diagnostics.back().code, Code::position_unknown) << offset;
   }
   for (const char* const offset : {"G43.1 Z5\n", "G43 H1\n", "G49\n"})
-    EXPECT_FALSE(run(head + offset + contour, setup, true).stopped) << offset;
+    EXPECT_FALSE(to_text(head + offset + contour, setup).stopped) << offset;
 }
 
 TEST(Klartext, IsPassedOnWhereNothingIsCompensated) {
@@ -1012,16 +1010,16 @@ TEST(Klartext, IsPassedOnWhereNothingIsCompensated) {
       "0 BEGIN PGM RR12 MM\n1 BLK FORM 0.1 Z X+0 Y+0 Z-20\n2 TOOL CALL \"RL 5\" Z S900 ; RL\n"
       "3 L X+10 Y+5 R0 FMAX M3\n4 CR X+20 Y+5 R+30 DR-\n5 CYCL DEF 203 ~\n   Q200=1 ;GAP \xE4\n"
       "6 END PGM RR12 MM\n";
-  EXPECT_EQ(run(text, setup, true).text, text);
+  EXPECT_EQ(to_text(text, setup).text, text);
   for (const char* contour : {"9 X+3 R+ F90\n", "9 L X+3 R- F90\n", "9 IX+3 RL\n",
                               "N40 G01 G41 X+5 Y+5*\n", "9 VANISH 3\n", "9 L X+1 VANISH\n"}) {
-    const Written refused = run(contour + text, setup, true);
+    const ProgramRun refused = to_text(contour + text, setup);
     ASSERT_TRUE(refused.stopped) << contour;
     EXPECT_EQ(refused.diagnostics.back().code, Code::nc_unsupported) << contour;
   }
 }
 
-// The same part, in Klartext and in words of Fanuc; `radius` of the tool.
+// One part in Klartext and in words of Fanuc; `radius` of the tool.
 struct Twins {
   std::string name{};
   std::string klartext{};
@@ -1041,7 +1039,7 @@ TEST_P(SamePart, HasTheSamePath) {
     setup.session.program.mode.tool_radius = part.radius;
     setup.session.program.mode.selection = Selection::direct;
     setup.session.program.mode.transition = Transition::circular;
-    const Written written = run(text, setup, false);
+    const ProgramRun written = to_blocks(text, setup);
     EXPECT_FALSE(written.stopped) << written.report() << text;
     return moving(written.blocks, 1e-6);
   };
@@ -1140,12 +1138,12 @@ TEST(Klartext, CountsFeedsOfAnInchInTenths) {
   const std::string text =
       "BEGIN PGM Z INCH\nTOOL CALL 1 Z\nL X-1 Y-1 R0 FMAX\nL X+0 Y+0 RL F80\nL Y+2\nRND R0.5 F40\n"
       "L X+3\nL Y+4 R0\nEND PGM Z INCH\n";
-  const auto path = moving(run(text, setup, false).blocks, 1e-6);
+  const auto path = moving(to_blocks(text, setup).blocks, 1e-6);
   ASSERT_EQ(path.size(), 6u);
   EXPECT_NEAR(path[2].feed, 203.2, 1e-9);
   EXPECT_NEAR(path[3].feed, 101.6, 1e-9);
   EXPECT_NEAR(end_of(path[3].path).y(), 53.34, 1e-6);
-  const std::string written = run(text, setup, true).text;
+  const std::string written = to_text(text, setup).text;
   EXPECT_NE(written.find("DR- F40\n"), std::string::npos) << written;
   EXPECT_NE(written.find("X+3 Y+2.1 F80\n"), std::string::npos) << written;
 }
@@ -1162,7 +1160,7 @@ TEST(Klartext, GivesBackThePoleThatArcsOfTheOutputHaveMoved) {
       "1 BEGIN PGM P MM\n2 TOOL CALL 1 Z\n3 CC X+7 Y+8\n4 L X-9 Y-9 R0 FMAX\n5 L X+0 Y+0 RL F80\n"
       "6 L Y+20\n7 L X+30\n8 L Y+50 R0\n9 L X+7 Y+18\n10 C X+7 Y-2 DR+\n11 CP PA+90 DR+\n"
       "12 END PGM P MM\n";
-  const std::string written = run(text, setup, true).text;
+  const std::string written = to_text(text, setup).text;
   EXPECT_NE(written.find("9 L X+7 Y+18\nCC X+7 Y+8\n10 C X+7 Y-2 DR+\n11 CP PA+90 DR+\n"),
             std::string::npos)
       << written;
@@ -1180,9 +1178,9 @@ TEST(Klartext, HandsThePoleOfTheProgramToWhatItCalls) {
   const std::string label = "LBL 1\nLP PR+5 PA+90\nLBL 0\n";
   const std::string call = "CALL LBL 1\n";
   const std::string written =
-      run("BEGIN PGM P MM\nTOOL CALL 1 Z\nCC X+7 Y+8\n" + contour + label + contour + call +
-              contour + "CC X+0 Y+20\nLP PR+5 PA+0\nEND PGM P MM\n",
-          setup, true)
+      to_text("BEGIN PGM P MM\nTOOL CALL 1 Z\nCC X+7 Y+8\n" + contour + label + contour + call +
+                  contour + "CC X+0 Y+20\nLP PR+5 PA+0\nEND PGM P MM\n",
+              setup)
           .text;
   EXPECT_NE(written.find("CC X+7 Y+8\n" + label), std::string::npos) << written;
   EXPECT_NE(written.find("CC X+7 Y+8\n" + call), std::string::npos) << written;
@@ -1200,7 +1198,7 @@ TEST(Klartext, LeavesNoBlockOfASideAlone) {
   const std::string text =
       "BEGIN PGM P MM\nTOOL CALL 1 Z\nL X-20 Y+0 R0 FMAX\nL RL F500\nL X+0 Y+0\nL Y+50\n"
       "L R0 FMAX\nL X-20 F90\nL RL\nL X+0\nL Y+0\nL R0 M5\nL X-20\nEND PGM P MM\n";
-  EXPECT_EQ(run(text, setup, true).text,
+  EXPECT_EQ(to_text(text, setup).text,
             "BEGIN PGM P MM\nTOOL CALL 1 Z\nL X-20 Y+0 R0 FMAX\nL F500\nL X-5 Y+0\nL X-5 Y+50\n"
             "L X-20 Y+50 F90\nL X+5 Y+50\nL X+5 Y+0\nL M5\nL X-20 Y+0\nEND PGM P MM\n");
 }
@@ -1212,7 +1210,7 @@ TEST(Klartext, LeavesTheSideOfATextAndOfAComment) {
       "0 BEGIN PGM RL MM\n1 TOOL CALL \"RL 5\" Z S3 ; RL\n2 L X+1 Y+2 R0 FMAX ; RR \xE4\n"
       "/3 L X+3\n4 L X+2 Y+2 M99\n* RL\n5 M8\n6 L A+30 C-5 F90\n7 STOP M5\n8 ; DEP ~~~\n"
       "9 END PGM RL MM\n";
-  const Written written = run(text, setup, true);
+  const ProgramRun written = to_text(text, setup);
   EXPECT_FALSE(written.stopped) << written.report();
   EXPECT_EQ(written.text, text);
 }
@@ -1225,7 +1223,7 @@ TEST(ABareG40, LetsTheToolGoBackToWhereItEndedInTheProgram) {
   setup.session.program.mode.tool_radius = 4;
   setup.session.program.mode.selection = Selection::direct;
   const std::string pass = "G41 D1 G1 X10. F100\nX50.\nG40\nG0 Z5.\nX50.\n";
-  const Written written = run("G0 X0 Y0\n" + pass + "G0 X0\n" + pass + "M30\n", setup, false);
+  const ProgramRun written = to_blocks("G0 X0 Y0\n" + pass + "G0 X0\n" + pass + "M30\n", setup);
   ASSERT_FALSE(written.stopped) << written.report();
   const auto path = moving(written.blocks, 1e-3);
   ASSERT_EQ(path.size(), 7u);
@@ -1237,15 +1235,15 @@ TEST(ABareG40, LetsTheToolGoBackToWhereItEndedInTheProgram) {
 TEST(UnknownFunctions, AreCopiedWhereTheSetupSaysSo) {
   ProgramSessionSetup setup;
   setup.session.program.dialect = DialectName::fanuc;
-  EXPECT_TRUE(run("G0 X1 Y1\nG777 X5 Q3\nM30\n", setup, true).stopped);
+  EXPECT_TRUE(to_text("G0 X1 Y1\nG777 X5 Q3\nM30\n", setup).stopped);
   setup.session.program.copies_unknown_words = true;
   const std::string text = "G0 X1 Y1\nG777 X5 Q3\nG0 X2 Y2\nM30\n";
-  EXPECT_EQ(run(text, setup, true).text, text);
+  EXPECT_EQ(to_text(text, setup).text, text);
   setup.session.program.dialect = DialectName::sinumerik;
   const std::string names = "G0 X1 Y1\nMPEROF\nTOOL_CHECK(1,2)\nG0 X2 Y2\nM30\n";
-  EXPECT_EQ(run(names, setup, true).text, names);
+  EXPECT_EQ(to_text(names, setup).text, names);
   setup.session.program.copies_unknown_words = false;
-  EXPECT_TRUE(run(names, setup, true).stopped);
+  EXPECT_TRUE(to_text(names, setup).stopped);
 }
 
 }  // namespace

@@ -70,8 +70,7 @@ TEST(FanucPrograms, LoseNoContourBehindTheirEnd) {
   EXPECT_EQ(told("#101=5\nG21 G90 G17\no100 sub\n  G0 X#1\no100 endsub\n" + contour + "M2\n"),
             std::pair(900003, 3U));
   // A subprogram that nobody calls.
-  const Ran called =
-      run_computing("#101=5\nG0 X#101\nM30\nO1000\n" + contour + "M99\n", fanuc(), Output::nc_text);
+  const ProgramRun called = to_text("#101=5\nG0 X#101\nM30\nO1000\n" + contour + "M99\n", fanuc());
   EXPECT_FALSE(called.stopped) << called.report();
 }
 
@@ -165,7 +164,7 @@ TEST(FanucStatements, JumpForwardFirst) {
 
 TEST(FanucStatements, StopWithTheTextOfAnAlarmAndStopForAMessage) {
   EXPECT_EQ(flat("N7 #3006=1 (TURN THE PART)\nM30\n"), "N7 M00 (TURN THE PART)\nM30\n");
-  const Ran ran = run_computing("G0 X0\n#3000=7 (NO DEPTH)\nM30\n", fanuc(), Output::nc_text);
+  const ProgramRun ran = to_text("G0 X0\n#3000=7 (NO DEPTH)\nM30\n", fanuc());
   ASSERT_EQ(ran.diagnostics.size(), 1u);
   EXPECT_EQ(ran.diagnostics[0].code, Code::program_alarm);
   EXPECT_EQ(ran.diagnostics[0].detail, "#3000=7 (NO DEPTH)");
@@ -211,8 +210,7 @@ TEST(FanucCalls, ReturnToANumberOfTheirCallerOrOfThemselves) {
             "(O0009)\nG0 Y1.\nN50 G0 X2.\nM30\n");
   EXPECT_EQ(flat("M98 P9\nG0 X1.\nM30\nO9\nM99 P60\nG0 Y1.\nN60 G0 Y2.\nM99\n"),
             "(O0009)\nN60 G0 Y2.\nG0 X1.\nM30\n");
-  const Ran both = run_computing("M98 P9\nN5 G0 X1.\nM30\nO9\nM99 P5\nN5 G0 Y2.\nM99\n", fanuc(),
-                                 Output::nc_text);
+  const ProgramRun both = to_text("M98 P9\nN5 G0 X1.\nM30\nO9\nM99 P5\nN5 G0 Y2.\nM99\n", fanuc());
   ASSERT_EQ(both.diagnostics.size(), 1u);
   EXPECT_EQ(both.diagnostics[0].code, Code::jump_target_unknown);
 }
@@ -281,7 +279,7 @@ TEST(FanucRefusals, NameTheirLine) {
   };
   for (const Refusal& refusal : refusals) {
     SCOPED_TRACE(refusal.text);
-    const Ran ran = run_computing(refusal.text, fanuc(), Output::nc_text);
+    const ProgramRun ran = to_text(refusal.text, fanuc());
     ASSERT_EQ(ran.diagnostics.size(), 1u) << ran.report() << ran.text;
     EXPECT_EQ(ran.diagnostics[0].code, refusal.code) << ran.report();
     EXPECT_EQ(ran.diagnostics[0].source.line, refusal.line);
@@ -307,11 +305,11 @@ TEST(FanucArguments, WithoutAPointAreRefusedUnderIncrements) {
   const std::string macro = "\nM30\nO2\nG0 X#24\nM99\n";
   ProgramSessionSetup setup = fanuc();
   setup.session.program.whole_numbers = WholeNumbers::increments;
-  const Ran whole = run_computing("G65 P2 X10" + macro, setup, Output::nc_text);
+  const ProgramRun whole = to_text("G65 P2 X10" + macro, setup);
   ASSERT_EQ(whole.diagnostics.size(), 1U) << whole.text;
   EXPECT_EQ(whole.diagnostics[0].code, Code::value_invalid);
-  EXPECT_FALSE(run_computing("G65 P2 X10." + macro, setup, Output::nc_text).stopped);
-  EXPECT_FALSE(run_computing("G65 P2 X10" + macro, fanuc(), Output::nc_text).stopped);
+  EXPECT_FALSE(to_text("G65 P2 X10." + macro, setup).stopped);
+  EXPECT_FALSE(to_text("G65 P2 X10" + macro, fanuc()).stopped);
 }
 
 const std::string leave = "G40 X0 Y-40.\nG0 Z50.\nM30\n";
@@ -341,13 +339,7 @@ std::string ellipse(double a, double b, double step) {
   return text + "G1 " + word('X', a) + "Y10.\nG40 X50. Y10.\nM30\n";
 }
 
-std::string square(double size, double z) {
-  const std::string s = number(size / 2);
-  return "G0 Z" + number(z) + "\nG41 D1 G1 X-" + s + " Y-" + s + " F500\nY" + s + "\nX" + s +
-         "\nY-" + s + "\nX-" + s + "\nG40 X0 Y-40.\n";
-}
-
-std::string polygon(int corners, double radius) {
+std::string polygon_from_below(int corners, double radius) {
   std::string text = "G90 G0 X0 Y-40.\nG41 D1 G1 " + word('X', 0) + word('Y', -radius) + " F300\n";
   for (int corner = 1; corner <= corners; ++corner) {
     const double angle = -90 - 360.0 / corners * corner;
@@ -409,16 +401,16 @@ std::vector<Twin> twins() {
                  .computed = "G90 G0 X0 Y-40.\nG65 P8000 S40. Z-1.\nG65 P8000 S30. Z-2.\n"
                              "G65 P8000 S20. Z-3.\nG0 Z50.\nM30\n:8000\n#1=#19/2\nG0 Z#26\n"
                              "G41 D1 G1 X-#1 Y-#1 F500\nY#1\nX#1\nY-#1\nX-#1\nG40 X0 Y-40.\nM99\n",
-                 .flat = "G90 G0 X0 Y-40.\n" + square(40, -1) + square(30, -2) + square(20, -3) +
-                         "G0 Z50.\nM30\n"});
+                 .flat = "G90 G0 X0 Y-40.\n" + square(40, -1, "G41 D1") + square(30, -2, "G41 D1") +
+                         square(20, -3, "G41 D1") + "G0 Z50.\nM30\n"});
   all.push_back({.name = "NestedCalls",
                  .computed =
                      "G90 G0 X0 Y-40.\n#100=0\nM98 P1\nG0 Z50.\nM30\nO1\nM98 P2 L2\n"
                      "#100=#100+10\nM98 P2\nM99\nO2\nG65 P3 S[40-#100] Z-[#100+1]\nM99\nO3\n"
                      "#1=#19/2\nG0 Z#26\nG41 D1 G1 X-#1 Y-#1 F500\nY#1\nX#1\nY-#1\nX-#1\n"
                      "G40 X0 Y-40.\nM99\n",
-                 .flat = "G90 G0 X0 Y-40.\n" + square(40, -1) + square(40, -1) + square(30, -11) +
-                         "G0 Z50.\nM30\n"});
+                 .flat = "G90 G0 X0 Y-40.\n" + square(40, -1, "G41 D1") + square(40, -1, "G41 D1") +
+                         square(30, -11, "G41 D1") + "G0 Z50.\nM30\n"});
   all.push_back({.name = "NestedLoops",
                  .computed = "G21 G90\n#1=0\nWHILE [#1 LT 3] DO1\n#2=0\n"
                              "WHILE [#2 LT 2] DO2\nG0 X[#1*10] Y[#2*5]\n"
@@ -430,7 +422,7 @@ std::vector<Twin> twins() {
                              "WHILE [#3 LE #1] DO1\nG1 X[#2*COS[-90-#3*360/#1]] "
                              "Y[#2*SIN[-90-#3*360/#1]]\n#3=#3+1\nEND1\n" +
                              leave,
-                 .flat = polygon(6, 24)});
+                 .flat = polygon_from_below(6, 24)});
   all.push_back({.name = "RoundPocketWithArcs",
                  .computed =
                      "G90 G0 X0 Y0\n#1=15.\nG41 D1 G1 X#1 Y0 F300\nG3 I-#1\nG40 G1 X0 Y0\n"
@@ -443,7 +435,7 @@ std::vector<Twin> twins() {
                      "IF [[#1 EQ 2] AND [#2 EQ #0]] THEN #2=30.\nIF [#2 GT 20] GOTO 7\n#2=#2/2\n"
                      "N7 #3=#2/2\nG0 Z-1.\nG41 D1 G1 X-#3 Y-#3 F500\nY#3\nX#3\nY-#3\nX-#3\n"
                      "G40 X0 Y-40.\nM30\n",
-                 .flat = "G90 G0 X0 Y-40.\n" + square(30, -1) + "M30\n"});
+                 .flat = "G90 G0 X0 Y-40.\n" + square(30, -1, "G41 D1") + "M30\n"});
   all.push_back(
       {.name = "InchesAndTools",
        .computed = "G20 G90 G0 X0 Y-2.\n#1=1\n#2=#1/8\nT#1 M6\nG41 D#1 G1 X-[4*#2] Y-[4*#2] "

@@ -127,7 +127,7 @@ TEST(IsgVariables, OfALevelAreKnownInWhatItCalls) {
   const std::string declared = "#VAR\nV.L.LEN = 20\n#ENDVAR\n";
   EXPECT_EQ(flat(in_front + declared + "LL A\nZ[V.L.LEN]\n"), "%MAIN\n(A)\nX20\nZ30\n");
   EXPECT_EQ(flat(in_front + declared + "LL B\nZ[V.L.LEN]\n"), "%MAIN\n(B)\nX20\nY7\nZ20\n");
-  // Whether it reaches beyond what is called directly no manual says.
+  // No manual says whether it reaches beyond the subprogram that is called directly.
   EXPECT_EQ(refusal(in_front + declared + "LL C\n"), std::pair(900303, 2U));
 }
 
@@ -227,7 +227,7 @@ TEST(IsgCalls, OfTheMachineKnowWhatTheProgramHasSet) {
   EXPECT_EQ(refusal("P1=5\nL PARK\nG0 G90 XP1\n"), std::pair(900303, 3U));
 }
 
-// What stands behind a second % is no part of the program: nothing of it may be lost.
+// Text behind a second % is no part of the program, but must not be lost.
 TEST(IsgPrograms, EndInFrontOfAnotherOne) {
   const std::string contour =
       "P1=20\nG90 G00 X-10 Y-10\nG01 G42 X0 Y0 F100\nX[P1]\nY20\nX0\nY-5\nG40 G00 X-10 Y-10\n";
@@ -345,8 +345,8 @@ TEST(IsgPrograms, OfOtherLanguagesAreToldSo) {
 class IsgTwins : public Twins {};
 
 TEST_P(IsgTwins, MakeTheSamePath) {
-  const Ran computed = run_computing(twin().computed, setup(), Output::blocks);
-  const Ran written = run_computing(twin().flat, setup(), Output::blocks);
+  const ProgramRun computed = to_blocks(twin().computed, setup());
+  const ProgramRun written = to_blocks(twin().flat, setup());
   ASSERT_FALSE(computed.stopped) << computed.report();
   ASSERT_FALSE(written.stopped) << written.report();
   ASSERT_EQ(computed.blocks.size(), written.blocks.size());
@@ -357,18 +357,9 @@ TEST_P(IsgTwins, MakeTheSamePath) {
     EXPECT_NEAR(here.y(), there.y(), 1e-6) << index;
   }
   for (const std::size_t piece : {1U, 7U, 64U}) {
-    const Ran cut = run_computing(twin().computed, setup(), Output::nc_text, piece);
-    EXPECT_EQ(cut.text, run_computing(twin().computed, setup(), Output::nc_text).text) << piece;
+    const ProgramRun cut = to_text(twin().computed, setup(), piece);
+    EXPECT_EQ(cut.text, to_text(twin().computed, setup()).text) << piece;
   }
-}
-
-std::string polygon(int corners, double radius) {
-  std::string text = "G90 G00 X60 Y0\nG42 G138 G01 X" + number(radius) + " Y0 F400\n";
-  for (int corner = 1; corner <= corners; ++corner) {
-    const double angle = -360.0 / corners * corner;
-    text += "X" + number(radius * cosine(angle)) + " Y" + number(radius * sine(angle)) + "\n";
-  }
-  return text + "G40 X60 Y0\nM30\n";
 }
 
 std::string squares(const std::vector<double>& depths) {
@@ -385,7 +376,7 @@ INSTANTIATE_TEST_SUITE_P(
         {{"PolygonByFor",
           "%HEX\nP1=6 P2=30\nG90 G00 X60 Y0\nG42 G138 G01 XP2 Y0 F400\n$FOR P3=1,P1,1\n"
           "X[P2*COS[-360/P1*P3]] Y[P2*SIN[-360/P1*P3]]\n$ENDFOR\nG40 X60 Y0\nM30\n",
-          polygon(6, 30)},
+          polygon(6, 30, "G42 G138")},
          {"DepthsByWhile",
           "P5=0\nG90 G00 X-20 Y-20\n$WHILE P5 < 6\nP5=P5+2\n"
           "G00 Z-P5\nG41 G138 G01 X0 Y0 F500\nY40\nX60\nY0\nX0\nG40 X-20 Y-20\n"

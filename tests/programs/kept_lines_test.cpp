@@ -5,8 +5,8 @@
 #include "core/nc/convert/conversion.h"
 #include "tests/programs/computing.h"
 
-// What nothing changes in comes out byte for byte, and what is written anew names each axis as the
-// program does.
+// Lines in which nothing changes come out byte for byte. Lines that are written anew name each axis
+// as the program does.
 
 namespace trc::support {
 namespace {
@@ -14,11 +14,11 @@ namespace {
 using enum DialectName;
 
 std::string text_of(const std::string& text, const ProgramSessionSetup& setup) {
-  const Ran ran = run_computing(text, setup, Output::nc_text);
+  const ProgramRun ran = to_text(text, setup);
   return ran.stopped ? ran.report() : ran.text;
 }
 
-// Only the lines of G41 and G40 have something to lose.
+// Compensation changes only the lines of G41 and G40.
 TEST(KeptLines, OfAContourWithoutARadius) {
   const std::string before = "G21 G90 G17\nG0 X-20. Y-20. Z5\nG1 Z-2. F100\n";
   const std::string contour = " y30.0\nN7 X20 (flat)\nG2 X30. Y20 I0 J-10.\nG1 Y0 F200 M8\nX0\n";
@@ -41,7 +41,7 @@ TEST(KeptLines, OfAContourOfKlartextWithoutARadius) {
           "9 L X-20 Y+0\n10 END PGM A MM\n");
 }
 
-// Corners and turns become lines of their own: what is beside them is not as it stands.
+// Corners and turns become lines of their own: the lines beside them are written anew.
 TEST(KeptLines, AreNoneBesideCornersOfAContourWithoutARadius) {
   const auto of = [](DialectName dialect, const std::string& contour) {
     ProgramSessionSetup setup = computing_setup(dialect, 0);

@@ -62,7 +62,7 @@ TEST(KeptVariables, ComeOutAtTheEnd) {
             "G90 G0 X0 Y0\nX=5\nM30\n");
 }
 
-// What the control computes nobody knows here, unless it is given.
+// A value that the control computes is unknown here unless it is given.
 TEST(KeptVariables, AreRefusedWhereAPathHangsOnThem) {
   EXPECT_EQ(flat("G90 G0 X0 Y0\n#500=#500+1\nX#500\nM30\n", fanuc),
             "3: 900303 a variable is read that has no value: #500\n");
@@ -79,7 +79,7 @@ TEST(KeptVariables, AreRefusedWhereAPathHangsOnThem) {
 // By way of a variable that does not come out the number would be the same in each run.
 TEST(KeptVariables, AreToldWhereAGivenValueStaysInThem) {
   const auto told = [](const std::string& text, const ProgramSessionSetup& setup) {
-    return run_computing(text, setup, Output::nc_text).report();
+    return to_text(text, setup).report();
   };
   const std::string warning =
       ": 900228 a variable that the control keeps is set to a number that "

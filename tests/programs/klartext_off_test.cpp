@@ -17,7 +17,7 @@ int code_of(const std::string& text) {
 }
 
 std::string text_of(const std::string& text) {
-  return run_computing(text, computing_setup(DialectName::heidenhain, 5), Output::nc_text).text;
+  return to_text(text, computing_setup(DialectName::heidenhain, 5)).text;
 }
 
 const std::string contour = "L X+0 Y-10 RL F200\nL Y+40\nL X-20 R0\n";
@@ -25,7 +25,7 @@ const std::string loop =
     "FN 0: Q1 = +0\nLBL 1\nL X+Q1 Y+0 R0 FMAX M3\nFN 1: Q1 = +Q1 + +10\n"
     "FN 12: IF +Q1 LT +50 GOTO LBL 1\nL Z+50 R0 FMAX\nM30\n";
 
-// Behind a tool change the height is not known, until a line says it.
+// Behind a tool change the height is unknown until a line programs it.
 TEST(KlartextOff, StepsFromAHeightThatIsNotKnown) {
   EXPECT_EQ(code_of("L X-20 Y-10 R0 FMAX\nL IZ-3 R0 F100\n" + contour), 0);
   EXPECT_EQ(code_of("L X-20 Y-10 R0 FMAX\nL IX-3 IZ-3 R0 F100\n" + contour), 900106);
@@ -36,7 +36,7 @@ TEST(KlartextOff, JumpsComeOutAsTheyStand) {
   EXPECT_EQ(text_of(program), program);
 }
 
-// A contour in front of a jump may run again, and one behind it begin where nobody knows (D-114).
+// A contour before a jump may run again; one behind it may begin at an unknown point (D-114).
 TEST(KlartextOff, NoContourStandsBesideAJump) {
   const std::string start = "L X-20 Y-20 R0 FMAX\n";
   EXPECT_EQ(code_of(start + contour), 0);

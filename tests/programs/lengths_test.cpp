@@ -1,38 +1,32 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 #include <string>
+#include <vector>
 
-#include "core/session/program_session.h"
+#include "tests/support/files.h"
 #include "tests/support/places.h"
+#include "tests/support/program_run.h"
 
-// Programs of whose path the length tells what matters: that all of it is there (D-44, D-45).
+// Programs whose length of path shows that no part of it is missing (D-44, D-45).
 
-namespace trc {
+namespace trc::support {
 namespace {
 
-const std::filesystem::path folder =
+const std::filesystem::path lengths =
     std::filesystem::path(testing_support::source_dir()) / "tests" / "programs" / "lengths";
 
-std::string text_of_file(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
-double length_of_path(const Answer& out) {
+double length_of_path(const std::vector<CompensatedBlock>& blocks) {
   double length = 0;
-  for (const CompensatedBlock& block : out.blocks)
+  for (const CompensatedBlock& block : blocks)
     if (block.origin == Origin::programmed || block.origin == Origin::transition)
       length += length_of(block.path);
   return length;
 }
 
 TEST(PathLengths, AreThoseOfTheWholePath) {
-  std::istringstream lines(text_of_file(folder / "lengths.txt"));
+  std::istringstream lines(testing_support::content_of(lengths / "lengths.txt"));
   std::size_t count = 0;
   for (std::string line; std::getline(lines, line);) {
     if (line.empty() || line.front() == '#') continue;
@@ -42,17 +36,13 @@ TEST(PathLengths, AreThoseOfTheWholePath) {
     double part = 0;
     words >> name >> expected >> part;
     SCOPED_TRACE(name);
-    ProgramSessionSetup setup;
-    setup.nc_text = false;
-    ProgramSession session(setup);
-    Answers out;
-    const std::string text = text_of_file(folder / (name + ".nc"));
-    EXPECT_TRUE(session.feed(text, out) && session.finish(out));
-    EXPECT_NEAR(length_of_path(out.take()), expected, part * expected);
+    const ProgramRun run = to_blocks(testing_support::content_of(lengths / (name + ".nc")));
+    EXPECT_FALSE(run.stopped) << run.report();
+    EXPECT_NEAR(length_of_path(run.blocks), expected, part * expected);
     ++count;
   }
   EXPECT_EQ(count, 14U);
 }
 
 }  // namespace
-}  // namespace trc
+}  // namespace trc::support

@@ -179,7 +179,7 @@ TEST(LinuxcncRefusals, NameTheirLine) {
   };
   for (const Refusal& refusal : refusals) {
     SCOPED_TRACE(refusal.text);
-    const Ran ran = run_computing(refusal.text, linuxcnc(), Output::nc_text);
+    const ProgramRun ran = to_text(refusal.text, linuxcnc());
     ASSERT_EQ(ran.diagnostics.size(), 1u) << ran.report() << ran.text;
     EXPECT_EQ(ran.diagnostics[0].code, refusal.code) << ran.report();
     EXPECT_EQ(ran.diagnostics[0].source.line, refusal.line);
@@ -194,12 +194,6 @@ std::string holes(int count, double radius) {
             "\nG1 Z-3 F100\nG0 Z5\n";
   }
   return text + "M2\n";
-}
-
-std::string square(double size, double z) {
-  const std::string s = number(size / 2);
-  return "G0 Z" + number(z) + "\nG41 G1 X-" + s + " Y-" + s + " F500\nY" + s + "\nX" + s + "\nY-" +
-         s + "\nX-" + s + "\nG40 X0 Y-40\n";
 }
 
 std::string ellipse(double a, double b, double step) {

@@ -26,7 +26,7 @@ std::string behind_contour(DialectName dialect, const std::string& text) {
   return program + text;
 }
 
-// What comes out of the text behind the contour.
+// The output of the text behind the contour.
 std::string written(DialectName dialect, const std::string& text) {
   const std::string all = flat_of(behind_contour(dialect, text), setup_of(dialect));
   const std::string last = dialect == heidenhain ? "L X+80 Y+55\n" : "Y55";
@@ -81,7 +81,7 @@ TEST(LostRetract, LetsNothingBeCutBesideItsPlace) {
   EXPECT_EQ(refused(fanuc, "G40\nG55\nG0 X5.\nG1 Z-5. F300\nM30\n"), 900106);
   EXPECT_EQ(refused(heidenhain, "L X+100 R0 FMAX M99\nM2\n"), 900106);
   EXPECT_EQ(refused(heidenhain, "L Z+50 R0 FMAX\nCYCL CALL\nM2\n"), 900106);
-  // Both axes are led there.
+  // The cycle positions both axes.
   EXPECT_EQ(refused(fanuc, "G40\nG0 Z50.\nG81 X200. Y20. Z-5. R2. F100.\nG80\nM30\n"), 0);
   EXPECT_EQ(refused(heidenhain, "L X+100 Y+0 R0 FMAX M99\nM2\n"), 0);
   EXPECT_EQ(refused(heidenhain, "L Z+50 R0 FMAX\nCYCL CALL PAT F5000 M3\nM2\n"), 0);
@@ -89,7 +89,7 @@ TEST(LostRetract, LetsNothingBeCutBesideItsPlace) {
 
 // Codes of what is told of a program, one behind the other.
 std::string told(DialectName dialect, const std::string& text) {
-  const Ran ran = run_computing(behind_contour(dialect, text), setup_of(dialect), Output::nc_text);
+  const ProgramRun ran = to_text(behind_contour(dialect, text), setup_of(dialect));
   std::string codes;
   for (const Diagnostic& found : ran.diagnostics)
     codes += std::to_string(static_cast<int>(found.code)) + ' ';

@@ -6,8 +6,8 @@
 
 #include "tests/programs/computing.h"
 
-// Calls of what only the machine has, such as the macros of a probe: they pass while TRC is off,
-// and what they may have changed is not known behind them (D-64).
+// Calls of subprograms that only the machine has, such as the macros of a probe, pass while TRC is
+// off. Whatever they may have changed is unknown behind them (D-64).
 
 namespace trc::support::machine_calls {
 namespace {
@@ -36,7 +36,7 @@ TEST(MachineCalls, OfFanucPassWithTheirValues) {
             "G90 G0 X0 Y0\nM98 P9001\n#1=9001.\nN8 M98 P9001 L2\nM30\n");
 }
 
-// What the program has set they may read: it is set in front of them, and once only.
+// They may read the variables that the program has set: these are set in front of them, once.
 TEST(MachineCalls, OfFanucFindTheVariablesOfTheProgram) {  // D-95
   EXPECT_EQ(flat("G90 G0 X0 Y0\n#1=2\n#501=25/2 (LENGTH)\n#502=-#501\n#503=#0\nM98 P9100 (READS)\n"
                  "G65 P9101 A2.\n#502=7\nG65 P9102\nM30\n",
@@ -80,7 +80,7 @@ TEST(MachineCalls, OfSinumerikAreGivenVariables) {  // D-83
       "EXTERN WARMUP(REAL,VAR REAL)\nDEF REAL ERG=2, OTHER ; RESULT\nDEF INT ERR\n"
       "G90 G0 X=2 Y0\nERG=40\nWARMUP(80,ERG)\nWRITE(ERR,\"LOG\",\"START\")\nERR=4\n"
       "WRITE(ERR,\"LOG\",\"END\")\nWARMUP(1,R7)\nM30\n");
-  // Without EXTERN nobody knows how it takes them.
+  // Without EXTERN it is unknown how the subprogram takes its arguments.
   expect_flat("DEF REAL LIST[2,3]\nG90 G0 X0 Y0\nLIST[1,2]=5\nMEASURE(LIST,1+1)\nM30\n",
               "DEF REAL LIST[2,3]\nG90 G0 X0 Y0\nLIST[1,2]=5\nMEASURE(LIST,2)\nM30\n");
   const std::string asks = "DEF INT ERR\nWRITE(ERR,\"LOG\",\"A\")\nIF ERR==0\nG0 X1\nENDIF\nM30\n";

@@ -6,8 +6,8 @@
 
 #include "tests/programs/computing.h"
 
-// No word of a line is passed over: what is read counts, what is not understood is refused, and
-// what TRC need not follow is copied.
+// No word of a line is ignored: a word is followed, refused where it is not understood, or copied
+// where TRC need not follow it.
 
 namespace trc::support::read_over {
 namespace {
@@ -25,16 +25,16 @@ ProgramSessionSetup setup_of(DialectName dialect) {
 // Code, line and detail of each error.
 std::string told(const std::string& text, const ProgramSessionSetup& setup) {
   std::string all;
-  for (const Diagnostic& found : run_computing(text, setup, Output::nc_text).diagnostics)
+  for (const Diagnostic& found : to_text(text, setup).diagnostics)
     if (found.severity == Severity::error)
       all += std::to_string(static_cast<int>(found.code)) + " " +
              std::to_string(found.source.line) + " " + found.detail + "\n";
   return all;
 }
 
-// What comes out; what is told, where nothing does.
+// The output, or the report of a program that has none.
 std::string written(const std::string& text, const ProgramSessionSetup& setup) {
-  const Ran ran = run_computing(text, setup, Output::nc_text);
+  const ProgramRun ran = to_text(text, setup);
   return ran.stopped ? told(text, setup) : ran.text;
 }
 

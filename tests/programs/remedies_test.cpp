@@ -28,7 +28,7 @@ class Remedy : public ::testing::TestWithParam<Told> {};
 
 TEST_P(Remedy, FitsWhatIsRefused) {
   const Told& wanted = GetParam();
-  const Ran ran = run_computing(wanted.text, computing_setup(wanted.dialect, 2), Output::nc_text);
+  const ProgramRun ran = to_text(wanted.text, computing_setup(wanted.dialect, 2));
   const auto found = std::ranges::find(ran.diagnostics, Severity::error, &Diagnostic::severity);
   ASSERT_NE(found, ran.diagnostics.end());
   EXPECT_EQ(std::to_string(found->source.line) + ":" + std::to_string(found->column) + " " +
@@ -83,10 +83,10 @@ INSTANTIATE_TEST_SUITE_P(
 
 // Blocks of Klartext have numbers without N.
 TEST(BlocksOfKlartext, HaveNumbersWithoutN) {
-  const Ran ran = run_computing(
+  const ProgramRun ran = to_text(
       "0 BEGIN PGM A MM\n1 L X-20 Y+0 R0 FMAX\n2 CYCL DEF 7.0 NULLPUNKT\n3 CYCL DEF 7.1 X+5\n"
       "4 CC X+0 Y+0\n5 C X+20 Y+0 DR+\n6 END PGM A MM\n",
-      computing_setup(heidenhain, 2), Output::nc_text);
+      computing_setup(heidenhain, 2));
   ASSERT_FALSE(ran.diagnostics.empty());
   EXPECT_NE(message_of(ran.diagnostics.front()).find("line 4 (block 3)"), std::string::npos)
       << message_of(ran.diagnostics.front());

@@ -5,35 +5,23 @@
 #include <grpcpp/grpcpp.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "client/trc/remote_program_session.h"
-#include "core/session/program_session.h"
 #include "proto/wire/compensated_block.h"
 #include "proto/wire/setup.h"
 #include "server/server.h"
 #include "tests/support/expectation.h"
-#include "tests/support/places.h"
+#include "tests/support/files.h"
+#include "tests/support/program_run.h"
 
 namespace trc::support {
 namespace {
 
 namespace fs = std::filesystem;
-
-const fs::path folder = fs::path(testing_support::source_dir()) / "tests" / "programs";
-
-std::string read_file(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
 
 struct Served {
   std::vector<CompensatedBlock> blocks{};
@@ -72,7 +60,7 @@ class ServedPrograms : public ::testing::Test {
 
   Served serve(const std::string& text, wire::Layout layout, std::size_t piece) {
     const ProgramSessionSetup session = read_setup(text);
-    // It is the server that sets this limit.
+    // The server sets this limit, not the setup.
     const std::size_t limit = session.session.compensator.limits.selection_blocks;
     if (limit != selection_blocks_) start(limit);
     wire::ProgramSettings settings;
@@ -102,30 +90,17 @@ class ServedPrograms : public ::testing::Test {
 };
 
 Served run_here(const std::string& text) {
-  ProgramSessionSetup setup = read_setup(text);
-  setup.nc_text = false;
-  ProgramSession session(setup);
-  Answers answers;
-  const bool complete = session.feed(text, answers) && session.finish(answers);
-  Answer output = answers.take();
-  Served served{.blocks = std::move(output.blocks), .complete = complete};
-  for (const Diagnostic& diagnostic : output.diagnostics)
+  const ProgramRun run = to_blocks(text, read_setup(text));
+  Served served{.blocks = run.blocks, .complete = !run.stopped};
+  for (const Diagnostic& diagnostic : run.diagnostics)
     served.diagnostics.emplace_back(diagnostic.code, diagnostic.source.line);
   return served;
 }
 
-std::vector<fs::path> programs_in(const char* kind) {
-  std::vector<fs::path> programs;
-  for (const auto& entry : fs::directory_iterator(folder / kind))
-    if (entry.path().extension() == ".nc") programs.push_back(entry.path());
-  std::sort(programs.begin(), programs.end());
-  return programs;
-}
-
 TEST_F(ServedPrograms, GiveTheCoordinatesOfTheRuleBook) {
-  for (const fs::path& program : programs_in("good")) {
+  for (const fs::path& program : testing_support::nc_programs_in("good")) {
     SCOPED_TRACE(program.filename().string());
-    const std::string text = read_file(program);
+    const std::string text = testing_support::content_of(program);
     const Served here = run_here(text);
     const Served blocks = serve(text, wire::Layout::blocks, text.size());
     EXPECT_EQ(blocks.complete, here.complete);
@@ -135,15 +110,16 @@ TEST_F(ServedPrograms, GiveTheCoordinatesOfTheRuleBook) {
     fs::path expected = program;
     expected.replace_extension(".expected");
     EXPECT_EQ(
-        difference(blocks.blocks, read_expectation(read_file(expected)).blocks, !blocks.complete),
+        difference(blocks.blocks, read_expectation(testing_support::content_of(expected)).blocks,
+                   !blocks.complete),
         "");
   }
 }
 
 TEST_F(ServedPrograms, AreRefusedWithTheDiagnosticOfTheirFirstLine) {
-  for (const fs::path& program : programs_in("bad")) {
+  for (const fs::path& program : testing_support::nc_programs_in("bad")) {
     SCOPED_TRACE(program.filename().string());
-    const std::string text = read_file(program);
+    const std::string text = testing_support::content_of(program);
     const Served here = run_here(text);
     const Served served = serve(text, wire::Layout::blocks, 64);
     EXPECT_EQ(served.complete, here.complete);

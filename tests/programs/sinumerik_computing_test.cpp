@@ -220,7 +220,7 @@ TEST(SinumerikCalls, FindGivenSubprograms) {
 }
 
 TEST(SinumerikCalls, LeaveWhatTheyDoNotKnowToTheReader) {
-  const Ran ran = run_computing("FOO\nBAR(1)\nG0 X1\nM30\n", sinumerik(), Output::nc_text);
+  const ProgramRun ran = to_text("FOO\nBAR(1)\nG0 X1\nM30\n", sinumerik());
   ASSERT_EQ(ran.diagnostics.size(), 1u) << ran.report();
   EXPECT_EQ(ran.diagnostics[0].detail, "FOO, a name");
   ProgramSessionSetup setup = sinumerik();
@@ -240,7 +240,7 @@ TEST(SinumerikPrograms, WithoutAnythingToComputePassAsTheyStand) {
       "%_N_PART_MPF\n;$PATH=/_N_WKS_DIR\nN10 G17 G90 ; IF R1>5 GOTOF A\nLA: X=10 Y=-5.5\n"
       "MSG(\"R1=5 L10\")\nT=\"CUTTER 10\" M6\nG2 X20 Y-5.5 CR=5 F=1000\nMCALL CYCLE81(1,2,3)\n"
       "MCALL\nNORM G450\nG0 SUPA Z=_HOME\nM30\n";
-  const Ran ran = run_computing(text, sinumerik(), Output::nc_text);
+  const ProgramRun ran = to_text(text, sinumerik());
   EXPECT_EQ(ran.text, text) << ran.report();
   ProgramSessionSetup setup = sinumerik();
   setup.nc_text = true;
@@ -307,7 +307,7 @@ TEST(SinumerikRefusals, NameWhatCannotBeFollowed) {
     SCOPED_TRACE(refusal.text);
     ProgramSessionSetup setup = sinumerik();
     setup.session.program.max_executed_lines = 1000;
-    const Ran ran = run_computing(refusal.text, setup, Output::nc_text);
+    const ProgramRun ran = to_text(refusal.text, setup);
     ASSERT_FALSE(ran.diagnostics.empty()) << ran.text;
     EXPECT_EQ(ran.diagnostics[0].code, refusal.code) << ran.report();
     EXPECT_EQ(ran.diagnostics[0].source.line, refusal.line);
@@ -318,8 +318,7 @@ TEST(SinumerikRefusals, NameWhatCannotBeFollowed) {
 }
 
 TEST(SinumerikRefusals, AreToldWithTheirCalls) {
-  const Ran ran =
-      run_computing("R1=0\nSUB\nM30\n%_N_SUB_SPF\nX=1/R1\nRET\n", sinumerik(), Output::nc_text);
+  const ProgramRun ran = to_text("R1=0\nSUB\nM30\n%_N_SUB_SPF\nX=1/R1\nRET\n", sinumerik());
   ASSERT_EQ(ran.diagnostics.size(), 1u) << ran.report();
   EXPECT_EQ(ran.diagnostics[0].calls,
             (std::vector<CallPlace>{{.subprogram = "SUB", .called_from = 2}}));

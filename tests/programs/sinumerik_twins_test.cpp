@@ -8,7 +8,7 @@
 #include "tests/programs/computing.h"
 #include "tests/programs/twins.h"
 
-// Programs in the manner of those of the shop floor, each beside its path worked out here.
+// Programs as they are written on the shop floor, each beside its path worked out here.
 
 namespace trc::support::sinumerik_computing {
 namespace {
@@ -24,21 +24,6 @@ std::string holes(int count, double radius, double first = 0) {
     text += hole(radius * cosine(angle), radius * sine(angle));
   }
   return text + "M30\n";
-}
-
-std::string square(double size, double z) {
-  const std::string s = number(size / 2);
-  return "G0 Z" + number(z) + "\nG41 G1 X-" + s + " Y-" + s + " F500\nY" + s + "\nX" + s + "\nY-" +
-         s + "\nX-" + s + "\nG40 X0 Y-40\n";
-}
-
-std::string polygon(int corners, double radius) {
-  std::string text = "G90 G0 X60 Y0\nG42 G1 X" + number(radius) + " Y0 F400\n";
-  for (int corner = 1; corner <= corners; ++corner) {
-    const double angle = -360.0 / corners * corner;
-    text += "X" + number(radius * cosine(angle)) + " Y" + number(radius * sine(angle)) + "\n";
-  }
-  return text + "G40 X60 Y0\nM30\n";
 }
 
 std::string ellipse(double a, double b, double step) {

@@ -15,7 +15,7 @@ std::string told(const std::string& text, DialectName dialect,
                  const std::map<std::string, std::string>& subprograms = {}) {
   ProgramSessionSetup setup = computing_setup(dialect);
   setup.session.program.subprograms = {subprograms.begin(), subprograms.end()};
-  const Ran ran = run_computing(text, setup, Output::nc_text);
+  const ProgramRun ran = to_text(text, setup);
   std::string all;
   for (const Diagnostic& found : ran.diagnostics) {
     if (found.severity != Severity::error) continue;
@@ -36,7 +36,7 @@ TEST(ToldTogether, OfFanucAreStateAndWordsAndCalls) {
             "900002 7 G777\n900306 8 O1235\n900303 9 #501\n");
 }
 
-// What a value decides is no error while the value is not known.
+// While a value is unknown, what depends on it is no error.
 TEST(ToldTogether, AreNoConsequences) {
   EXPECT_EQ(told("#1=#5041\n#2=1/[#1-1]\nGOTO#1\nM98 P#1\nIF [#1 EQ 1] THEN #3000=1(NO)\n"
                  "F[#4] X[#5]\nG#1\nM30\n",
@@ -51,7 +51,7 @@ TEST(ToldTogether, OfFanucAreThoseOfSubprograms) {
             "900307 1 #5041\n900002 6 G778 in O0100:0\n900002 10 G779 in O0200:0\n");
   EXPECT_EQ(told("#1=#5041\nM98 P100\nM30\n", DialectName::fanuc, {{"O100", "G1\nG778\nM99\n"}}),
             "900307 1 #5041\n900002 2 G778 in O0100:2\n");
-  // The refusal stands within what is called.
+  // The refusal is in the subprogram that is called.
   EXPECT_EQ(told("M98 P100\nG779\nM30\nO100\nX#5041\nG778\nM99\n", DialectName::fanuc),
             "900307 5 #5041 in O0100:0\n900002 6 G778 in O0100:0\n900002 2 G779\n");
 }

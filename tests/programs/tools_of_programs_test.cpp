@@ -25,10 +25,10 @@ std::string contour_of(DialectName dialect, const std::string& side) {
          "\nG40 X-20" + point + "\n";
 }
 
-// The codes and details of what is told, errors and warnings.
+// Codes and details of all errors and warnings.
 std::string told(const std::string& text, const ProgramSessionSetup& setup) {
   std::string all;
-  for (const Diagnostic& found : run_computing(text, setup, Output::nc_text).diagnostics)
+  for (const Diagnostic& found : to_text(text, setup).diagnostics)
     all += std::to_string(static_cast<int>(found.code)) + " " + std::to_string(found.source.line) +
            " " + found.detail + "\n";
   return all;
@@ -36,7 +36,7 @@ std::string told(const std::string& text, const ProgramSessionSetup& setup) {
 
 // How far the tool is from the wall of the last contour; -1: it was refused.
 double distance(const std::string& text, const ProgramSessionSetup& setup) {
-  const Ran ran = run_computing(text, setup, Output::blocks);
+  const ProgramRun ran = to_blocks(text, setup);
   if (ran.stopped) return -1;
   double farthest = 0;
   for (const CompensatedBlock& block : ran.blocks)
@@ -167,7 +167,7 @@ TEST(ToolsOfPrograms, CountInTheUnitThatSinumerikWritesThemIn) {
   ProgramSessionSetup setup = setup_of(sinumerik);
   setup.session.program.mode.tool_radius = 0;
   EXPECT_EQ(distance("G700\n$TC_DP6[1,1]=0.25\n" + wall, setup), 6.35);
-  // G70 is none of its business.
+  // G70 does not apply to it.
   EXPECT_EQ(distance("G70\n$TC_DP6[1,1]=6\n" + wall, setup), 6);
 }
 
@@ -329,11 +329,11 @@ TEST(ToolsOfPrograms, AreCalledByParametersOfKlartext) {
     EXPECT_EQ(told(text, setup).substr(0, 7), unknown.substr(0, 7)) << lost;
   }
   EXPECT_EQ(told(program("Q5 = Q4\nQ6 = 2\nTOOL CALL 1 Z DR+Q5\n"), setup), unknown);
-  // Without RL nothing hangs on it.
+  // Without RL nothing depends on it.
   EXPECT_EQ(told("TOOL CALL 1 Z DR+Q5\nL X+5 R0 FMAX\n", setup), "");
 }
 
-// CALL LBL does what stands behind the label, also where that changes the tool.
+// CALL LBL executes the lines behind the label, a change of tool included.
 TEST(ToolsOfPrograms, AreChangedByLabelsOfKlartext) {
   ProgramSessionSetup setup = setup_of(heidenhain);
   setup.session.program.mode.tool_radius = 0;

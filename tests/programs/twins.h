@@ -31,7 +31,7 @@ inline std::string name_of_twin(const ::testing::TestParamInfo<TwinOfADialect>& 
   return tested.param.twin.name;
 }
 
-// A program that computes, and what it is worth written out.
+// A program that computes, and the program that a person would write in its place.
 class Twins : public ::testing::TestWithParam<TwinOfADialect> {
  protected:
   [[nodiscard]] const Twin& twin() const { return GetParam().twin; }

@@ -10,7 +10,7 @@ namespace trc::support {
 namespace {
 
 // Comments name the subprograms, which the other one does not have.
-std::vector<CompensatedBlock> motions_of(const Ran& ran) {
+std::vector<CompensatedBlock> motions_of(const ProgramRun& ran) {
   std::vector<CompensatedBlock> motions;
   for (const CompensatedBlock& block : ran.blocks)
     if (block.origin != Origin::passthrough) motions.push_back(block);
@@ -20,8 +20,8 @@ std::vector<CompensatedBlock> motions_of(const Ran& ran) {
 }  // namespace
 
 TEST_P(Twins, HaveTheSamePath) {
-  const Ran computed = run_computing(twin().computed, setup(), Output::blocks);
-  const Ran flat = run_computing(twin().flat, setup(), Output::blocks);
+  const ProgramRun computed = to_blocks(twin().computed, setup());
+  const ProgramRun flat = to_blocks(twin().flat, setup());
   ASSERT_FALSE(computed.stopped) << computed.report();
   ASSERT_FALSE(flat.stopped) << flat.report();
   const auto left = motions_of(computed);
@@ -45,16 +45,15 @@ TEST_P(Twins, HaveTheSamePath) {
 }
 
 TEST_P(Twins, ComeOutTheSameHoweverTheyAreCut) {
-  const Ran whole = run_computing(twin().computed, setup(), Output::nc_text);
+  const ProgramRun whole = to_text(twin().computed, setup());
   ASSERT_FALSE(whole.stopped) << whole.report();
   for (const std::size_t piece : {1U, 2U, 3U, 7U, 61U, 250U})
-    EXPECT_EQ(run_computing(twin().computed, setup(), Output::nc_text, piece).text, whole.text)
-        << piece;
+    EXPECT_EQ(to_text(twin().computed, setup(), piece).text, whole.text) << piece;
 }
 
 // The flat program computes nothing any more, and means the same.
 TEST_P(Twins, ComeOutAsAProgramThatIsRead) {
-  const Ran computed = run_computing(twin().computed, setup(), Output::nc_text);
+  const ProgramRun computed = to_text(twin().computed, setup());
   ProgramSession again(setup());
   Answers answers;
   EXPECT_TRUE(again.feed(computed.text, answers)) << computed.text;
@@ -81,7 +80,7 @@ TEST_P(Twins, TellNothingElseBehindAnError) {
   std::string text = twin().computed;
   const bool has_head = std::string_view("%OoP(").find(text.front()) != std::string_view::npos;
   text.insert(has_head ? text.find('\n') + 1 : 0, fault);
-  const Ran ran = run_computing(text, setup(), Output::nc_text);
+  const ProgramRun ran = to_text(text, setup());
   ASSERT_TRUE(ran.stopped) << text;
   EXPECT_EQ(std::ranges::count(ran.diagnostics, Severity::error, &Diagnostic::severity), 1)
       << ran.report() << text;

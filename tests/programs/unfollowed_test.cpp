@@ -44,7 +44,7 @@ TEST(Unfollowed, LastsUpToItsOwnEndInFanuc) {
         EXPECT_EQ(of_contour(fanuc, mode + "\n" + end).first, is_its_end ? 0 : 900003)
             << mode << ' ' << end;
       }
-  // Both in one line, in either order, and one within the other.
+  // Two functions in one line, in either order, and one within the other.
   EXPECT_EQ(of_contour(fanuc, "G51 X0 Y0 P2.\nG16\nG15 G50").first, 0);
   EXPECT_EQ(of_contour(fanuc, "G51 X0 Y0 P2.\nG16\nG50 G15").first, 0);
   EXPECT_EQ(of_contour(fanuc, "G51 X0 Y0 P2.\nG16\nG15").first, 900003);
@@ -105,7 +105,7 @@ TEST(Unfollowed, SelectionBesideWhatIsNoMotion) {
 // stores one: behind both the axes that are named stand where only the control knows.
 TEST(Unfollowed, WordsOfControlsOfTheSameFamilyComeOutAsTheyStand) {
   const auto text_of = [](DialectName dialect, const std::string& text) {
-    return run_computing(text, computing_setup(dialect, 5), Output::nc_text).text;
+    return to_text(text, computing_setup(dialect, 5)).text;
   };
   const std::string head = "G17 G90 G40 G49 G50 G80\nG0 X1 Y2\nM2\n";
   EXPECT_EQ(text_of(linuxcnc, head), head);
@@ -147,12 +147,11 @@ TEST(Unfollowed, MotionsOfOtherTasksComeOutAsTheyStand) {
        }) {
     const ProgramSessionSetup setup = computing_setup(each.dialect, 5);
     const std::string text = begin + each.line + "\nG0 Z5.\n";
-    EXPECT_EQ(run_computing(text + "M30\n", setup, Output::nc_text).text, text + "M30\n");
+    EXPECT_EQ(to_text(text + "M30\n", setup).text, text + "M30\n");
     const std::string end = "G40 X-20. Y-20.\nM30\n";
     EXPECT_EQ(refusal_of(text + contour + end, setup).first, each.loses ? 900106 : 0) << each.line;
     EXPECT_EQ(refusal_of(text + "G0 X-20. Y-20.\n" + contour + end, setup).first, 0) << each.line;
-    const Ran within =
-        run_computing(begin + contour + each.line + "\n" + end, setup, Output::nc_text);
+    const ProgramRun within = to_text(begin + contour + each.line + "\n" + end, setup);
     ASSERT_TRUE(within.stopped) << each.line;
     EXPECT_NE(within.report().find(each.name), std::string::npos) << within.report();
   }
@@ -180,7 +179,7 @@ TEST(Unfollowed, IsToldByItsNameWithinAContour) {
   const std::string begin = "G90 G17\nG0 X-20. Y-20. Z5.\nG41 D1 G1 X0. Y0. F500.\n";
   const std::string end = "\nY40.\nG40 X-20. Y-20.\nM30\n";
   const auto told = [&](DialectName dialect, const std::string& line) {
-    return run_computing(begin + line + end, computing_setup(dialect, 5), Output::nc_text).report();
+    return to_text(begin + line + end, computing_setup(dialect, 5)).report();
   };
   EXPECT_NE(told(fanuc, "G16").find("G16, polar coordinates"), std::string::npos);
   EXPECT_NE(told(fanuc, "G52 X0").find("G52, local coordinate system"), std::string::npos);

@@ -69,7 +69,7 @@ TEST(WorkOffset, StandsInTheContourWhereItIsInForce) {
     ProgramSessionSetup setup = computing_setup(dialect, 2);
     setup.session.program.tools = {{1, ToolRow(2)}};
     const std::string head = dialect == sinumerik ? "T1\n" : "";
-    const Ran ran = run_computing(head + contour("G54"), setup, Output::blocks);
+    const ProgramRun ran = to_blocks(head + contour("G54"), setup);
     EXPECT_FALSE(ran.stopped) << ran.report();
     EXPECT_NE(refusal_of(head + contour("G55"), setup).first, 0);
   }

@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <iostream>
 #include <string>
 #include <vector>
 
 #include "tests/support/drawn_rings.h"
+#include "tests/support/long_run.h"
 
 // Loop removal on the coasts of the world. In the long runs alone.
 
@@ -15,7 +15,7 @@ namespace trc::support {
 namespace {
 
 std::vector<std::string> resolutions() {
-  if (std::getenv("TRC_TEST_LONG") == nullptr) return {};
+  if (!is_long_run()) return {};
   return {"c", "l", "i", "h"};
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/long_run.h"
 #include "tests/support/run.h"
 #include "tests/support/slow_clearance.h"
 
@@ -19,10 +20,7 @@ namespace {
 
 constexpr std::size_t longest = 9;
 
-std::size_t contours_per_flavor() {
-  const char* value = std::getenv("TRC_TEST_LONG");
-  return value != nullptr && std::string(value) == "1" ? 17'000 : 300;
-}
+std::size_t contours_per_flavor() { return is_long_run() ? 17'000 : 300; }
 
 // A contour and a mode from one seed.
 struct Sample {

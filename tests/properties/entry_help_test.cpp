@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/long_run.h"
 #include "tests/support/run.h"
 #include "tests/support/slow_clearance.h"
 
@@ -22,10 +23,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-std::uint64_t samples() {
-  const char* value = std::getenv("TRC_TEST_LONG");
-  return value != nullptr && std::string(value) == "1" ? 100'000 : 3'000;
-}
+std::uint64_t samples() { return is_long_run() ? 100'000 : 3'000; }
 
 // A selection with what leads to its contour and off it.
 struct Program {
@@ -278,8 +276,8 @@ Program with_fault(std::uint64_t seed, Fault fault) {
   return program;
 }
 
-// The same with ways that nothing is wrong with, and that reach no farther than to the contour, as
-// a transition of G139 might.
+// The program with the sound ways of its contour in place of those at fault. They end at the
+// contour; a transition of G139 might reach farther.
 Program without_fault(const Program& program, const Contour& contour) {
   Program sound = program;
   sound.start = contour.approach.start;

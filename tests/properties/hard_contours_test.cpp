@@ -10,6 +10,7 @@
 
 #include "core/trc/corner/bow_tie.h"
 #include "core/verify/clearance.h"
+#include "tests/support/long_run.h"
 #include "tests/support/run.h"
 #include "tests/support/slow_shapes.h"
 #include "tests/support/small_contours.h"
@@ -52,8 +53,7 @@ class HardContour : public ::testing::TestWithParam<Hardship> {
  protected:
   template <class Claim>
   static void for_each(std::uint64_t first_seed, std::uint64_t count, const Claim& claim) {
-    const char* value = std::getenv("TRC_TEST_LONG");
-    if (value != nullptr && std::string(value) == "1") count *= 100;
+    if (is_long_run()) count *= 100;
     std::uint64_t first = first_seed + 1'000'000 * static_cast<std::uint64_t>(GetParam());
     if (const char* alone = std::getenv("TRC_TEST_SEED")) {
       first = std::stoull(alone);

@@ -12,7 +12,7 @@
 
 #include "core/geometry/along.h"
 #include "core/geometry/distance.h"
-#include "core/session/program_session.h"
+#include "tests/support/program_run.h"
 #include "tests/support/random.h"
 #include "tests/support/run.h"
 
@@ -77,18 +77,6 @@ class Program {
   Point at_ = Point::Zero();
   std::vector<Segment> walls_;
 };
-
-Outcome run(const std::string& text) {
-  ProgramSessionSetup setup;
-  setup.nc_text = false;
-  ProgramSession program(setup);
-  Answers answers;
-  if (program.feed(text, answers)) program.finish(answers);
-  Answer output = answers.take();
-  return {.blocks = std::move(output.blocks),
-          .diagnostics = std::move(output.diagnostics),
-          .stopped = program.diagnostics().stopped()};
-}
 
 // Of the path between approach and retract.
 std::vector<Point> samples_of(const Outcome& outcome) {
@@ -169,7 +157,7 @@ TEST(LeadsAlongWalls, MayLeaveABoreJustBeforeACorner) {
     bore.lead = random.between(1.05 * bore.radius + 0.1, 18);
     SCOPED_TRACE("seed " + std::to_string(seed));
     const Program program = bore.program();
-    const Outcome outcome = run(program.text());
+    const ProgramRun outcome = to_blocks(program.text());
     expect_clear(outcome, program, bore.radius, bore.decimals);
     // It goes all round.
     double farthest = 0;
@@ -203,7 +191,7 @@ TEST(LeadsAlongWalls, MayGoStraightOnFromABossOfShortArcs) {
     program.line(size * out + lead * along, false);
     program.go_to("G40 G1", (size + radius + 2) * out + lead * along);
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const Outcome outcome = run(program.text());
+    const ProgramRun outcome = to_blocks(program.text());
     expect_clear(outcome, program, radius, decimals);
     double farthest = 0;
     for (const Point& point : samples_of(outcome)) farthest = std::max(farthest, -point.dot(out));

@@ -15,8 +15,9 @@
 
 #include "core/geometry/along.h"
 #include "core/geometry/distance.h"
-#include "core/session/program_session.h"
 #include "tests/support/cam_programs.h"
+#include "tests/support/long_run.h"
+#include "tests/support/program_run.h"
 #include "tests/support/random.h"
 #include "tests/support/run.h"
 
@@ -27,26 +28,6 @@ namespace trc::support {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-Outcome run(const std::string& text, const SessionSetup& session) {
-  ProgramSessionSetup setup;
-  setup.session = session;
-  setup.nc_text = false;
-  ProgramSession program(setup);
-  Answers answers;
-  if (program.feed(text, answers)) program.finish(answers);
-  Answer output = answers.take();
-  return {.blocks = std::move(output.blocks),
-          .diagnostics = std::move(output.diagnostics),
-          .stopped = program.diagnostics().stopped()};
-}
-
-std::string reports_of(const Outcome& outcome) {
-  std::string text;
-  for (const Diagnostic& found : outcome.diagnostics)
-    text += std::to_string(static_cast<int>(found.code)) + " " + message_of(found) + '\n';
-  return text;
-}
 
 std::size_t count_of(const Outcome& outcome, Code code) {
   return static_cast<std::size_t>(
@@ -181,7 +162,7 @@ std::vector<std::string> names_of_contours() {
 
 void expect_nothing_lost(const CamProgram& program) {
   const std::string text = text_of(program, with_removal);
-  const Outcome outcome = run(text, {});
+  const ProgramRun outcome = to_blocks(text);
   if (!leaves_room(program)) {
     // The finishing lap goes round another ring.
     if (program.laps == Laps::rough_and_finish) return;
@@ -191,7 +172,7 @@ void expect_nothing_lost(const CamProgram& program) {
           << text << text_of(outcome.blocks);
     return;
   }
-  SCOPED_TRACE(text + reports_of(outcome));
+  SCOPED_TRACE(text + outcome.report());
   ASSERT_FALSE(outcome.stopped);
   EXPECT_EQ(first_gap(outcome.blocks), "");
   EXPECT_EQ(count_of(outcome, Code::blocks_masked), program.contour.loops * laps_of(program));
@@ -202,8 +183,8 @@ void expect_nothing_lost(const CamProgram& program) {
 
   const CamProgram bare{
       .contour = program.contour, .decimals = program.decimals, .inch = program.inch};
-  const Outcome reference = run(text_of(bare, with_removal), {});
-  ASSERT_FALSE(reference.stopped) << reports_of(reference);
+  const ProgramRun reference = to_blocks(text_of(bare, with_removal));
+  ASSERT_FALSE(reference.stopped) << reference.report();
   const double beside_start =
       (2 * program.size_of_leads + 4) * program.contour.tool_radius + program.overrun_length;
   expect_same_walls(path_of(outcome), path_of(reference), program.contour.ring,
@@ -218,9 +199,9 @@ TEST_P(CamPrograms, AreTheSameInAWindowThatHoldsThem) {
   setup.compensator.limits.look_ahead_blocks = 5'000;
   for_each([&](const CamProgram& program) {
     const std::string text = text_of(program, with_removal);
-    const Outcome whole = run(text, {});
-    const Outcome window = run(text, setup);
-    EXPECT_TRUE(same(whole, window)) << text << reports_of(window);
+    const ProgramRun whole = to_blocks(text);
+    const ProgramRun window = to_blocks(text, {.session = setup});
+    EXPECT_TRUE(same(whole, window)) << text << window.report();
   });
 }
 
@@ -230,11 +211,11 @@ TEST_P(CamPrograms, HaveNoBottleneck) {
   for_each([&](const CamProgram& program) {
     if (program.contour.loops > 0 || !leaves_room(program)) return;
     const std::string text = text_of(program, "G141");
-    const Outcome masking = run(text, {});
-    EXPECT_FALSE(masking.stopped) << text << reports_of(masking);
-    EXPECT_TRUE(masking.diagnostics.empty()) << text << reports_of(masking);
-    const Outcome searched = run(text_of(program, "G140"), implicit);
-    EXPECT_FALSE(searched.stopped) << text << reports_of(searched);
+    const ProgramRun masking = to_blocks(text);
+    EXPECT_FALSE(masking.stopped) << text << masking.report();
+    EXPECT_TRUE(masking.diagnostics.empty()) << text << masking.report();
+    const ProgramRun searched = to_blocks(text_of(program, "G140"), {.session = implicit});
+    EXPECT_FALSE(searched.stopped) << text << searched.report();
   });
 }
 
@@ -246,7 +227,7 @@ INSTANTIATE_TEST_SUITE_P(Leads, CamPrograms,
                                   name_of(std::get<1>(tested.param));
                          });
 
-// But for what the end of a lead along the contour overlaps it by its rounding.
+// Within 10 nm: the end of a lead along the contour overlaps it by its rounding.
 bool are_the_same(const std::vector<Segment>& one, const std::vector<Segment>& other) {
   constexpr double nanometres = 1e-5;
   return std::equal(one.begin(), one.end(), other.begin(), other.end(),
@@ -260,8 +241,7 @@ bool are_the_same(const std::vector<Segment>& one, const std::vector<Segment>& o
 // Leads and overruns of any size, laps, and contours turned by any angle: where the path that G140
 // makes is clear of the walls, loop removal changes nothing of it.
 TEST(Leads, AreNoWallsWhateverTheirSize) {
-  const char* longer = std::getenv("TRC_TEST_LONG");
-  const std::uint64_t programs = longer != nullptr && std::string(longer) == "1" ? 50'000 : 2'000;
+  const std::uint64_t programs = is_long_run() ? 50'000 : 2'000;
   constexpr Laps laps[] = {Laps::one,    Laps::two,
                            Laps::three,  Laps::rough_and_finish,
                            Laps::depths, Laps::depths_and_leads};
@@ -285,7 +265,7 @@ TEST(Leads, AreNoWallsWhateverTheirSize) {
         random.between(0.05, (9.5 - 3.9 * program.size_of_leads) * program.contour.tool_radius);
     if (!is_possible(program) || !leads_between_are_short(program) || program.contour.loops > 0)
       continue;
-    const Outcome plain = run(text_of(program, "G26\nG140"), {});
+    const ProgramRun plain = to_blocks(text_of(program, "G26\nG140"));
     const auto is_near = [&, ring = finished_ring(program)](const Point& point) {
       return distance_from(ring, point) < program.contour.tool_radius - tolerance;
     };
@@ -299,13 +279,13 @@ TEST(Leads, AreNoWallsWhateverTheirSize) {
     if (std::any_of(blocks.begin(), blocks.end(), is_fine)) continue;
     ++compared;
     const std::string removing = text_of(program, "G26\nG141\n#TRC[REMOVE_MASKED_BLOCKS=1]");
-    const Outcome outcome = run(removing, {});
+    const ProgramRun outcome = to_blocks(removing);
     EXPECT_FALSE(outcome.stopped);
     EXPECT_EQ(count_of(outcome, Code::blocks_masked), 0U);
     EXPECT_TRUE(are_the_same(path_of(outcome), path_of(plain)));
     if (::testing::Test::HasFailure())
       ADD_FAILURE() << "seed " << seed << '\n'
-                    << removing << reports_of(outcome) << text_of(outcome.blocks) << "G140\n"
+                    << removing << outcome.report() << text_of(outcome.blocks) << "G140\n"
                     << text_of(plain.blocks);
   }
   EXPECT_GT(compared, programs / 4);
@@ -425,7 +405,7 @@ TEST(Leads, OutThroughAFlatCornerAreToldWhereTheyCut) {
                                   .radius = radius};
           SessionSetup session;
           session.verify = Verify::report;
-          const Outcome outcome = run(pocket.text(mode), session);
+          const ProgramRun outcome = to_blocks(pocket.text(mode), {.session = session});
           if (!outcome.diagnostics.empty()) {
             ++told;
             continue;
@@ -461,7 +441,7 @@ TEST(Leads, ChangeNothingBetweenTheTwoVisitsOfTheClosingPoint) {
     const Outcome bare = compensate(contour_of(ring), mode, feeding);
     if (bare.stopped) continue;
     const Outcome outcome = compensate(contour_of(leads.blocks), mode, feeding);
-    ASSERT_FALSE(outcome.stopped) << "seed " << seed << ": " << reports_of(outcome);
+    ASSERT_FALSE(outcome.stopped) << "seed " << seed << ": " << outcome.report();
     expect_same_walls(path_of(outcome), path_of(bare), ring, mode.tool_radius, 1e-6, 1e-6);
     if (::testing::Test::HasFailure())
       ADD_FAILURE() << "seed " << seed << '\n'

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/support/long_run.h"
 #include "tests/support/run.h"
 #include "tests/support/slow_masking.h"
 #include "tests/support/slow_shapes.h"
@@ -145,9 +146,7 @@ class EveryHardship : public ::testing::TestWithParam<Hardship> {
   template <class Claim>
   static void for_each_contour(double share, const Claim& claim) {
     const std::uint64_t first = 1'000'000 * (1 + static_cast<std::uint64_t>(GetParam()));
-    const char* value = std::getenv("TRC_TEST_LONG");
-    const bool all = value != nullptr && std::string(value) == "1";
-    const auto count = static_cast<std::uint64_t>(share * (all ? 170'000 : 700));
+    const auto count = static_cast<std::uint64_t>(share * (is_long_run() ? 170'000 : 700));
     for (std::uint64_t seed = first; seed < first + count && !HasFailure(); ++seed) {
       Random random(seed);
       const SmallContour made = small_contour(random, GetParam());

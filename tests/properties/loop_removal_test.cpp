@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/support/long_run.h"
 #include "tests/support/run.h"
 #include "tests/support/slow_clearance.h"
 
@@ -19,7 +20,7 @@
 namespace trc::support {
 namespace {
 
-std::uint64_t contours_a_flavor() { return std::getenv("TRC_TEST_LONG") != nullptr ? 20'000 : 300; }
+std::uint64_t contours_a_flavor() { return is_long_run() ? 20'000 : 300; }
 
 TrcMode removing_mode(Random& random) {
   TrcMode mode = random_mode(random);
@@ -120,7 +121,8 @@ std::int64_t longest_loop(const Outcome& outcome) {
   return longest;
 }
 
-// The same for each block and the contour that its window shows, in blocks to both sides.
+// Expects each block to be clear of the contour that its window shows, `window` blocks to both
+// sides.
 void expect_clear_in_window(const Outcome& outcome, const Contour& contour, const TrcMode& mode,
                             std::int64_t window) {
   const double radius = mode.tool_radius;

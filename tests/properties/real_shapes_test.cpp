@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <iostream>
 #include <string>
 
 #include "tests/support/drawn_rings.h"
 #include "tests/support/font.h"
+#include "tests/support/long_run.h"
 
 // Loop removal on outlines nobody has drawn for it: the letters of Debian's fonts, read when the
 // test runs, as an engraver takes them round. GEOS and the distance from every block judge.
@@ -17,15 +17,13 @@ constexpr const char* fonts[] = {"/usr/share/fonts/truetype/dejavu/DejaVuSans.tt
                                  "/usr/share/fonts/truetype/dejavu/DejaVuSerif.ttf",
                                  "/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf"};
 
-bool is_long() { return std::getenv("TRC_TEST_LONG") != nullptr; }
-
 TEST(RealShapes, LettersAreGoneRoundAndAreEmptied) {
   Geos geos;
   Tally tally;
-  const char32_t last = is_long() ? U'\u24ff' : U'z';
+  const char32_t last = is_long_run() ? U'\u24ff' : U'z';
   for (const char* file : fonts) {
     const Font font(file);
-    for (char32_t letter = U'!'; letter <= last; letter += is_long() ? 1 : 3)
+    for (char32_t letter = U'!'; letter <= last; letter += is_long_run() ? 1 : 3)
       for (const auto& ring : font.rings_of(letter, {.height = 40, .chords = 6})) {
         if (ring.size() < 3) continue;
         for (const double radius : {0.3, 1.0, 3.0, 7.0})

@@ -11,6 +11,7 @@
 
 #include "core/geometry/along.h"
 #include "core/geometry/distance.h"
+#include "tests/support/long_run.h"
 #include "tests/support/run.h"
 #include "tests/support/slow_clearance.h"
 #include "tests/support/slow_shapes.h"
@@ -24,7 +25,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-std::uint64_t contours_of_a_kind() { return std::getenv("TRC_TEST_LONG") != nullptr ? 12'500 : 40; }
+std::uint64_t contours_of_a_kind() { return is_long_run() ? 12'500 : 40; }
 
 enum class Part { plate, slots, curve, gear };
 constexpr Part all_parts[] = {Part::plate, Part::slots, Part::curve, Part::gear};

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/long_run.h"
 #include "tests/support/run.h"
 #include "tests/support/slow_clearance.h"
 
@@ -20,10 +21,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-std::uint64_t samples() {
-  const char* value = std::getenv("TRC_TEST_LONG");
-  return value != nullptr && std::string(value) == "1" ? 100'000 : 1'500;
-}
+std::uint64_t samples() { return is_long_run() ? 100'000 : 1'500; }
 
 struct Sample {
   TrcMode mode{};

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <string>
 
-#include "core/session/program_session.h"
+#include "tests/support/program_run.h"
 #include "tests/support/run.h"
 
 // What must hold for every program, on random contours written as NC text.
@@ -90,21 +90,6 @@ std::string program_of(const Contour& contour, const TrcMode& mode, const Spelli
   return text.take();
 }
 
-Outcome run(const std::string& text, std::size_t piece) {
-  ProgramSessionSetup setup;
-  setup.nc_text = false;
-  ProgramSession session(setup);
-  Answers answers;
-  bool running = true;
-  for (std::size_t at = 0; running && at < text.size(); at += piece)
-    running = session.feed(std::string_view(text).substr(at, piece), answers);
-  if (running) session.finish(answers);
-  Answer output = answers.take();
-  return {.blocks = std::move(output.blocks),
-          .diagnostics = std::move(output.diagnostics),
-          .stopped = session.diagnostics().stopped()};
-}
-
 template <class Claim>
 void for_each_program(std::uint64_t first_seed, const Claim& claim) {
   for (const Flavor flavor : all_flavors)
@@ -136,7 +121,7 @@ TEST(EveryProgram, IsTheSameInInchAndInMillimetres) {
   for_each_program(1, [](const Contour& contour, const TrcMode& mode) {
     const std::string metric = program_of(contour, mode, {});
     const std::string inch = program_of(contour, mode, {.millimetres_per_unit = 25.4});
-    expect_same_path(run(inch, inch.size()), run(metric, metric.size()));
+    expect_same_path(to_blocks(inch), to_blocks(metric));
   });
 }
 
@@ -144,7 +129,7 @@ TEST(EveryProgram, IsTheSameWithAbsoluteAndRelativeCenters) {
   for_each_program(2'000'000, [](const Contour& contour, const TrcMode& mode) {
     const std::string absolute = program_of(contour, mode, {});
     const std::string relative = program_of(contour, mode, {.absolute_center = false});
-    expect_same_path(run(relative, relative.size()), run(absolute, absolute.size()));
+    expect_same_path(to_blocks(relative), to_blocks(absolute));
   });
 }
 
@@ -152,8 +137,8 @@ TEST(EveryProgram, RunsOnTheOtherSideWithANegativeRadius) {
   for_each_program(4'000'000, [](const Contour& contour, const TrcMode& mode) {
     const std::string positive = program_of(contour, mode, {});
     const std::string negative = program_of(contour, mode, {.negative_radius = true});
-    const Outcome expected = run(positive, positive.size());
-    const Outcome actual = run(negative, negative.size());
+    const ProgramRun expected = to_blocks(positive);
+    const ProgramRun actual = to_blocks(negative);
     ASSERT_EQ(actual.stopped, expected.stopped);
     EXPECT_EQ(difference(actual.blocks, expected.blocks, Motion{}, 0), "");
   });
@@ -162,21 +147,21 @@ TEST(EveryProgram, RunsOnTheOtherSideWithANegativeRadius) {
 TEST(EveryProgram, IsTheSameHoweverItsTextIsCutAndSpelt) {
   for_each_program(6'000'000, [](const Contour& contour, const TrcMode& mode) {
     const std::string text = program_of(contour, mode, {});
-    const Outcome whole = run(text, text.size());
+    const ProgramRun whole = to_blocks(text);
     for (const std::size_t piece : {1U, 3U, 17U}) {
-      const Outcome pieces = run(text, piece);
+      const ProgramRun pieces = to_blocks(text, {}, piece);
       EXPECT_EQ(text_of(pieces.blocks), text_of(whole.blocks)) << piece << " bytes at a time";
       EXPECT_EQ(pieces.diagnostics.size(), whole.diagnostics.size());
     }
     const std::string spelt = program_of(contour, mode, {.crlf = true, .lower_case = true});
-    EXPECT_EQ(text_of(moving(run(spelt, 11).blocks)), text_of(moving(whole.blocks)));
+    EXPECT_EQ(text_of(moving(to_blocks(spelt, {}, 11).blocks)), text_of(moving(whole.blocks)));
   });
 }
 
 TEST(EveryProgram, GivesThePathOfItsBlocks) {
   for_each_program(8'000'000, [](const Contour& contour, const TrcMode& mode) {
     const std::string text = program_of(contour, mode, {});
-    Outcome read = run(text, text.size());
+    ProgramRun read = to_blocks(text);
     Feeding feeding;
     feeding.compensator.leads.input_resolution = LeadSettings{}.input_resolution;
     Outcome given = compensate(contour, mode, feeding);

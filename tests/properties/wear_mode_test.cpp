@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/verify/clearance.h"
+#include "tests/support/long_run.h"
 #include "tests/support/run.h"
 #include "tests/support/slow_clearance.h"
 
@@ -22,10 +23,7 @@
 namespace trc::support {
 namespace {
 
-std::size_t scaled(std::size_t count) {
-  const char* value = std::getenv("TRC_TEST_LONG");
-  return value != nullptr && std::string(value) == "1" ? 50 * count : count;
-}
+std::size_t scaled(std::size_t count) { return is_long_run() ? 50 * count : count; }
 
 std::vector<Segment> between_leads(const Outcome& outcome) {
   std::vector<Segment> path;

@@ -27,7 +27,7 @@ struct Answer {
 
   // "APPROACH 0 0 -> 30 30" and so on, one line a block, rounded to 1e-4 mm.
   [[nodiscard]] std::string listing() const;
-  // The same for every bit of every block and diagnostic.
+  // Every bit of every block and diagnostic.
   [[nodiscard]] std::string bytes() const;
   // ErrorInfo.reason, empty without.
   [[nodiscard]] std::string reason() const;

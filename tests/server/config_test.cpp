@@ -279,7 +279,7 @@ TEST(ServerConfig, EverySettingReadsBackAsItWasPrinted) {
   EXPECT_EQ(again.config, printed.config) << printed.exit->text;
   EXPECT_EQ(again.config.tls_allowed_clients, (std::vector<std::string>{"mill", "lathe"}));
   EXPECT_EQ(again.config.resume_key_file, "/run/a \"quoted\" \\ key");
-  // And what is printed of the defaults.
+  // The printed defaults read back as the defaults.
   const TextFile plain(printed_plain);
   const CommandLine defaults = read({"--config", plain.path().c_str()});
   ASSERT_FALSE(defaults.exit.has_value()) << defaults.exit->text << "\n" << printed_plain;

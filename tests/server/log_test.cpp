@@ -17,7 +17,7 @@ TEST(Log, NoValueCanEndItsStringOrItsLine) {
   EXPECT_EQ(json_escaped("tag\n{\"level\":\"error\"}"), "tag\\u000a{\\\"level\\\":\\\"error\\\"}");
   EXPECT_EQ(json_escaped("nul\0end"s), "nul\\u0000end");
   EXPECT_EQ(json_escaped("\x1b[31m"), "\\u001b[31m");
-  // The same escape as one character of its own, and a line that runs backwards.
+  // CSI, which terminals take for ESC [, and characters that break a line or turn it round.
   EXPECT_EQ(json_escaped("\xC2\x9B"
                          "31m"),
             "\\u009b31m");

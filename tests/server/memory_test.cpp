@@ -211,7 +211,7 @@ TEST(MemoryWatch, EndsOneAfterTheOther) {
   EXPECT_EQ(asked_until_the_second, rounds);
 }
 
-// And what can be given back is, before anybody has to go for it.
+// Memory that is free, but still held, is given back before a stream has to end for it.
 TEST(MemoryWatch, EndsNobodyForWhatIsOnlyNotGivenBack) {
   std::atomic<bool> is_full = false;
   std::atomic<int> rounds = 0;

@@ -8,20 +8,13 @@
 
 #include "server/in_process.h"
 #include "tests/server/calls.h"
+#include "tests/support/slot.h"
 
 // SurveyRadii: one program or path, many radii.
 namespace trc::server {
 namespace {
 
-// Two walls, 8 mm apart.
-constexpr std::string_view slot =
-    "N10 G90 G17 G00 X-20 Y4\n"
-    "N20 G138 G41 G01 X-10 Y0 F500\n"
-    "N30 X30\n"
-    "N40 Y8\n"
-    "N50 X-10\n"
-    "N60 G40 X-20 Y4\n"
-    "N70 M30\n";
+using support::slot;
 
 struct Survey {
   grpc::Status status;

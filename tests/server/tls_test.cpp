@@ -1,12 +1,11 @@
 #include <grpcpp/grpcpp.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <sstream>
 #include <string>
 
 #include "server/server.h"
 #include "tests/server/calls.h"
+#include "tests/support/files.h"
 #include "tests/support/places.h"
 
 namespace trc::server {
@@ -15,12 +14,6 @@ namespace {
 // Certificates of an authority that exists for these tests only.
 std::string file(const std::string& name) {
   return testing_support::source_dir() + "/tests/server/certificates/" + name;
-}
-
-std::string content(const std::string& name) {
-  std::ostringstream text;
-  text << std::ifstream(file(name)).rdbuf();
-  return text.str();
 }
 
 Config with_tls() {
@@ -40,14 +33,14 @@ grpc::StatusCode call(const Server& server, const grpc::SslCredentialsOptions& o
 
 grpc::SslCredentialsOptions trusting() {
   grpc::SslCredentialsOptions options;
-  options.pem_root_certs = content("ca_cert.pem");
+  options.pem_root_certs = testing_support::content_of(file("ca_cert.pem"));
   return options;
 }
 
 grpc::SslCredentialsOptions with_certificate() {
   grpc::SslCredentialsOptions options = trusting();
-  options.pem_cert_chain = content("client_cert.pem");
-  options.pem_private_key = content("client_key.pem");
+  options.pem_cert_chain = testing_support::content_of(file("client_cert.pem"));
+  options.pem_private_key = testing_support::content_of(file("client_key.pem"));
   return options;
 }
 

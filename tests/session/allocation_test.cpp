@@ -3,28 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <new>
 #include <numbers>
 #include <string>
 #include <vector>
 
 #include "core/session/path_session.h"
 #include "core/session/program_session.h"
-
-namespace {
-
-std::size_t allocations = 0;
-
-}  // namespace
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+#include "tests/support/allocations.h"
 
 namespace trc {
 namespace {
@@ -75,10 +60,10 @@ TEST(Stream, OfBlocksTakesNothingFromTheHeapOnItsWay) {
   std::size_t taken = 0;
   for (int round = 0; round < 4; ++round) {
     blocks = 0;
-    const std::size_t before = allocations;
+    const std::size_t before = support::allocations();
     for (const MoveRequest& move : moves)
       ASSERT_TRUE(session.program().move(move) && session.advance(out));
-    taken = allocations - before;
+    taken = support::allocations() - before;
     if (round == 0) {
       EXPECT_GT(taken, 5U) << "the count works";
     }
@@ -119,9 +104,9 @@ TEST(Stream, OfSmallSelectionsWithLoopsTakesNothingFromTheHeapOnItsWay) {
   Answers out([](const Answer& /*part*/) { return true; });
   std::size_t taken = 0;
   for (int round = 0; round < 20; ++round) {
-    const std::size_t before = allocations;
+    const std::size_t before = support::allocations();
     machine_plate(session, out);
-    taken = allocations - before;
+    taken = support::allocations() - before;
   }
   // The note of the loop (900213) and its values are the caller's from then on.
   EXPECT_LE(taken, 8U);
@@ -142,7 +127,7 @@ TEST(Stream, OfSmallSelectionsWithoutLoopsTakesTheirModesAloneFromTheHeap) {
   };
   std::size_t taken = 0;
   for (int round = 0; round < 20; ++round) {
-    const std::size_t before = allocations;
+    const std::size_t before = support::allocations();
     ASSERT_TRUE(session.program().select(Side::right, {}));
     move(0, 0);
     move(40, 0);
@@ -151,7 +136,7 @@ TEST(Stream, OfSmallSelectionsWithoutLoopsTakesTheirModesAloneFromTheHeap) {
     move(0, 0);
     ASSERT_TRUE(session.program().deselect({}));
     move(-10, -10);
-    taken = allocations - before;
+    taken = support::allocations() - before;
   }
   EXPECT_LE(taken, 2U);
 }
@@ -182,9 +167,9 @@ TEST(Stream, OfTextTakesNothingFromTheHeapOnItsWay) {
   // Each line that is used again grows to the longest text it ever held.
   for (int round = 0; round < 20; ++round) {
     written = 0;
-    const std::size_t before = allocations;
+    const std::size_t before = support::allocations();
     ASSERT_TRUE(session.feed(text, out));
-    taken = allocations - before;
+    taken = support::allocations() - before;
     EXPECT_GT(written, text.size() / 2);
   }
   EXPECT_EQ(taken, 0U) << "for 120 lines";

@@ -76,7 +76,7 @@ std::string program_with_warnings(std::string_view end) {
 }
 
 void expect_same_places(const std::string& program) {
-  // Whatever is told of a line comes behind all of its text.
+  // A diagnostic comes behind the whole text of its line.
   const std::vector<Placed> line_by_line = [&] {
     ProgramSession session({});
     Answers out;

@@ -4,21 +4,10 @@
 #include <string_view>
 #include <vector>
 
-#include "core/session/program_session.h"
+#include "tests/support/program_run.h"
 
-namespace trc {
+namespace trc::support {
 namespace {
-
-std::vector<Diagnostic> diagnostics_of(std::string_view program,
-                                       const ProgramSessionSetup& setup = {},
-                                       std::size_t cut = 1000) {
-  ProgramSession session(setup);
-  Answers out;
-  for (std::size_t at = 0; at < program.size(); at += cut)
-    if (!session.feed(program.substr(at, cut), out)) break;
-  session.finish(out);
-  return out.take().diagnostics;
-}
 
 // A slot 8 mm, then one 0.3 inch wide, both too narrow; the path is known blocks later.
 constexpr std::string_view two_units =
@@ -32,8 +21,8 @@ constexpr std::string_view two_units =
     "N180 G71\nN190 M30\n";
 
 TEST(DiagnosticUnit, IsThatOfItsLineAlsoWhereTheProgramHasGoneOn) {
-  for (const std::size_t cut : {std::size_t{1}, std::size_t{30}, two_units.size()}) {
-    const std::vector<Diagnostic> found = diagnostics_of(two_units, {}, cut);
+  for (const std::size_t piece : {1U, 30U, 0U}) {
+    const std::vector<Diagnostic> found = to_text(two_units, {}, piece).diagnostics;
     ASSERT_FALSE(found.empty());
     bool mm = false;
     bool inch = false;
@@ -51,7 +40,7 @@ TEST(DiagnosticUnit, IsThatOfItsLineAlsoWhereTheProgramHasGoneOn) {
 TEST(DiagnosticUnit, IsThatOfTheSetupBeforeTheProgramSays) {
   ProgramSessionSetup setup;
   setup.session.program.inch = true;
-  const auto found = diagnostics_of("N10 G02 X1 Y0 I0.2 J2 F10\nN20 M30\n", setup);
+  const auto found = to_text("N10 G02 X1 Y0 I0.2 J2 F10\nN20 M30\n", setup).diagnostics;
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].code, Code::circle_center_misfit);
   EXPECT_NE(message_of(found[0]).find("start radius 2.0100 in"), std::string::npos)
@@ -59,12 +48,12 @@ TEST(DiagnosticUnit, IsThatOfTheSetupBeforeTheProgramSays) {
   EXPECT_EQ(found[0].detail, "I0.2 J2, X0 Y0 → X1 Y0");
 }
 
-// A circle whose words do not fit together is told with them.
+// The diagnostic of a circle whose words do not fit together has their values.
 TEST(DiagnosticWords, AreThoseOfTheCircle) {
   const auto detail_of = [](const std::string& text, DialectName dialect) {
     ProgramSessionSetup setup;
     setup.session.program.dialect = dialect;
-    const auto found = diagnostics_of(text, setup);
+    const auto found = to_text(text, setup).diagnostics;
     return found.empty() ? std::string() : found[0].detail;
   };
   using enum DialectName;
@@ -83,7 +72,7 @@ TEST(DiagnosticUnit, IsInchUnderG20OfFanucFromItsLineOn) {
   ProgramSessionSetup setup;
   setup.session.program.dialect = DialectName::fanuc;
   const auto found =
-      diagnostics_of("N10 G0 X0 Y0\nN20 G20\nN30 G02 X1 Y0 I0.2 J2 F10\nN40 M30\n", setup);
+      to_text("N10 G0 X0 Y0\nN20 G20\nN30 G02 X1 Y0 I0.2 J2 F10\nN40 M30\n", setup).diagnostics;
   ASSERT_EQ(found.size(), 1U);
   EXPECT_NE(message_of(found[0]).find("2.0100 in"), std::string::npos) << message_of(found[0]);
 }
@@ -91,7 +80,7 @@ TEST(DiagnosticUnit, IsInchUnderG20OfFanucFromItsLineOn) {
 TEST(DiagnosticLanguage, IsThatOfTheSetup) {
   ProgramSessionSetup setup;
   setup.session.language = Language::german;
-  const auto found = diagnostics_of("N10 G1 X10,5\n", setup);
+  const auto found = to_text("N10 G1 X10,5\n", setup).diagnostics;
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].language, Language::german);
   EXPECT_EQ(help_of(found[0], found[0].language), "Dezimalpunkt statt Komma schreiben: X10.5.");
@@ -102,7 +91,7 @@ TEST(DiagnosticWords, AreThoseOfTheDialect) {
     ProgramSessionSetup setup;
     setup.session.program.dialect = dialect;
     setup.session.program.mode.tool_radius = 6;
-    const auto found = diagnostics_of(program, setup);
+    const auto found = to_text(program, setup).diagnostics;
     return found.empty() ? std::string() : help_of(found.back(), found.back().language);
   };
   // A slot 9 mm wide.
@@ -123,4 +112,4 @@ TEST(DiagnosticWords, AreThoseOfTheDialect) {
 }
 
 }  // namespace
-}  // namespace trc
+}  // namespace trc::support

@@ -10,11 +10,11 @@
 
 #include "core/geometry/segment.h"
 #include "core/nc/text/number_format.h"
-#include "tests/session/run_program.h"
+#include "tests/support/program_run.h"
 
 // What a refusal at the approach or the retract proposes instead.
 
-namespace trc::testing {
+namespace trc::support {
 namespace {
 
 std::string text_of(const DiagnosticPoint& point) {
@@ -161,7 +161,7 @@ TEST(EntryHelp, FindsAStartOnTheToolSideForG238) {
   EXPECT_LT(help.legal->y, -10 - 1e-3);
 }
 
-// Over the tool side, where G138 wants a line.
+// From the tool side, where G138 needs a line.
 TEST(EntryHelp, ProposesALineInPlaceOfACircularApproach) {
   const auto [code, help] =
       refused("G0 X0 Y4 F1000\nV.G.WZ_AKT.R=3\nG41 G2 X20 Y0 I10 J-2\nM8\nG1 X40\nG40 X60\nM30\n");
@@ -254,20 +254,20 @@ TEST(EntryHelp, ReplacesLeadsTheToolDoesNotFitInto) {
   EXPECT_EQ(text_of(one.help.proposals[0]), quarter);
   EXPECT_EQ(one.help.replaced, 1U);
   EXPECT_EQ(one.help.left_out, 0U);
-  // Put in.
+  // The program takes the way in that is proposed.
   const std::string large_in = "G0 X0 Y-30\nG41 G1 X-20\nG3 X0 Y-50 I20";
-  EXPECT_TRUE(to_blocks(pocket(large_in, large_out)).completed);
-  // The way out is as small: it has to go with it.
+  EXPECT_FALSE(to_blocks(pocket(large_in, large_out)).stopped);
+  // A way out that is as small has to be replaced as well.
   const auto both = refused(pocket(small_in, small_out));
   ASSERT_EQ(both.help.proposals.size(), 1U);
   EXPECT_EQ(text_of(both.help.proposals[0]), quarter);
   EXPECT_EQ(both.help.left_out, 1U);
-  EXPECT_TRUE(to_blocks(pocket(large_in, "G40 G1 X0 Y-30")).completed);
-  // Where the way in is well, another one is no help.
+  EXPECT_FALSE(to_blocks(pocket(large_in, "G40 G1 X0 Y-30")).stopped);
+  // Where the way in is sound, no other one is proposed.
   EXPECT_TRUE(refused(pocket(large_in, small_out)).help.proposals.empty());
 }
 
-// What comes down in a lead that is replaced comes down all the same.
+// Where the lead that is replaced came down, the proposed way comes down as far.
 TEST(EntryHelp, KeepsTheHeightAtWhichTheContourBegins) {
   const auto [code, help] = refused(
       pocket("G0 X0 Y-46 Z5\nG41 G1 X-4 Z2\nG3 X0 Y-50 I4 Z-3", "G3 X20 Y-30 J20\nG40 G1 X0 Z5"));
@@ -293,14 +293,14 @@ TEST(EntryHelp, ProposesG238WhereTheContourBeginsInAnInsideCorner) {
     ASSERT_FALSE(run.diagnostics.empty());
     const Diagnostic& told = run.diagnostics.back();
     EXPECT_EQ(told.code, Code::clearance_violated);
-    EXPECT_EQ(run.completed, verify == Verify::report);
+    EXPECT_EQ(run.stopped, verify != Verify::report);
     ASSERT_TRUE(told.entry_help);
     ASSERT_EQ(told.entry_help->proposals.size(), 1U);
     EXPECT_EQ(told.entry_help->proposals[0].shape, EntryProposal::Shape::inside_corner);
     EXPECT_EQ(text_of(told.entry_help->proposals[0]), "from 20.000 20.000: to 0.000 0.000;");
-    // Put in.
+    // The program takes what is proposed.
     const ProgramRun sound = to_blocks(with_g238(square_from_corner), setup);
-    EXPECT_TRUE(sound.completed);
+    EXPECT_FALSE(sound.stopped);
     EXPECT_TRUE(sound.diagnostics.empty());
   }
 }
@@ -323,10 +323,10 @@ TEST(EntryHelp, ProposesG238WhereLoopsAreRemoved) {
   EXPECT_EQ(code, 90019);
   ASSERT_EQ(help.proposals.size(), 1U);
   EXPECT_EQ(help.proposals[0].shape, EntryProposal::Shape::inside_corner);
-  EXPECT_TRUE(to_blocks(removing + with_g238(square_from_corner)).completed);
+  EXPECT_FALSE(to_blocks(removing + with_g238(square_from_corner)).stopped);
 }
 
-// Random pockets, begun in a corner: put in, the proposal is accepted, and measured to be clear.
+// Random pockets, begun in a corner: with the proposal the program is accepted and measured clear.
 TEST(EntryHelp, ProposesG238ThatIsClearEverywhere) {
   std::mt19937_64 random(48);
   const auto between = [&](double low, double high) {
@@ -360,27 +360,28 @@ TEST(EntryHelp, ProposesG238ThatIsClearEverywhere) {
     const std::string given = program("G138", place(between(-9, 9), between(-9, 9)));
     SCOPED_TRACE("round " + std::to_string(round) + "\n" + given);
     const ProgramRun run = to_blocks(given, setup);
-    if (run.completed || !run.diagnostics.back().entry_help) continue;
+    if (!run.stopped || !run.diagnostics.back().entry_help) continue;
     const auto& proposals = run.diagnostics.back().entry_help->proposals;
     ASSERT_EQ(proposals.size(), 1U);
     ASSERT_EQ(proposals[0].shape, EntryProposal::Shape::inside_corner);
     ++helped;
     const DiagnosticPoint& start = proposals[0].start;
-    EXPECT_TRUE(to_blocks(program("G238", place(start.x, start.y)), setup).completed);
+    EXPECT_FALSE(to_blocks(program("G238", place(start.x, start.y)), setup).stopped);
   }
   EXPECT_GT(helped, rounds / 2);
 }
 
-// Elsewhere another way in is no help.
+// A bottleneck far from the entry is no matter of the way in.
 TEST(EntryHelp, ProposesG238NowhereElse) {
   const std::string narrow =
       "G0 X20 Y4 F1000\nV.G.WZ_AKT.R=5\nG138\nG41 G1 X20 Y0\nX50\nY8\nX0\nY0\nX20\nG40 X20 Y4\n"
       "M30\n";
   const ProgramRun run = to_blocks(narrow, {.session = {.verify = Verify::report}});
+  ASSERT_FALSE(run.diagnostics.empty());
   for (const Diagnostic& told : run.diagnostics) EXPECT_FALSE(told.entry_help);
 }
 
-// What is accepted, or refused for another reason, says nothing of entries.
+// Programs that are accepted, or refused for another reason, get no help with entries.
 TEST(EntryHelp, IsGivenToNothingElse) {
   const ProgramRun run =
       to_blocks("G0 X-30 Y0 F1000\nV.G.WZ_AKT.R=10\nG41 G1 X0\nX50\nX55 Y5\nY50\nG40 Y80\nM30\n");
@@ -400,4 +401,4 @@ TEST(EntryHelp, IsNotThatOfACircleUnderG238) {
 }
 
 }  // namespace
-}  // namespace trc::testing
+}  // namespace trc::support

@@ -2,14 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/session/run_program.h"
+#include "tests/support/program_run.h"
 
-namespace trc::testing {
+namespace trc::support {
 namespace {
 
 std::string output(std::string_view program, int decimals = 4) {
   const ProgramRun run = to_text(program, with_decimals(decimals));
-  EXPECT_TRUE(run.completed) << run.reports();
+  EXPECT_FALSE(run.stopped) << run.codes();
   return run.text;
 }
 
@@ -36,7 +36,7 @@ TEST(UntouchedLines, ComeOutByteForByte) {
       "what follows the end (also G41 here) stays as it is\n"
       "\n"
       "even without a line end";
-  EXPECT_FALSE(to_text(program).completed);
+  EXPECT_TRUE(to_text(program).stopped);
   EXPECT_EQ(output(accepted), accepted);
 }
 
@@ -285,7 +285,7 @@ TEST(Refusals, WhatWasCertainIsWrittenAndNothingAfter) {
   const std::string program = "N10 G0 X0 Y0\nN20 G1 X10 F100\nN30 G1 X20\nN40 QQ\nN50 X30\n";
   for (const std::size_t cut : {0U, 1U, 2U, 5U, 11U}) {
     const ProgramRun run = to_text(program, {}, cut);
-    EXPECT_FALSE(run.completed);
+    EXPECT_TRUE(run.stopped);
     EXPECT_EQ(run.text, "N10 G0 X0 Y0\nN20 G1 X10 F100\nN30 G1 X20\n") << cut;
     ASSERT_EQ(run.diagnostics.size(), 1U);
     EXPECT_EQ(run.diagnostics[0].source.line, 4U);
@@ -296,7 +296,7 @@ TEST(Refusals, BinaryBehindTheProgramEnd) {
   const std::string program = "G0 X0\nM30\ntext\nmore \xFF\nlast\n";
   for (const std::size_t cut : {0U, 1U, 4U, 9U}) {
     const ProgramRun run = to_text(program, {}, cut);
-    EXPECT_FALSE(run.completed);
+    EXPECT_TRUE(run.stopped);
     EXPECT_EQ(run.text, "G0 X0\nM30\ntext\n") << cut;
   }
 }
@@ -308,13 +308,13 @@ TEST(Refusals, OrderOfDiagnosticsIsThatOfTheProgram) {
       "G0 X0 Y0\nV.G.WZ_AKT.R=10\n#TRC[STRETCH_FACTOR=20]\nG41 G1 X0 Y20 F100\nX50\nX55 Y25\n"
       "Y70\nG40 X0\nQQ\n";
   for (const std::size_t cut : {0U, 1U, 3U, 64U})
-    EXPECT_EQ(to_text(program, {}, cut).reports(), "22007 at line 3; 90019 at line 6") << cut;
+    EXPECT_EQ(to_text(program, {}, cut).codes(), "22007 at line 3; 90019 at line 6") << cut;
 }
 
 TEST(Refusals, DecimalsOutOfRange) {
   for (const int decimals : {-1, 9}) {
     const ProgramRun run = to_text("G0 X1\n", with_decimals(decimals));
-    EXPECT_FALSE(run.completed);
+    EXPECT_TRUE(run.stopped);
     EXPECT_EQ(run.text, "");
     ASSERT_EQ(run.diagnostics.size(), 1U);
     EXPECT_EQ(run.diagnostics[0].code, Code::field_invalid);
@@ -354,4 +354,4 @@ TEST(Memory, TextBetweenTwoBlocksOfAContourIsLimited) {
 }
 
 }  // namespace
-}  // namespace trc::testing
+}  // namespace trc::support

@@ -8,7 +8,7 @@
 #include "core/nc/text/number_format.h"
 #include "tests/support/random.h"
 
-namespace trc::testing {
+namespace trc::support {
 namespace {
 
 constexpr int program_decimals = 3;
@@ -216,4 +216,4 @@ std::string random_program(std::uint64_t seed, bool compensated) {
   return Generator(seed, compensated).program();
 }
 
-}  // namespace trc::testing
+}  // namespace trc::support

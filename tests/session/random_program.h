@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-namespace trc::testing {
+namespace trc::support {
 
 // A program of motions in every spelling the reader knows: planes, G90 and G91,
 // G161 and G162, mm and inch, arcs and full circles, third axis and tracking
@@ -13,4 +13,4 @@ namespace trc::testing {
 // G41 or G42 with radii small against the contour; a few are refused all the same.
 [[nodiscard]] std::string random_program(std::uint64_t seed, bool compensated);
 
-}  // namespace trc::testing
+}  // namespace trc::support

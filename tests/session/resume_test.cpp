@@ -3,9 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <random>
 #include <sstream>
 #include <string>
@@ -16,9 +14,9 @@
 #include "core/session/program_session.h"
 #include "tests/session/random_program.h"
 #include "tests/support/expectation.h"
-#include "tests/support/places.h"
+#include "tests/support/files.h"
 
-namespace trc::testing {
+namespace trc::support {
 namespace {
 
 namespace fs = std::filesystem;
@@ -103,21 +101,13 @@ void expect_resumable(ProgramSessionSetup setup, std::string_view text, std::siz
   }
 }
 
-std::string read_file(const fs::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
-}
-
 TEST(ResumedSession, GivesThePathOfTheWorkedExamples) {
   std::size_t programs = 0;
   for (const char* folder : {"good", "bad"}) {
-    for (const auto& entry : fs::directory_iterator(fs::path(testing_support::source_dir()) /
-                                                    "tests" / "programs" / folder)) {
-      if (entry.path().extension() != ".nc") continue;
-      SCOPED_TRACE(entry.path().filename().string());
-      const std::string text = read_file(entry.path());
-      expect_resumable(support::read_setup(text), text, 40);
+    for (const fs::path& program : testing_support::nc_programs_in(folder)) {
+      SCOPED_TRACE(program.filename().string());
+      const std::string text = testing_support::content_of(program);
+      expect_resumable(read_setup(text), text, 40);
       ++programs;
     }
   }
@@ -196,4 +186,4 @@ TEST(ResumedSession, WhatIsNoStateIsRefused) {
 }
 
 }  // namespace
-}  // namespace trc::testing
+}  // namespace trc::support

@@ -8,23 +8,23 @@
 #include <string>
 
 #include "core/nc/text/number_format.h"
-#include "tests/session/run_program.h"
+#include "tests/support/program_run.h"
 
-namespace trc::testing {
+namespace trc::support {
 namespace {
 
 // The path behind `G0` to the start: one line a block, without numbers and feeds.
 std::string path_of(const std::string& program, const std::string& reports = "") {
   const ProgramRun run = to_blocks(program);
-  EXPECT_TRUE(run.completed) << run.reports();
-  EXPECT_EQ(run.reports(), reports);
+  EXPECT_FALSE(run.stopped) << run.codes();
+  EXPECT_EQ(run.codes(), reports);
   std::string path;
   for (const CompensatedBlock& block : run.blocks) {
     if (block.origin == Origin::passthrough || block.origin == Origin::uncompensated) continue;
     CompensatedBlock bare = block;
     bare.source = {};
     bare.feed = 0;
-    path += ProgramRun{.blocks = {bare}}.listing();
+    path += listing_of({bare});
   }
   return path;
 }
@@ -85,9 +85,9 @@ TEST(SelectionBlock, MayBeCircularWhereItsModeSaysSo) {
             "- programmed line 20.0000 22.0000 0.0000 -> 40.0000 22.0000 0.0000\n"
             "- retract line 40.0000 22.0000 0.0000 -> 40.0000 20.0000 0.0000\n");
   for (const char* mode : {"G138", "G139", "G238", "G239"})
-    EXPECT_EQ(to_blocks(program("X0 Y0", mode, in)).reports(), "90008 at line 4") << mode;
+    EXPECT_EQ(to_blocks(program("X0 Y0", mode, in)).codes(), "90008 at line 4") << mode;
   for (const char* mode : {"G138", "G139", "G238"})
-    EXPECT_EQ(to_blocks(program("X0 Y20", mode, out)).reports(), "900203 at line 6") << mode;
+    EXPECT_EQ(to_blocks(program("X0 Y20", mode, out)).codes(), "900203 at line 6") << mode;
 }
 
 // The mirror image of the entry at 63.43 degrees: where the equidistant meets the block of
@@ -128,7 +128,7 @@ TEST(TangentialLimit, MarksJointsUpToItsAngle) {
   const auto marks = [](const std::string& limit, const std::string& contour) {
     const ProgramRun run =
         to_blocks("G0 X0 Y0 F100\nG26 V.G.WZ_AKT.R=5\n" + limit + "G41 G1 X20\nX60\n" + contour);
-    EXPECT_TRUE(run.completed) << run.reports();
+    EXPECT_FALSE(run.stopped) << run.codes();
     std::string text;
     for (const CompensatedBlock& block : run.blocks)
       if (block.origin == Origin::programmed || block.origin == Origin::transition)
@@ -227,7 +227,7 @@ TEST(RadiusChange, IsTheSameByAToolWordAndByTheVariable) {
   const auto path = [](const std::vector<CompensatedBlock>& blocks) {
     std::string text;
     for (const CompensatedBlock& block : blocks)
-      if (block.origin != Origin::passthrough) text += ProgramRun{.blocks = {block}}.listing();
+      if (block.origin != Origin::passthrough) text += listing_of({block});
     return text;
   };
   EXPECT_FALSE(path(by_word).empty());
@@ -293,7 +293,7 @@ TEST(OtherAxes, TravelWithTheirBlock) {  // D-26
   const ProgramRun run = to_blocks(
       "G0 X0 Y0 Z0 A0 F100\nG26 V.G.WZ_AKT.R=5\n#TRC[SPLIT_PATH DIST_SEG1=5 FEED_SEG1=50]\n"
       "G41 G1 X0 Y25 Z-10 A20\nX40 Z-20 A50\nY-30 Z-30 A80\nG40 Y-50 Z0 A0\nM30\n");
-  ASSERT_TRUE(run.completed) << run.reports();
+  ASSERT_FALSE(run.stopped) << run.codes();
   std::string text;
   for (const CompensatedBlock& block : run.blocks) {
     if (block.origin == Origin::passthrough) continue;
@@ -314,7 +314,7 @@ TEST(InsertedBlocks, HaveTheProgrammedFeedUnderG11) {
         "G0 X0 Y0\nV.G.WZ_AKT.R=5\n" + std::string(head) +
         "\nN1 G41 G1 X20 F600\nN2 X60\nN3 Y-30 F300\nN4 G2 X50 Y-40 I-10\nN5 G1 X20 F600\n"
         "N6 G2 X10 Y-30 J10\nV.G.WZ_AKT.R=6\nN7 G1 Y-20\nN8 G40 Y-10\nM30\n");
-    ASSERT_TRUE(run.completed) << run.reports();
+    ASSERT_FALSE(run.stopped) << run.codes();
     std::size_t inserted = 0;
     for (const CompensatedBlock& block : run.blocks) {
       const std::int64_t line = block.source.number;
@@ -357,11 +357,11 @@ TEST(ContourMaskingFunction, DoesNotSwitchKerfMasking) {
   EXPECT_EQ(path_of(program_of("X0 Y0", "G141", notch)), expected);
 }
 
-// Whichever rule holds a selection back, the limit it passes is named.
+// Every rule that holds a selection back names the limit that it passes.
 TEST(SelectionTooLong, NamesItsLimit) {  // 900212
   const std::string contour = "G41 G1 X10\nX20\nX30\nX40\nX50\nG40 X60";
   for (const char* held_by : {"G238", "G141", "G141\n#TRC[REMOVE_MASKED_BLOCKS=1]", ""}) {
-    // A verification that cannot hold it either does not say so once more.
+    // Verification cannot hold it either, and does not report that a second time.
     for (const Verify verify : {Verify::off, Verify::report, Verify::enforce}) {
       ProgramSessionSetup setup;
       setup.session.verify = verify;
@@ -414,4 +414,4 @@ TEST(PublishedValues, ComeWithTheirMessage) {
 }
 
 }  // namespace
-}  // namespace trc::testing
+}  // namespace trc::support

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <string>
 
-#include "tests/session/run_program.h"
+#include "tests/support/program_run.h"
 
-namespace trc::testing {
+namespace trc::support {
 namespace {
 
 // Selections of one block each, on and off without a motion (G237), up to the very end: each is
@@ -17,12 +17,12 @@ TEST(SelectionsInARow, NoneIsLostWithTheEndOfTheProgram) {
     selections += "N" + std::to_string(100 * i) + " G41 G01 X" + std::to_string(50 * i) + "\nN" +
                   std::to_string(100 * i + 50) + " G40\n";
   const ProgramRun plain = to_blocks(head + "G140\n" + selections + "M30\n");
-  ASSERT_TRUE(plain.completed) << plain.reports();
+  ASSERT_FALSE(plain.stopped) << plain.codes();
   for (const char* options :
        {"REMOVE_MASKED_BLOCKS=1", "REMOVE_MASKED_BLOCKS=1 KERF_MASKING=1", "KERF_MASKING=1"}) {
     const ProgramRun masked =
         to_blocks(head + "#TRC [" + options + "]\nG141\n" + selections + "M30\n");
-    ASSERT_TRUE(masked.completed) << masked.reports();
+    ASSERT_FALSE(masked.stopped) << masked.codes();
     EXPECT_EQ(masked.listing(), plain.listing()) << options;
   }
 }
@@ -41,20 +41,20 @@ TEST(SelectionsInARow, NothingFollowsOneWhoseVerificationFails) {
                std::to_string(200 + 30 * (i % 2)) + "\n";
   program += "N170 G40 X" + std::to_string(100 * blocks) + " Y400\nM30\n";
   const ProgramRun unmeasured = to_blocks(program);
-  ASSERT_TRUE(unmeasured.completed) << unmeasured.reports();
+  ASSERT_FALSE(unmeasured.stopped) << unmeasured.codes();
   ASSERT_GT(unmeasured.blocks.size(), static_cast<std::size_t>(blocks));
 
   ProgramSessionSetup setup;
   setup.session.verify = Verify::enforce;
   const ProgramRun measured = to_blocks(program, setup);
-  EXPECT_FALSE(measured.completed);
-  EXPECT_NE(measured.reports().find("900216"), std::string::npos) << measured.reports();
+  EXPECT_TRUE(measured.stopped);
+  EXPECT_NE(measured.codes().find("900216"), std::string::npos) << measured.codes();
   constexpr std::size_t one_portion = 1024;
   EXPECT_LT(measured.blocks.size(), one_portion);
 }
 
-// Which blocks of a contour are leads says nothing of the next one, of which a window lets go
-// before all of it is known.
+// Which blocks of one contour are leads must not carry over to the next one, which a window
+// releases before all of it is known.
 TEST(SelectionsInARow, LeadsOfOneAreNotThoseOfTheNext) {
   ProgramSessionSetup setup;
   setup.session.compensator.limits.look_ahead_blocks = 8;
@@ -67,9 +67,9 @@ TEST(SelectionsInARow, LeadsOfOneAreNotThoseOfTheNext) {
   next += "G40 X200 Y20\nM30\n";
   for (const std::string& before : {std::string(), one}) {
     const ProgramRun run = to_blocks(head + before + next, setup);
-    ASSERT_TRUE(run.completed) << run.reports();
+    ASSERT_FALSE(run.stopped) << run.codes();
     const auto told = std::ranges::find(run.diagnostics, Code::blocks_masked, &Diagnostic::code);
-    ASSERT_NE(told, run.diagnostics.end()) << run.reports();
+    ASSERT_NE(told, run.diagnostics.end()) << run.codes();
     const auto length = std::ranges::find(told->values, "left_out_length", &DiagnosticValue::name);
     ASSERT_NE(length, told->values.end());
     EXPECT_NEAR(length->value, 5, 1e-9);
@@ -85,9 +85,9 @@ TEST(MaskedLeads, LeaveOutNoLength) {
   for (const std::uint64_t leads : {0U, 4U}) {
     setup.session.compensator.leads = {.find = LeadSettings::Find::counted, .blocks_in = leads};
     const ProgramRun run = to_blocks(program, setup);
-    ASSERT_TRUE(run.completed) << run.reports();
+    ASSERT_FALSE(run.stopped) << run.codes();
     const auto told = std::ranges::find(run.diagnostics, Code::blocks_masked, &Diagnostic::code);
-    ASSERT_NE(told, run.diagnostics.end()) << run.reports();
+    ASSERT_NE(told, run.diagnostics.end()) << run.codes();
     const bool says_length = std::ranges::find(told->values, "left_out_length",
                                                &DiagnosticValue::name) != told->values.end();
     EXPECT_EQ(says_length, leads == 0) << message_of(*told);
@@ -95,4 +95,4 @@ TEST(MaskedLeads, LeaveOutNoLength) {
 }
 
 }  // namespace
-}  // namespace trc::testing
+}  // namespace trc::support

@@ -7,16 +7,16 @@
 #include <string>
 
 #include "tests/session/random_program.h"
-#include "tests/session/run_program.h"
+#include "tests/support/program_run.h"
 #include "tests/support/random.h"
 
-namespace trc::testing {
+namespace trc::support {
 namespace {
 
 constexpr std::uint64_t spellings = 2'000;
 
-// The same program as people and post-processors write it: case, blanks, signs and
-// zeros of numbers, comments, line ends and the byte order mark vary.
+// Spells a program as people and post-processors write it: case, blanks, signs and zeros of
+// numbers, comments, line ends and the byte order mark vary.
 class Speller {
  public:
   explicit Speller(std::uint64_t seed) : random_(seed) {
@@ -84,15 +84,15 @@ TEST(ProgramWithoutCompensation, ComesOutByteForByteHoweverItIsSpelt) {
     const std::string program = Speller(seed).spell(random_program(seed, false));
     SCOPED_TRACE("seed " + std::to_string(seed));
     const ProgramRun run = to_text(program, {}, seed % 40);
-    ASSERT_TRUE(run.completed) << run.reports() << '\n' << program;
-    // Random centres may be corrected by more than is left untold (D-41).
+    ASSERT_FALSE(run.stopped) << run.codes() << '\n' << program;
+    // Random centres may be off by so much that their correction is told (D-41).
     for (const Diagnostic& reported : run.diagnostics)
-      ASSERT_EQ(reported.code, Code::center_corrected) << run.reports();
+      ASSERT_EQ(reported.code, Code::center_corrected) << run.codes();
     ASSERT_EQ(run.text, program);
   }
 }
 
-// Decimals of the output concern only what is written anew.
+// The decimals of the output apply to lines that are written anew, and to no others.
 TEST(ProgramWithoutCompensation, KeepsItsDigitsWithFewDecimals) {
   ProgramSessionSetup setup;
   setup.session.program.decimals = 1;
@@ -102,7 +102,7 @@ TEST(ProgramWithoutCompensation, KeepsItsDigitsWithFewDecimals) {
   }
 }
 
-// What lies before, between and behind two selections is not touched by them.
+// Lines before, between and behind two selections stay as they are written.
 TEST(ProgramWithoutCompensation, ItsLinesStayAlsoBesideASelection) {
   const std::string selection = "V.G.WZ_AKT.R=1\nG139 G41 G1 X10 Y0\nX50\nG40 X60 Y5\n";
   const std::string resolved = "G01 X10 Y1\nG01 X50 Y1\nG01 X60 Y5\n";
@@ -114,4 +114,4 @@ TEST(ProgramWithoutCompensation, ItsLinesStayAlsoBesideASelection) {
 }
 
 }  // namespace
-}  // namespace trc::testing
+}  // namespace trc::support

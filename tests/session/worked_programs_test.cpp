@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/session/run_program.h"
+#include "tests/support/program_run.h"
 
-namespace trc::testing {
+namespace trc::support {
 namespace {
 
 // T-01, as the reference manual prints it.
@@ -21,7 +21,7 @@ TEST(WorkedPrograms, WithoutBlockThenBothAxes) {
       "N080 G40 (Deselect TRC without block)\n"
       "N100 G00 X150 Y0\n"
       "N110 M30\n");
-  EXPECT_TRUE(run.completed) << run.reports();
+  EXPECT_FALSE(run.stopped) << run.codes();
   EXPECT_EQ(run.text,
             "%G239_Demo1.nc\n"
             "N010 G0 X0 Y0 Z0 F1000\n"
@@ -48,7 +48,7 @@ TEST(WorkedPrograms, WithoutBlockThenOneAxis) {
       "N090 G00 X150\n"
       "N100 G00 X200\n"
       "N110 M30\n");
-  EXPECT_TRUE(run.completed) << run.reports();
+  EXPECT_FALSE(run.stopped) << run.codes();
   EXPECT_EQ(run.text,
             "N010 G0 X0 Y0 Z0 F1000\n"
             "N040 G01 X30 Y30\n"
@@ -102,8 +102,8 @@ TEST(WorkedPrograms, ArcAfterDeselectionWithoutBlock) {
       "N070 G40\n"
       "N080 G02 X140 Y-30 J-50\n"
       "N100 G00 X200\n");
-  EXPECT_FALSE(run.completed);
-  EXPECT_EQ(run.reports(), "20035 at line 9");
+  EXPECT_TRUE(run.stopped);
+  EXPECT_EQ(run.codes(), "20035 at line 9");
 }
 
 std::string stretched(const std::string& factor, const std::string& transition = "G25") {
@@ -153,7 +153,7 @@ TEST(WorkedPrograms, StretchFactorOutOfRangeIsOne) {
   for (const char* factor : {"0", "10"}) {
     const ProgramRun run = to_text(stretched(factor));
     EXPECT_EQ(run.text, to_text(stretched("1")).text);
-    EXPECT_EQ(run.reports(), "22007 at line 3");
+    EXPECT_EQ(run.codes(), "22007 at line 3");
   }
 }
 
@@ -174,4 +174,4 @@ TEST(WorkedPrograms, SharpCornerWithCircularTransition) {
 }
 
 }  // namespace
-}  // namespace trc::testing
+}  // namespace trc::support

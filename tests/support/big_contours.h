@@ -28,7 +28,7 @@ inline constexpr BigShape all_big_shapes[] = {BigShape::wave,         BigShape::
 // About `blocks` blocks, for a tool of about 1 mm.
 [[nodiscard]] std::vector<Segment> big_contour(BigShape shape, std::size_t blocks);
 
-// The same closed contour, from the middle of its block `first` on.
+// The closed contour, begun in the middle of its block `first`.
 [[nodiscard]] std::vector<Segment> begun_within(const std::vector<Segment>& contour,
                                                 std::size_t first);
 

@@ -14,7 +14,7 @@ namespace trc::support {
 
 using Context = std::remove_pointer_t<GEOSContextHandle_t>;
 
-// Geometries of one GEOS context, each let go of at its end.
+// Geometries of one GEOS context, each freed at its end.
 class Geos {
  public:
   using Geometry = std::unique_ptr<GEOSGeometry, std::function<void(GEOSGeometry*)>>;

@@ -142,7 +142,7 @@ bool is_straight_at_start(const CamContour& contour) {
          std::abs(cross(tangent_at_end(last), tangent_at_start(first))) < 1e-9;
 }
 
-// The same contour with its outside corners rounded: what a finishing lap takes off.
+// The contour with its outside corners rounded: what a finishing lap takes off.
 std::vector<Segment> rounded(const std::vector<Segment>& ring, double radius) {
   std::vector<Segment> blocks;
   Point begin = start_of(ring.front());

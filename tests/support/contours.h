@@ -39,8 +39,8 @@ inline constexpr Flavor all_flavors[] = {Flavor::mixed,        Flavor::lines, Fl
 [[nodiscard]] Contour random_contour(Random& random, Flavor flavor, const TrcMode& mode,
                                      std::size_t longest);
 
-// The same, without any contour violation of rule 6 as the slow
-// computation (slow_trc.h) sees it: blocks that bring one in are left out.
+// A random contour without contour violations of rule 6 as the slow computation (slow_trc.h) sees
+// them: blocks that would bring one in are left out.
 [[nodiscard]] Contour random_clean_contour(Random& random, Flavor flavor, const TrcMode& mode,
                                            std::size_t longest);
 

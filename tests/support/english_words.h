@@ -10,7 +10,7 @@
 namespace trc::support {
 
 // The first word of a diagnostic's German text that only English has; empty: none. Words of
-// programs are written in capitals, names and settings with a line below.
+// programs are written in capitals, names and settings with underscores.
 [[nodiscard]] inline std::string english_word_in_german(const Diagnostic& diagnostic) {
   constexpr auto english = std::to_array<std::string_view>(
       {"the",     "or",      "of",      "with",  "without", "not",  "has",     "have",  "perhaps",

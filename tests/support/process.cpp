@@ -98,12 +98,6 @@ std::vector<std::string> Folder::names() const {
   return names;
 }
 
-std::string content_of(const std::string& path) {
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
-}
-
 Ended run(const std::vector<std::string>& command, const std::string& input) {
   const Folder folder;
   const Streams streams{

@@ -6,17 +6,19 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/files.h"
+
 namespace trc::testing_support {
 
-// False where a checker keeps what is freed and takes several times the memory itself.
+// Whether memory in use says anything: a sanitizer keeps freed memory and needs a multiple itself.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 inline constexpr bool memory_tells = false;
 #else
 inline constexpr bool memory_tells = true;
 #endif
 
-// How much longer what is checked may take: ThreadSanitizer looks at all symbols for each race that
-// it is told to ignore, and there are thousands in a long answer.
+// How much longer a run under a sanitizer may take: ThreadSanitizer looks at all symbols for each
+// race that it is told to ignore, and a long answer has thousands of them.
 #if defined(__SANITIZE_THREAD__)
 inline constexpr int times_slower = 20;
 #elif defined(__SANITIZE_ADDRESS__)
@@ -39,7 +41,7 @@ struct Ended {
 // Runs a program to its end.
 Ended run(const std::vector<std::string>& command, const std::string& input = "");
 
-// A file in a folder of its own that goes with this object.
+// A folder of its own, deleted with this object.
 class Folder {
  public:
   Folder();
@@ -55,14 +57,12 @@ class Folder {
   std::string path_;
 };
 
-[[nodiscard]] std::string content_of(const std::string& path);
-
 // All that comes back to `request` before the connection is closed.
 [[nodiscard]] std::string http_answer(const std::string& address, const std::string& request);
 // The body of the answer to GET; empty when there is none.
 [[nodiscard]] std::string http_get(const std::string& address, const std::string& path);
 
-// A program on its way. It is killed with this object.
+// A running program. It is killed with this object.
 class Process {
  public:
   // `most_descriptors`: what it may open; 0: as many as this process.

@@ -180,7 +180,7 @@ void Channel::pass(const std::string& text, std::size_t ordinal) {
 }
 
 Outcome Channel::finish(std::size_t ordinal) {
-  // Also where an item was refused: that is told then.
+  // An item that was refused is told by this call too.
   running_ = session_.advance(answers_) && running_;
   if (running_) running_ = session_.finish(place(ordinal), answers_);
   outcome_.stopped = session_.diagnostics().stopped();

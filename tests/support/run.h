@@ -102,12 +102,12 @@ struct Feeding {
 [[nodiscard]] std::string difference(const std::vector<CompensatedBlock>& actual,
                                      const std::vector<SlowBlock>& expected, double tolerance);
 
-// As above, for two results of the core; `map` is applied to `expected` first.
+// The first difference of two results of the core; `map` is applied to `expected` first.
 [[nodiscard]] std::string difference(const std::vector<CompensatedBlock>& actual,
                                      const std::vector<CompensatedBlock>& expected,
                                      const Motion& map, double tolerance);
 
-// As above for the geometry alone, whatever role each block plays.
+// The first difference in geometry; the roles of the blocks may differ.
 [[nodiscard]] std::string geometric_difference(std::vector<CompensatedBlock> actual,
                                                std::vector<SlowBlock> expected, double tolerance);
 

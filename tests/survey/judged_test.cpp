@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/survey/survey.h"
+#include "tests/support/long_run.h"
 #include "tests/support/run.h"
 
 // What a survey says of random contours is what single runs say, bit for bit, and the largest
@@ -18,10 +19,7 @@
 namespace trc::support {
 namespace {
 
-std::size_t scaled(std::size_t count) {
-  const char* value = std::getenv("TRC_TEST_LONG");
-  return value != nullptr && std::string(value) == "1" ? 50 * count : count;
-}
+std::size_t scaled(std::size_t count) { return is_long_run() ? 50 * count : count; }
 
 MoveRequest request_for(const Segment& segment, std::uint64_t index) {
   MoveRequest request{.source = {.index = index, .number = static_cast<std::int64_t>(index)}};

@@ -12,9 +12,12 @@
 #include "core/session/program_session.h"
 #include "core/verify/shape.h"
 #include "tests/support/cam_programs.h"
+#include "tests/support/slot.h"
 
 namespace trc::survey {
 namespace {
+
+using support::slot;
 
 // A pocket of 40 by 30 mm with fillets of 4 mm in its corners, inside. The tool enters and leaves
 // in the middle of a side.
@@ -32,16 +35,6 @@ constexpr std::string_view pocket =
     "N110 G01 X20\n"
     "N120 G40 X20 Y15\n"
     "N130 M30\n";
-
-// A slot of 8 mm between two long walls, open at the left.
-constexpr std::string_view slot =
-    "N10 G90 G17 G00 X-20 Y4\n"
-    "N20 G138 G41 G01 X-10 Y0 F500\n"
-    "N30 X30\n"
-    "N40 Y8\n"
-    "N50 X-10\n"
-    "N60 G40 X-20 Y4\n"
-    "N70 M30\n";
 
 Survey survey_of(std::string_view text, SurveySetup setup = {}) {
   Survey survey(std::move(setup), text_reader(text, {}, {}));
@@ -164,7 +157,7 @@ TEST(Survey, FindsTheTwoWallsThatLimitTheRadius) {
   EXPECT_LE(largest.runs, 20U);
 }
 
-// Of a block at the begin or the end of the contour the corner at its other end takes all.
+// At the first and the last block the corner at the other end takes all of the block.
 TEST(Survey, IsLimitedByTwoBlocksAtTheEndsOfTheContourToo) {
   const std::string pocket_from = "N10 G00 X10 Y10\nN20 G138 G41 G01 X";
   const std::string walls = " Y0 F500\nN30 X20\nN40 Y20\nN50 X0\nN60 Y0\nN70 X";
@@ -289,7 +282,7 @@ TEST(Survey, TellsWhatIsLeftInCorners) {
   EXPECT_NEAR(found.wall_length, 88, 1e-6);
 }
 
-// Half as wide as deep: a tool that does not get in leaves it out, as is asked for.
+// A notch half as wide as deep: KERF_MASKING leaves it out where the tool does not fit.
 TEST(Survey, ANotchThatKerfMaskingFillsIsNotReached) {
   Survey survey = survey_of(
       "N10 G00 X-60 Y0 F1000\n"

@@ -97,7 +97,7 @@ TEST(Gap, AgreesWithManyPointsOnRandomSegments) {
   }
 }
 
-// Rounding may let the ends of a full circle, or of next to no arc, change places.
+// Rounding may swap the ends of a full circle, or of an arc of almost no length.
 TEST(Gap, OfArcsWhoseEndsNearlyMeet) {
   constexpr double little = 1e-13;  // rad
   for (const double off : {-little, 0.0, little}) {
@@ -150,7 +150,7 @@ TEST(Gap, IsZeroWhereSegmentsCross) {
   EXPECT_GT(gap_between(Line{{-20, 5}, {20, 5}}, Arc{{10, 0}, {-10, 0}, {0, 0}, -pi}).distance, 1);
 }
 
-// By rounding they cross in a place that is on neither of them, or on both.
+// Rounding puts the place where they cross on neither of them, or on both.
 TEST(Gap, OfLinesOneBehindTheOtherIsWhatLiesBetweenThem) {
   Chance random(4711);
   for (int i = 0; i < 100'000; ++i) {
@@ -255,7 +255,7 @@ TEST(Clearance, CountsWhatIsTouchedBesideALongMitre) {
   EXPECT_NEAR(report.touched_length, 18, 1e-9);
 }
 
-// Between the corners of a fine polygon the tool leaves less standing than coordinates tell.
+// Between the corners of a fine polygon the tool leaves less material than coordinates resolve.
 TEST(Clearance, CountsAFinePocketAsTouched) {
   constexpr int chords = 1000;
   const double flat = std::cos(pi / chords);

@@ -12,6 +12,7 @@
 
 #include "core/verify/clearance.h"
 #include "tests/support/big_contours.h"
+#include "tests/support/on_circle.h"
 #include "tests/support/random.h"
 #include "tests/support/run.h"
 #include "tests/support/slow_verification.h"
@@ -143,10 +144,6 @@ class Pairs {
   Measured given_;
 };
 
-Point on_circle(double angle, double radius) {
-  return {radius * std::cos(angle), radius * std::sin(angle)};
-}
-
 // Half circles about one centre, ring after ring, with steps between them.
 Pairs rings(std::size_t blocks) {
   Pairs pairs(1);
@@ -155,12 +152,14 @@ Pairs rings(std::size_t blocks) {
     const double radius = 10 + 5 * static_cast<double>(ring);
     for (const double from : {0.1, 0.1 + pi}) {
       const auto half = [&](double r) {
-        return Arc{on_circle(from, r), on_circle(from + pi, r), Point::Zero(), pi};
+        return Arc{on_circle(Point::Zero(), r, from), on_circle(Point::Zero(), r, from + pi),
+                   Point::Zero(), pi};
       };
       pairs.add(half(radius - 1), half(radius));
     }
     const auto step = [&](double along) {
-      return Line{on_circle(0.1, radius + along), on_circle(0.1, radius + along + 3)};
+      return Line{on_circle(Point::Zero(), radius + along, 0.1),
+                  on_circle(Point::Zero(), radius + along + 3, 0.1)};
     };
     pairs.add(Line{start_of(step(-1)) + Point(-1e3, 1e6), start_of(step(-1)) + Point(-1e3, 1e6)},
               step(0));
@@ -168,10 +167,10 @@ Pairs rings(std::size_t blocks) {
   return pairs;
 }
 
-// Slanted lines to and fro, far longer than what is between them.
+// Slanted lines to and fro, far longer than they are apart.
 Pairs hatch(std::size_t blocks) {
   Pairs pairs(1);
-  const Vector along = on_circle(0.4, 1e4);
+  const Vector along = on_circle(Point::Zero(), 1e4, 0.4);
   const Vector across = 3 * left_of(along.normalized());
   for (std::size_t i = 0; i < blocks; ++i) {
     const Point start = static_cast<double>(i) * across;
@@ -194,7 +193,8 @@ Pairs fitting(std::size_t blocks, double room) {
   const double radius = 5 + room;
   Pairs pairs(5 - 1e-7);
   const auto corner = [&](std::size_t number, double r) {
-    return on_circle(2 * pi * static_cast<double>(number) / static_cast<double>(blocks), r);
+    return on_circle(Point::Zero(), r,
+                     2 * pi * static_cast<double>(number) / static_cast<double>(blocks));
   };
   for (std::size_t i = 0; i < blocks; ++i) {
     // The walls are tangents of the circle, so that none is nearer.
@@ -205,7 +205,7 @@ Pairs fitting(std::size_t blocks, double room) {
   return pairs;
 }
 
-// The same beside a wall far away: the middle of all of them is not that of the hole.
+// A fitting ring beside a wall far away: the middle of all walls is not that of the ring.
 Pairs fitting_beside(std::size_t blocks, double room) {
   Pairs pairs = fitting(blocks, room);
   pairs.add(Line{{900, 30}, {900, 31}}, Line{{905 + room, 30}, {905 + room, 31}});
@@ -226,7 +226,7 @@ TEST(Judged, EqualDistances) {
   expect_as_judged(fine(300).given(), "fine");
 }
 
-// n·log n: ten times as many blocks are hardly dearer, each.
+// The cost is n·log n: with ten times as many blocks, each costs hardly more.
 TEST(Judged, EqualDistancesCostLittle) {
   const auto expect_cheap = [](auto pairs, const char* what) {
     const double few = pairs(2'000).cost();
@@ -240,7 +240,7 @@ TEST(Judged, EqualDistancesCostLittle) {
   expect_cheap(fine, "fine");
 }
 
-// Nor where a tool goes round with a little room: all walls are nearly as far as the nearest one.
+// A tool goes round with a little room: all walls are nearly as far as the nearest one.
 TEST(Judged, RoomToSpareCostsLittle) {
   for (const double room : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1})
     for (const std::size_t blocks : {2'000U, 8'000U, 20'000U}) {
@@ -274,8 +274,8 @@ TEST(Judged, ShapesWithRoomCostTheSameABlock) {
     }
 }
 
-// Whoever has gone is not measured for: work passes by its checkpoint all the time, and says how
-// far it is. A thousand blocks take no more than some milliseconds.
+// A client that has gone ends its measurement: the work passes its checkpoint all the time and says
+// how far it is. A thousand blocks take no more than some milliseconds.
 TEST(Judged, IsInterruptedAllTheTime) {
   for (const BigShape shape : {BigShape::wave, BigShape::gear, BigShape::spiral}) {
     const Measured given = measured_with_room(shape, 100'000);
@@ -312,7 +312,7 @@ TEST(Judged, IsInterruptedAllTheTime) {
   }
 }
 
-// What is thrown on the way ends it there.
+// An exception that the checkpoint throws ends the measurement.
 TEST(Judged, IsMeasuredNoFurtherOnceNobodyWaits) {
   const Measured given = measured_with_room(BigShape::wave, 100'000);
   verify::HeldPath held;

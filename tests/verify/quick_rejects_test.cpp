@@ -11,9 +11,10 @@
 #include "core/verify/four_walls.h"
 #include "core/verify/nearest.h"
 #include "core/verify/shape.h"
+#include "tests/support/on_circle.h"
 #include "tests/support/random.h"
 
-// What tells walls apart from a path without comparing them exactly leaves out nothing near.
+// The quick tests that tell walls far from the path without measuring them never drop a near wall.
 
 namespace trc::support {
 namespace {
@@ -24,10 +25,6 @@ using verify::FourWalls;
 using verify::Piece;
 
 constexpr double all = std::numeric_limits<double>::infinity();
-
-Point on_circle(const Point& center, double angle, double radius) {
-  return center + Vector(radius * std::cos(angle), radius * std::sin(angle));
-}
 
 // About a place: a line, a point, or an arc that ends on its circle up to `misfit`.
 Piece any_piece(Random& random, const Point& about, double size, double misfit) {
@@ -40,9 +37,9 @@ Piece any_piece(Random& random, const Point& about, double size, double misfit) 
   const double begin = random.between(-pi, pi);
   const double sweep =
       random.between(0.01, random.chance(0.8) ? pi : 2 * pi) * (random.chance(0.5) ? 1 : -1);
-  const Point center = start - on_circle(Point::Zero(), begin, radius);
+  const Point center = start - on_circle(Point::Zero(), radius, begin);
   return {.start = start,
-          .end = on_circle(center, begin + sweep, radius + random.between(-misfit, misfit)),
+          .end = on_circle(center, radius + random.between(-misfit, misfit), begin + sweep),
           .center = center,
           .sweep = sweep};
 }
@@ -64,7 +61,7 @@ Piece going_on_from(Random& random, const Piece& arc) {
   const double sweep = random.between(0.01, pi) * (random.chance(0.5) ? 1 : -1);
   const double radius = (start - center).norm();
   return {.start = start,
-          .end = on_circle(center, begin + sweep, radius),
+          .end = on_circle(center, radius, begin + sweep),
           .center = center,
           .sweep = sweep};
 }
@@ -87,7 +84,7 @@ TEST(QuickRejects, RingsHoldTheirPieces) {
   for (std::uint64_t seed = 20'000; seed < 40'000; ++seed) {
     Random random(seed);
     const Piece piece = any_piece(random, Point::Zero(), 10, 1e-3);
-    // Also about its own centre, and about a place on its way.
+    // Now and then about the centre of the piece, or about a place on its way.
     const Point center = random.chance(0.1) ? piece.center
                          : random.chance(0.1)
                              ? piece.end
@@ -126,7 +123,7 @@ TEST(QuickRejects, NothingNearIsLeftOut) {
     walls.move_origin(about - before);
     const std::size_t one = seed % FourWalls::count;
     const double exact = verify::gap_between(path, made[one], all).distance;
-    // As near as it is, and a little.
+    // Its exact distance, and a little more.
     const double reach = exact * (1 + 1e-12) + 1e-12;
     const FourWalls::Bits near =
         walls.near(FourWalls::Surroundings(verify::capsule_of(path), about, reach));
@@ -159,7 +156,7 @@ TEST(QuickRejects, WhatIsFarFromEverythingIsNotNear) {
   EXPECT_EQ(near(1e6), 2U);
 }
 
-// Floats cannot hold it.
+// Coordinates that a float cannot hold.
 TEST(QuickRejects, WhatIsHugeIsNear) {
   FourWalls walls;
   walls.set(2, verify::capsule_of({.start = {-1e30, 0}, .end = {1e30, 1}}), Point::Zero());
@@ -169,7 +166,7 @@ TEST(QuickRejects, WhatIsHugeIsNear) {
             0U);
 }
 
-// Where it is told that two are no nearer than `enough`, they are not.
+// Two pieces that are said to be no nearer than `enough` are no nearer.
 TEST(QuickRejects, EnoughIsTrue) {
   std::size_t far = 0;
   std::size_t told_apart = 0;

@@ -97,7 +97,7 @@ TEST(Verification, SaysWhyAContourDamagesItselfWhereItCloses) {
   EXPECT_EQ(reason("X-18 Y-18", "G42"), "");
 }
 
-// A line of the program does not say what its caller has asked for.
+// What the caller asks for is not undone by a line of the program.
 TEST(Verification, IsNotSwitchedOffByIgnoredContourDamage) {
   const std::string program = std::string("#TRC [IGNORE_CONT_DAMAGE=1]\n") + neck;
   const Outcome enforced = verified(program, 1000);
@@ -111,7 +111,7 @@ TEST(Verification, IsNotSwitchedOffByIgnoredContourDamage) {
   EXPECT_EQ(reported.diagnostics.back().severity, Severity::warning);
 }
 
-// Nothing is compensated, so that nothing vouches for the tool.
+// Nothing is compensated, so no measurement vouches for the tool.
 TEST(Verification, VouchesForNothingUnderSuppressedCompensation) {
   const Outcome outcome = verified(std::string("#TRC [SUPPRESS_TRC=1]\n") + neck, 1000);
   EXPECT_TRUE(outcome.goes_on);

@@ -1,4 +1,4 @@
-// What a program in C gets is what the sessions of the core say; what is wrong with a call is told.
+// A program in C gets what the sessions of the core give; a call that is at fault is told why.
 
 #include <gtest/gtest.h>
 
@@ -106,7 +106,7 @@ std::vector<trc_block> contour() {
           of_kind(TRC_OFF),  line(0, 80)};
 }
 
-// The same in the words of a program.
+// contour() in the words of a program.
 const std::string program =
     "V.G.WZ_AKT.R = 10\nG41 G01 X30 Y0 F800\nM8\nX60\nN70 G03 Y50 J25\nG01 X30\nG40\nX0 Y80\nM30\n";
 
@@ -520,7 +520,7 @@ TEST(CApi, LargerStructuresAreTakenWhereTheySayNothingNew) {
   EXPECT_EQ(answer.more, 0U);
 }
 
-// What programs have been compiled with must not move.
+// The layout and the numbers that programs have been compiled with must not change.
 TEST(CApi, StructuresKeepTheirLayout) {
   if (sizeof(void*) != 8) GTEST_SKIP() << "counted for pointers of 8 bytes";
   EXPECT_EQ(sizeof(trc_setup), 32U);
@@ -549,7 +549,7 @@ TEST(CApi, SessionsWorkSideBySide) {
     return last;
   };
   std::string there;
-  // What is wrong in one thread is not told to another.
+  // A fault in one thread is not told to another one.
   std::thread other([&] { there = compensated(); });
   EXPECT_EQ(trc_finish(nullptr), TRC_ARGUMENT);
   const std::string wrong = trc_last_error();

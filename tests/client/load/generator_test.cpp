@@ -84,7 +84,7 @@ TEST(Load, OpenLoopCountsAStallForAllWhoMeantToComeDuringIt) {
   EXPECT_TRUE(outcome.tally.errors.empty()) << outcome.tally.first_error;
 }
 
-// The same stall: only the streams that were on their way know of it.
+// A closed loop begins no stream while the server is deaf: only those under way know of a stall.
 TEST(Load, ClosedLoopShowsAStallToThoseUnderWayAlone) {
   const MeddlingServer server({.stall = milliseconds(400)});
   Plan plan = plan_of_jobs(100);

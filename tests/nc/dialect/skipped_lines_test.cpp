@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "core/nc/dialect/dialect.h"
-#include "tests/nc/reading.h"
+#include "tests/nc/dialect/reading.h"
 
-// Where nothing says how the switch of the machine stands, no contour hangs on a line behind `/`
-// (D-59).
+// While the position of the block skip switch is unknown, no contour may depend on a line behind
+// `/` (D-59).
 
 namespace trc::testing {
 namespace {

@@ -12,6 +12,8 @@
 
 #include "core/nc/state/circle.h"
 #include "core/nc/text/number_format.h"
+#include "tests/support/long_run.h"
+#include "tests/support/on_circle.h"
 #include "tests/support/random.h"
 
 namespace trc::testing {
@@ -19,10 +21,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 using ArcForm = MotionWriter::ArcForm;
-
-Point on_circle(const Point& center, double radius, double angle) {
-  return center + radius * Vector(std::cos(angle), std::sin(angle));
-}
+using support::on_circle;
 
 Arc arc_from(const Point& center, double radius, double angle, double sweep) {
   const Point start = on_circle(center, radius, angle);
@@ -92,11 +91,11 @@ TEST(ArcForm, CircleSmallerThanAUnitIsNoCircle) {
   EXPECT_EQ(writer.numbers_of(arc, Plane::xy, at_start(arc, 2)).form, ArcForm::line);
 }
 
-// Also where neither the sweep nor the centre are what the numbers were made for.
+// The sweep and the centre may differ from those that the numbers were chosen for.
 TEST(ArcForm, IsFoundTheShortWayToo) {
   constexpr std::uint64_t seed = 8;
   support::Random random(seed);
-  const int arcs = std::getenv("TRC_TEST_LONG") != nullptr ? 20'000'000 : 300'000;
+  const int arcs = support::is_long_run() ? 20'000'000 : 300'000;
   std::array<int, 3> forms{};
   for (int i = 0; i < arcs; ++i) {
     const auto places = static_cast<int>(random.below(7));

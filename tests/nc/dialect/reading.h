@@ -42,7 +42,7 @@ struct Reading {
         found.push_back(passive->text);
     return found;
   }
-  // All lines again, one after the other.
+  // All lines with their ends: the program.
   [[nodiscard]] std::string text() const {
     std::string joined;
     for (const ProgramLine& line : lines) joined.append(line.text).append(line.line_end);
@@ -51,7 +51,7 @@ struct Reading {
 };
 
 // Reads `text` given in pieces of `piece` bytes; 0: in one.
-// Unless told otherwise the tool has a radius: 1 mm.
+// The tool has a radius of 1 mm unless `given` says another one.
 inline Reading read(std::string_view text, const ProgramSetup& given = {}, std::size_t piece = 0,
                     const ReaderLimits& limits = {}) {
   Reading reading;

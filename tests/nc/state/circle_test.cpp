@@ -158,7 +158,7 @@ TEST(CircleCentreCorrection, OfAShortArcIsJudgedByWhatItDoesToTheArc) {
   // An end that is off by more than three digits.
   EXPECT_EQ(code_of(about({10.053, 0.65}, start, {10.007, 0.004}, false)),
             Code::circle_center_misfit);
-  // Of a whole turn but that chord all of it would be shifted.
+  // For an arc of almost a whole turn the whole arc would be shifted.
   EXPECT_EQ(code_of(about({10.053, 0.65}, start, end, true)), Code::circle_center_misfit);
   // Four decimals of an inch.
   CircleCheck inch;
@@ -193,7 +193,7 @@ TEST(CircleWithoutCorrection, RefusesRadiiThatDifferTooMuch) {
   EXPECT_EQ(value_of(result, "start_radius"), 50);
   EXPECT_EQ(value_of(result, "end_radius"), 50.2);
   EXPECT_EQ(value_of(result, "largest_difference"), 0.1);
-  // Of a small circle one percent counts.
+  // For a small circle one percent of its radius counts.
   EXPECT_EQ(code_of(about({0, 0}, {5, 0}, {0, 5.06}, false, g164)), Code::circle_radii_differ);
 }
 

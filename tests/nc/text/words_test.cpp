@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/nc/text/expression.h"
+#include "tests/support/long_run.h"
 
 namespace trc {
 namespace {
@@ -241,7 +242,7 @@ TEST(Numbers, EndWithTheFirstByteThatIsNoDigit) {
   SCOPED_TRACE(seed);
   std::mt19937_64 random(seed);
   const auto below = [&](std::size_t count) { return random() % count; };
-  const int numbers = std::getenv("TRC_TEST_LONG") != nullptr ? 5'000'000 : 100'000;
+  const int numbers = support::is_long_run() ? 5'000'000 : 100'000;
   for (int i = 0; i < numbers; ++i) {
     std::string number;
     for (std::size_t digits = below(11); digits > 0; --digits)

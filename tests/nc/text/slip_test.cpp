@@ -5,7 +5,7 @@
 #include <ostream>
 #include <string>
 
-#include "tests/nc/reading.h"
+#include "tests/nc/dialect/reading.h"
 
 namespace trc::testing {
 namespace {

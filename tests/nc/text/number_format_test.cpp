@@ -8,6 +8,7 @@
 #include <limits>
 #include <string>
 
+#include "tests/support/long_run.h"
 #include "tests/support/random.h"
 
 namespace trc::testing {
@@ -86,9 +87,9 @@ TEST(NumberFormat, RoundsAsTheCLibraryDoes) {
   }
 }
 
-int numbers() { return std::getenv("TRC_TEST_LONG") != nullptr ? 20'000'000 : 200'000; }
+int numbers() { return support::is_long_run() ? 20'000'000 : 200'000; }
 
-// A number whose last decimal is as near to a tie as may be, or any.
+// A number whose last decimal is as near to a tie as a double can be, or any number.
 double near_tie(support::Random& random, int places) {
   const double size = std::pow(10, random.between(0, 14 - places));
   double value = random.between(-size, size);

@@ -3,26 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <new>
 #include <string>
 #include <vector>
 
 #include "core/nc/dialect/interpreter.h"
-
-namespace {
-
-std::size_t allocations = 0;
-
-}  // namespace
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+#include "tests/support/allocations.h"
 
 namespace trc {
 namespace {
@@ -41,13 +26,13 @@ TEST(Reader, TakesNothingFromTheHeapForLinesLikeThoseBefore) {
   Interpreter interpreter({}, state, diagnostics);
   std::size_t taken = 0;
   for (int round = 0; round < 4; ++round) {
-    const std::size_t before = allocations;
+    const std::size_t before = support::allocations();
     ASSERT_TRUE(interpreter.feed(text, lines));
     EXPECT_EQ(blocks.size(), 400U);
     for (LinePointer& line : lines) interpreter.recycle(std::move(line));
     lines.clear();
     blocks.clear();
-    taken = allocations - before;
+    taken = support::allocations() - before;
     if (round == 0) {
       EXPECT_GT(taken, 400U) << "the count works";
     }

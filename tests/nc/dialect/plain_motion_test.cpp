@@ -7,12 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "tests/nc/reading.h"
-#include "tests/nc/same_reading.h"
+#include "tests/nc/dialect/reading.h"
+#include "tests/nc/dialect/same_reading.h"
+#include "tests/support/long_run.h"
 #include "tests/support/random.h"
 
-// Lines that are nothing but a motion are read in one pass. A comment behind such a line makes it
-// one for the general reader: both must make the same of it.
+// Lines that hold a motion alone are read in one pass. A comment behind such a line sends it to the
+// general reader: both readers must make the same of it.
 
 namespace trc::testing {
 namespace {
@@ -130,7 +131,7 @@ TEST(PlainMotion, IsReadAsTheGeneralReaderReadsIt) {
                              "G95 F1\n",
                              "G54\n",
                              "V.G.WZ_AKT.R=1\nG01 F100 X0\nG41 X10\n"};
-  const std::uint64_t programs = std::getenv("TRC_TEST_LONG") != nullptr ? 1'000'000 : 20'000;
+  const std::uint64_t programs = support::is_long_run() ? 1'000'000 : 20'000;
   std::uint64_t plain_lines = 0;
   for (std::uint64_t seed = 1; seed <= programs && !HasFailure(); ++seed) {
     LineMaker maker(seed);

@@ -5,10 +5,10 @@
 #include <utility>
 #include <variant>
 
-#include "tests/nc/reading.h"
+#include "tests/nc/dialect/reading.h"
 
-// G41, G42, RL and RR are seen wherever they stand: read, or refused by name. Passed on as text
-// they would leave a contour without compensation, without a word (D-121).
+// G41, G42, RL and RR are read or refused by name wherever they stand. Passed on as text they would
+// silently leave a contour without compensation (D-121).
 
 namespace trc::testing {
 namespace {
@@ -97,7 +97,7 @@ TEST(SideSeen, WhereWordsAreGluedOrTextsNotClosed) {
         std::pair{linuxcnc, "G4 P1 Y50"}, std::pair{sinumerik, "G4 F1 Y50"}})
     EXPECT_TRUE(read_as(dialect, "G0 X-9 Y-9\n" + std::string(block) + "\nG1 X5 F100\n").stopped)
         << block;
-  // What an M function has no use for moves.
+  // Words that an M function does not use move the axes.
   const Reading moves = read_as(heidenhain, "L X+0 Y+0 R0 FMAX\nL M103 F0.5 Y+50\n");
   EXPECT_EQ(std::get<Line>(moves.last_motion().path).end, Point(0, 50));
 }

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/nc/reading.h"
+#include "tests/nc/dialect/reading.h"
 
 namespace trc::testing {
 namespace {

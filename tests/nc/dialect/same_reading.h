@@ -7,10 +7,10 @@
 #include <variant>
 #include <vector>
 
-#include "tests/nc/reading.h"
+#include "tests/nc/dialect/reading.h"
 
-// That a program is read in the same way, whether or not comments behind its lines make them some
-// for the general reader.
+// Compares two readings of a program: by the reader of plain lines and, with a comment behind each
+// line, by the general reader.
 
 namespace trc::testing {
 

@@ -2,7 +2,7 @@
 
 #include <ostream>
 
-#include "tests/nc/reading.h"
+#include "tests/nc/dialect/reading.h"
 
 namespace trc::testing {
 namespace {
@@ -180,7 +180,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"ASplitWithoutLength", "#TRC [SPLIT_PATH FEED_SEG1=5]", "1:1 900005"}),
     named);
 
-// What goes on with a warning.
+// These programs go on with a warning.
 TEST(Warning, AStretchFactorOutOfRangeBecomesOne) {
   for (const char* value : {"0", "10", "0.5", "-3"}) {
     const Reading reading = read(

@@ -1,19 +1,14 @@
 #include <gtest/gtest.h>
 
 #include <charconv>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <string>
 
-#include "tests/nc/reading.h"
-#include "tests/support/places.h"
+#include "tests/nc/dialect/reading.h"
+#include "tests/support/files.h"
 
 namespace trc::testing {
 namespace {
-
-namespace fs = std::filesystem;
 
 // What the first line of a program says: "; expect: 90019 at line 6".
 struct Expectation {
@@ -42,13 +37,10 @@ bool is_of_compensation(int code) {
 
 TEST(BadPrograms, EveryCodeOfTextAndProgramIsRaisedByOne) {
   std::set<int> raised;
-  for (const auto& entry :
-       fs::directory_iterator(fs::path(testing_support::source_dir()) / "tests/programs/bad")) {
-    if (entry.path().extension() != ".nc") continue;
-    std::ifstream file(entry.path(), std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
+  for (const auto& file : testing_support::nc_programs_in("bad")) {
+    const std::string text = testing_support::content_of(file);
     const Expectation expected = expectation_of(text);
-    EXPECT_NE(expected.code, 0) << entry.path() << " does not say what to expect";
+    EXPECT_NE(expected.code, 0) << file << " does not say what to expect";
     ProgramSetup setup;
     if (text.find("; setup: dialect fanuc\n") != std::string::npos)
       setup.dialect = DialectName::fanuc;

@@ -8,12 +8,13 @@
 #include <string_view>
 #include <vector>
 
-#include "tests/nc/reading.h"
-#include "tests/nc/same_reading.h"
+#include "tests/nc/dialect/reading.h"
+#include "tests/nc/dialect/same_reading.h"
+#include "tests/support/long_run.h"
 #include "tests/support/random.h"
 
-// Blocks of Klartext that are nothing but a line, an arc or a pole are read in one pass. A comment
-// behind such a block makes it one for the general reader: both must make the same of it.
+// Blocks of Klartext that hold a line, an arc or a pole alone are read in one pass. A comment
+// behind such a block sends it to the general reader: both readers must make the same of it.
 
 namespace trc::testing {
 namespace {
@@ -77,7 +78,7 @@ class BlockMaker {
   support::Random random_;
 };
 
-// Other blocks are read alike anyway, and may be copied with their comments, or go on below.
+// Whether the reader of plain blocks may take it. In other blocks a comment may count.
 bool may_be_plain(std::string_view block) {
   if (block.find('~') != std::string_view::npos) return false;
   block.remove_prefix(std::min(block.find_first_not_of("0123456789 "), block.size()));
@@ -94,7 +95,7 @@ TEST(PlainKlartext, IsReadAsTheGeneralReaderReadsIt) {
                              "FN 0: Q1 = +5\nL X+0 Y+0 RR F50\nL X+20 Y+0\n"};
   ProgramSetup setup;
   setup.dialect = DialectName::heidenhain;
-  const std::uint64_t programs = std::getenv("TRC_TEST_LONG") != nullptr ? 1'000'000 : 20'000;
+  const std::uint64_t programs = support::is_long_run() ? 1'000'000 : 20'000;
   std::uint64_t motions = 0;
   for (std::uint64_t seed = 1; seed <= programs && !HasFailure(); ++seed) {
     BlockMaker maker(seed);
