@@ -169,8 +169,7 @@ bool read_klartext_parameter(Reading& reading, const KlartextWord& word, Program
   else
     block.other_parameter = true;
   add(line, word, WordRole::coordinate);
-  block.unfollowed = word.begin;
-  block.unfollowed_why = text + ", a variable";
+  block.unfollowed = {.why = KlartextObstacle::Why::variable, .begin = word.begin, .end = word.end};
   return true;
 }
 

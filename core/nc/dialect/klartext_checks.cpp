@@ -17,6 +17,48 @@ std::string word_at(const ProgramLine& line, std::size_t begin) {
   return std::string(line.text.substr(begin, line.text.find_first_of(" \t\r\n;", begin) - begin));
 }
 
+// ", a variable" and the like, behind the word or the block that it is said of.
+std::string_view told(KlartextObstacle::Why why) {
+  using enum KlartextObstacle::Why;
+  switch (why) {
+    case variable:
+      return ", a variable";
+    case machine_coordinates:
+      return ", machine coordinates";
+    case retract_along_tool:
+      return ", a retract along the tool";
+    case cycle_call:
+      return ", a cycle call";
+    case corners_of_small_steps:
+      return ", corners of small steps";
+    case open_corners:
+      return ", open corners";
+    case tip_is_led:
+      return ", the tool tip is led";
+    case feed_per_turn:
+      return ", feed per turn";
+    case across_the_plane:
+      return ", an arc or a pole across the plane";
+    case may_be_skipped:
+      return ", a motion that may be skipped";
+    case changed_radius:
+      return ", with a radius that the program has changed";
+    case changed_coordinates:
+      return ", in coordinates that are scaled or led by the tool tip";
+  }
+  return {};
+}
+
+bool refuse_unfollowed(Reading& reading, const ProgramLine& line, const KlartextBlock& block) {
+  const KlartextObstacle& obstacle = *block.unfollowed;
+  const bool is_of_block = obstacle.begin == obstacle.end;
+  std::string detail(is_of_block ? block.title()
+                                 : line.word({.begin = obstacle.begin, .end = obstacle.end}));
+  detail += told(obstacle.why);
+  if (reading.trc_active()) detail += ", while TRC is active";
+  return refuse_klartext(reading, line, obstacle.begin, std::move(detail), obstacle.code());
+}
+
 // Arcs across the plane, as vertical leads are: only the control follows them (D-91).
 void leave_plane_by_arc(const Reading& reading, KlartextBlock& block) {
   using enum KlartextStatement;
@@ -27,8 +69,7 @@ void leave_plane_by_arc(const Reading& reading, KlartextBlock& block) {
   const bool end_across =
       (block.is(radius_arc) || block.is(tangent_arc)) && block.end[third].has_value();
   if (!(pole_across || end_across)) return;
-  block.unfollowed = block.begin;
-  block.unfollowed_why = block.title() + ", an arc or a pole across the plane";
+  block.leave_unfollowed(KlartextObstacle::Why::across_the_plane);
   if (pole_across) block.leaves_on = reading.klartext_modes.pole_across;
   for (std::size_t axis = 0; axis < block.end.size(); ++axis)
     if (block.end[axis]) block.leaves_on |= static_cast<AxisBits>(1U << axis);
@@ -138,34 +179,23 @@ bool check_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block) {
            !block.feed && !block.open_feed;
   };
   if (block.to_skip && (moves || block.is(KlartextStatement::center)) && !block.unfollowed &&
-      !moves_nothing()) {
-    block.unfollowed = block.begin;
-    block.unfollowed_why = block.title() + ", a motion that may be skipped";
-    block.unfollowed_code = Code::block_skip_undecided;
-  }
+      !moves_nothing())
+    block.leave_unfollowed(KlartextObstacle::Why::may_be_skipped);
   if (reading.klartext_modes.unfollowed != 0 && moves && !block.unfollowed) {
-    block.unfollowed = block.begin;
     const bool other_radius = (reading.klartext_modes.unfollowed &
                                (KlartextLead::correction | KlartextLead::tool_data)) != 0;
-    block.unfollowed_why =
-        block.title() + (other_radius ? ", with a radius that the program has changed"
-                                      : ", in coordinates that are scaled or led by the "
-                                        "tool tip");
+    block.leave_unfollowed(other_radius ? KlartextObstacle::Why::changed_radius
+                                        : KlartextObstacle::Why::changed_coordinates);
   }
-  if (selects && block.not_in_contour && !block.unfollowed) {
-    block.unfollowed = block.not_in_contour;
-    block.unfollowed_why = std::move(block.why_not_in_contour);
-  }
+  if (selects && !block.unfollowed) block.unfollowed = block.not_in_contour;
   if (!block.is(KlartextStatement::straight)) leave_plane_by_arc(reading, block);
   // R0 beside M91 ends TRC first.
   const bool in_contour = (active && block.side != Side::off) || selects;
   // RL under scaling or M128 has been told: what follows hangs on that.
-  const bool led = reading.klartext_modes.unfollowed != 0 && block.unfollowed == block.begin;
+  const bool led = reading.klartext_modes.unfollowed != 0 && block.unfollowed &&
+                   block.unfollowed->begin == block.begin;
   if (block.unfollowed && in_contour && led && !selects && !reading.faults.empty()) return false;
-  if (block.unfollowed && in_contour)
-    return refuse_klartext(reading, line, *block.unfollowed,
-                           block.unfollowed_why + (active ? ", while TRC is active" : ""),
-                           block.unfollowed_code);
+  if (block.unfollowed && in_contour) return refuse_unfollowed(reading, line, block);
   return true;
 }
 

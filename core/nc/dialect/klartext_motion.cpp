@@ -312,9 +312,9 @@ void forget_what_copied_block_moves(Reading& reading, ProgramLine& line, const K
   if (block.is_motion() && !has_own_feed) line.feed_it_takes = reading.klartext_modes.feed_before;
   std::array<bool, 3> axes{true, true, true};
   const bool named = block.end[0] || block.end[1] || block.end[2];
-  const bool by_parameters_alone =
-      block.is(KlartextStatement::straight) && !block.to_skip && !block.other_parameter &&
-      block.unfollowed_why.ends_with("variable") && reading.klartext_modes.unfollowed == 0;
+  const bool by_parameters_alone = block.is(KlartextStatement::straight) && !block.to_skip &&
+                                   !block.other_parameter && block.has_variable() &&
+                                   reading.klartext_modes.unfollowed == 0;
   for (std::size_t axis = 0; axis < axes.size(); ++axis)
     axes[axis] = by_parameters_alone || alone ? block.end[axis] || block.by_parameter.at(axis)
                  : block.leaves_on != 0       ? (block.leaves_on >> axis & 1U) != 0
@@ -322,7 +322,7 @@ void forget_what_copied_block_moves(Reading& reading, ProgramLine& line, const K
   forget_klartext_position(reading, line, axes);
   if (block.is(KlartextStatement::center)) reading.klartext_modes.pole.reset();
   reading.klartext_modes.polar_radius.reset();
-  if (block.feed_per_turn || block.unfollowed_why.ends_with("variable")) reading.feed = 0;
+  if (block.feed_per_turn || block.has_variable()) reading.feed = 0;
 }
 
 }  // namespace
