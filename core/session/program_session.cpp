@@ -82,9 +82,6 @@ struct ProgramSession::Parts {
         writer(writer_setup(setup)),
         meaning{.end = setup.session.program.start},
         to_writer([this](Answer& part) { return write(part); }) {
-    if (const Dialect& dialect = dialect_of(setup.session.program.dialect); !dialect.available)
-      path.stop(diagnostic(Code::not_available, {},
-                           std::string("the dialect ").append(dialect.spelling)));
     const int decimals = setup.session.program.decimals;
     if (decimals >= 0 && decimals < most_decimals) return;
     Diagnostic invalid = diagnostic(Code::field_invalid, {}, "decimals");

@@ -164,7 +164,6 @@ class IsgFlow : public Flow, private Variables {
   bool end_or_return(bool& ends, bool& returns);
   [[nodiscard]] bool has_changed_words() const;
   bool write_words(std::string& flat);
-  bool refuse_rest(ExpressionReader& expression);
   static void append_number(std::string& text, const Value& value);
 
   // isg_variables.cpp
