@@ -22,7 +22,7 @@
 #include "core/nc/text/characters.h"
 
 // What the words of a block of plain letters and numbers mean together, before any of it takes
-// effect: the dialects of Fanuc and of LinuxCNC.
+// effect: the dialects of Fanuc, of LinuxCNC and of Sinumerik.
 
 namespace trc {
 namespace {
