@@ -74,12 +74,12 @@ void follow_tool_offset(Reading& reading, BlockWords& block, AxisBits named,
   const auto third = static_cast<AxisBits>(1U << axes_of(reading.state.mode().plane).third);
   if (block.of(axis_technology).is(43) && (named & ~third) != 0) {
     block.forget |= static_cast<AxisBits>(named & ~third);
-    reading.code_modes.offset_axes |= static_cast<AxisBits>(named & ~third);
+    reading.gcode_modes.offset_axes |= static_cast<AxisBits>(named & ~third);
   }
   const bool ends_offset = block.of(technology).is(49) || block.of(technology).is(43);
-  if (!ends_offset || reading.code_modes.offset_axes == 0) return;
-  block.forget |= reading.code_modes.offset_axes;
-  reading.code_modes.offset_axes = 0;
+  if (!ends_offset || reading.gcode_modes.offset_axes == 0) return;
+  block.forget |= reading.gcode_modes.offset_axes;
+  reading.gcode_modes.offset_axes = 0;
   if (!found.begin)
     found.begin = block.of(technology).begin, found.meaning = "a tool offset in the plane";
 }
@@ -99,14 +99,14 @@ void copy_motion(const char* why, AxisBits forget, BlockWords& block, NotWhileAc
 void copy_under_modes(Reading& reading, BlockWords& block, AxisBits named, NotWhileActive& found) {
   const bool told = !block.copied || block.has(unfollowed_end);
   const auto third = static_cast<AxisBits>(1U << axes_of(reading.state.mode().plane).third);
-  if (reading.code_modes.cycle)
+  if (reading.gcode_modes.cycle)
     copy_motion("a position of a drilling cycle", static_cast<AxisBits>(named | third), block,
                 found);
   if (reading.machine_follows)
     copy_motion("a motion under G66 of a macro that only the machine has", all_axes, block, found);
   const bool moves_as_named =
-      std::ranges::all_of(reading.code_modes.unfollowed, &UnfollowedMode::is_motion);
-  if (!reading.code_modes.unfollowed.empty())
+      std::ranges::all_of(reading.gcode_modes.unfollowed, &UnfollowedMode::is_motion);
+  if (!reading.gcode_modes.unfollowed.empty())
     copy_motion("a position that is not followed", moves_as_named ? named : all_axes, block, found);
   found.hangs_on_what_was_told = told && block.copied;
 }
@@ -137,7 +137,7 @@ void copy_for_words_of_line(Reading& reading, BlockWords& block, AxisBits named,
     copy_motion("CT, TURN=, AP=, RP=, ANG=, ,A or a variable", all_axes, block, found);
   // In a contour they have centres (take_tangent).
   const bool follows_tangent = reading.trc_active() && !block.has(side);
-  if (reading.code_modes.tangent_arcs && !follows_tangent) copy_motion("CT", named, block, found);
+  if (reading.gcode_modes.tangent_arcs && !follows_tangent) copy_motion("CT", named, block, found);
   if (leaves_from_lost_place(reading, block))
     copy_motion("a motion of one axis behind a deselection without motion", named, block, found);
   if (reading.dialect.name == DialectName::fanuc && block.tool_data)
@@ -176,17 +176,17 @@ NotWhileActive find_what_is_copied(Reading& reading, BlockWords& block) {
 // number says cannot be written anew.
 bool check_motion_before(Reading& reading, const ProgramLine& line, const BlockWords& block) {
   const bool selects = block.has(side) && !block.of(side).is(40);
-  if (reading.code_modes.tangent_arcs && block.axis && reading.code_modes.leaves_contour &&
+  if (reading.gcode_modes.tangent_arcs && block.axis && reading.gcode_modes.leaves_contour &&
       reading.faults.empty() && !reading.trc_active())
     return reading.refuse(
         line, TextFault{.code = Code::nc_unsupported,
                         .begin = *block.axis,
                         .detail = "CT behind a motion of the contour: program its centre"});
-  if (reading.code_modes.tangent_arcs && block.axis && reading.trc_active() && block.has(side))
+  if (reading.gcode_modes.tangent_arcs && block.axis && reading.trc_active() && block.has(side))
     return reading.refuse(line, TextFault{.code = Code::nc_unsupported,
                                           .begin = *block.axis,
                                           .detail = "CT while TRC is active"});
-  if (reading.code_modes.tangent_arcs && reading.code_modes.tangents_written && block.axis &&
+  if (reading.gcode_modes.tangent_arcs && reading.gcode_modes.tangents_written && block.axis &&
       !reading.trc_active())
     return reading.refuse(
         line, TextFault{.code = Code::nc_unsupported,
@@ -216,7 +216,7 @@ bool leave_contour_by_copy(Reading& reading, ProgramLine& line, const BlockWords
     named[axis] =
         block.move.end[axis] && !sets && !block.to_skip && (!reading.incremental || machine_place);
   if (block.copied) reading.state.have_left_contour(named);
-  const bool cuts = reading.code_modes.cycle || reading.motion != MotionKind::rapid;
+  const bool cuts = reading.gcode_modes.cycle || reading.motion != MotionKind::rapid;
   const bool goes = block.axis && !sets && !machine_place && !block.calls_the_machine;
   if (!block.has(cycle) && !(goes && cuts)) return true;
   return check_left_contour(reading, line, block.axis.value_or(0), named);
@@ -256,13 +256,13 @@ void copy_helix_with_pitch(const Reading& reading, ProgramLine& line, BlockWords
   take_for_technology(line, WordRole::trc);
 }
 
-bool copy_code_block(Reading& reading, ProgramLine& line, BlockWords& block) {
+bool copy_gcode_block(Reading& reading, ProgramLine& line, BlockWords& block) {
   if (block.axis && (block.of(axis_technology).is(5) || block.of(axis_technology).is(8)))
     return reading.refuse(line, TextFault{.code = Code::nc_unsupported,
                                           .begin = block.of(axis_technology).begin,
                                           .detail = "G5 or G8 with axis words"});
   const bool shifts_zero =
-      reading.code_modes.dynamic_offset &&
+      reading.gcode_modes.dynamic_offset &&
       std::ranges::any_of(block.move.tracking, [](const auto& value) { return value.has_value(); });
   if (shifts_zero && reading.trc_active())
     return reading.refuse(line,
@@ -296,7 +296,7 @@ bool copy_code_block(Reading& reading, ProgramLine& line, BlockWords& block) {
   const bool says_place = block.has(axis_technology) || block.has(frame) || block.has(dwell) ||
                           block.has(tool_data) || block.has(zero_shift);
   if ((block.move.end[axes.first] || block.move.end[axes.second]) && !says_place)
-    reading.code_modes.leaves_contour = false;
+    reading.gcode_modes.leaves_contour = false;
   take_for_technology(line, WordRole::coordinate);
   take_for_technology(line, WordRole::trc);
   return true;

@@ -20,6 +20,6 @@ bool check_left_contour(Reading& reading, const ProgramLine& line, std::uint32_t
 void copy_helix_with_pitch(const Reading& reading, ProgramLine& line, BlockWords& block);
 
 // Decides whether the line is copied, and what is not known of the position behind it.
-bool copy_code_block(Reading& reading, ProgramLine& line, BlockWords& block);
+bool copy_gcode_block(Reading& reading, ProgramLine& line, BlockWords& block);
 
 }  // namespace trc

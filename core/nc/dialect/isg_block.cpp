@@ -4,8 +4,8 @@
 #include <string>
 
 #include "core/nc/dialect/block_words.h"
-#include "core/nc/dialect/code_block.h"
-#include "core/nc/dialect/code_tools.h"
+#include "core/nc/dialect/gcode_block.h"
+#include "core/nc/dialect/gcode_tools.h"
 #include "core/nc/dialect/isg_command.h"
 #include "core/nc/dialect/pass_words.h"
 #include "core/nc/dialect/passing_calls.h"
@@ -110,7 +110,7 @@ bool read_g_function(Reading& reading, const Word& word, ProgramLine& line, Bloc
     return reading.refuse(line, fault);
   }
   if (group == GGroup::zero_shift && reading.contour_open() &&
-      reading.code_modes.work_offset != function->tenths())
+      reading.gcode_modes.work_offset != function->tenths())
     return reading.refuse(line, word, Code::nc_unsupported, named(" while TRC is active"));
   constexpr int homing = 74;
   block.homes |= function->number == homing;

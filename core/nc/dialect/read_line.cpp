@@ -5,8 +5,8 @@
 
 #include "core/nc/dialect/apply_block.h"
 #include "core/nc/dialect/block_words.h"
-#include "core/nc/dialect/code_block_words.h"
 #include "core/nc/dialect/copied_block.h"
+#include "core/nc/dialect/gcode_block_words.h"
 #include "core/nc/dialect/heidenhain.h"
 #include "core/nc/dialect/isg_block.h"
 #include "core/nc/dialect/isg_command.h"
@@ -83,7 +83,7 @@ bool is_left_out(Reading& reading, ProgramLine& line) {
 // nothing.
 void forget_what_stands_in_front(Reading& reading) {
   reading.faults.clear();
-  reading.code_modes = {};
+  reading.gcode_modes = {};
   reading.called_motion = reading.called_dimension = false;
 }
 
@@ -139,7 +139,7 @@ bool read_words_of_dialect(Reading& reading, ProgramLine& line, BlockWords& bloc
     case DialectName::linuxcnc:
       break;
   }
-  return read_code_words(reading, line, block);
+  return read_gcode_words(reading, line, block);
 }
 
 // An increment of the third axis, whose place is not known: while TRC is off nothing hangs on it.

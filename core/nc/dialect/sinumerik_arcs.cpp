@@ -106,13 +106,13 @@ void take_pole(Reading& reading, const BlockWords& block) {
   const int number = pole.function == nullptr ? 0 : pole.function->number;
   const bool sets = number >= 110 && number <= 112;
   if (!clears && !sets) return;
-  reading.code_modes.polar_angle.reset();
-  reading.code_modes.polar_radius.reset();
+  reading.gcode_modes.polar_angle.reset();
+  reading.gcode_modes.polar_radius.reset();
   const PlaneAxes axes = axes_of(reading.state.mode().plane);
   const auto& x = block.move.end[axes.first];
   const auto& y = block.move.end[axes.second];
   // Without a pole of its own a program counts from its zero point.
-  if (clears && (reading.code_modes.pole != Point(0, 0) || sets)) reading.code_modes.pole.reset();
+  if (clears && (reading.gcode_modes.pole != Point(0, 0) || sets)) reading.gcode_modes.pole.reset();
   if (clears || !sets) return;
   Point base = Point::Zero();
   bool known = x && y && !block.polar_angle && !block.polar_radius;
@@ -122,15 +122,15 @@ void take_pole(Reading& reading, const BlockWords& block) {
              !reading.contour_open();
   }
   if (number == 112) {
-    known &= reading.code_modes.pole.has_value();
-    base = reading.code_modes.pole.value_or(base);
+    known &= reading.gcode_modes.pole.has_value();
+    base = reading.gcode_modes.pole.value_or(base);
   }
-  reading.code_modes.pole.reset();
-  if (known) reading.code_modes.pole = base + Point(*x, *y);
+  reading.gcode_modes.pole.reset();
+  if (known) reading.gcode_modes.pole = base + Point(*x, *y);
 }
 
 bool resolve_polar_words(Reading& reading, ProgramLine& line, BlockWords& block) {
-  CodeModes& modes = reading.code_modes;
+  GcodeModes& modes = reading.gcode_modes;
   const PlaneAxes axes = axes_of(reading.state.mode().plane);
   auto& x = block.move.end[axes.first];
   auto& y = block.move.end[axes.second];
@@ -252,7 +252,7 @@ bool take_angle(Reading& reading, ProgramLine& line, BlockWords& block) {
   const double angle = block.angle->value * std::numbers::pi / 180;
   const double along = first ? std::cos(angle) : std::sin(angle);
   constexpr double parallel = 1e-6;
-  if (!straight || reading.code_modes.tangent_arcs || first.has_value() == second.has_value() ||
+  if (!straight || reading.gcode_modes.tangent_arcs || first.has_value() == second.has_value() ||
       std::abs(along) < parallel)
     return reading.refuse(
         line, TextFault{.code = Code::nc_unsupported,

@@ -67,7 +67,7 @@ bool read_known_name(Reading& reading, SinumerikMeaning meaning, const NamedWord
     case SinumerikMeaning::spatial:
       return stands_for(spatial_name);
     case SinumerikMeaning::spatial_end:
-      if (reading.code_modes.is_unfollowed(compensation_in_space * 10))
+      if (reading.gcode_modes.is_unfollowed(compensation_in_space * 10))
         return stands_for(spatial_end_name);
       break;
     case SinumerikMeaning::unfollowed_end:
@@ -82,7 +82,7 @@ bool read_known_name(Reading& reading, SinumerikMeaning meaning, const NamedWord
     case SinumerikMeaning::statement:
       return refuse_name(reading, line, word, "a statement");
     case SinumerikMeaning::turning:
-      reading.code_modes.turning = true;
+      reading.gcode_modes.turning = true;
       return reading.refuse(
           line, TextFault{.code = Code::turning, .begin = word.begin, .detail = word.name});
     case SinumerikMeaning::technology:

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "core/nc/dialect/block_words.h"
-#include "core/nc/dialect/code_block_words.h"
-#include "core/nc/dialect/code_tools.h"
+#include "core/nc/dialect/gcode_block_words.h"
+#include "core/nc/dialect/gcode_tools.h"
 #include "core/nc/dialect/reading.h"
 #include "core/nc/dialect/sinumerik_arcs.h"
 #include "core/nc/dialect/sinumerik_functions.h"
@@ -34,7 +34,7 @@ bool read_form_of_arc(Reading& reading, const NamedWord& word, ProgramLine& line
                       BlockWords& block) {
   auto& target = word.name == "CR" ? block.move.radius : block.sweep;
   if (target)
-    return refuse_code(reading, line, as_code(word), Code::nc_word_twice, "a second time");
+    return refuse_word(reading, line, as_gcode(word), Code::nc_word_twice, "a second time");
   target = word.value;
   if (!block.center) block.center = word.begin;
   add(line, word, WordRole::coordinate);
@@ -45,11 +45,11 @@ bool read_form_of_arc(Reading& reading, const NamedWord& word, ProgramLine& line
 bool read_corner(Reading& reading, const NamedWord& word, ProgramLine& line, BlockWords& block) {
   if (word.name == "RNDM") {
     if (block.modal_rounding || word.value < 0)
-      return refuse_code(reading, line, as_code(word), Code::nc_number, "once, 0 or more");
+      return refuse_word(reading, line, as_gcode(word), Code::nc_number, "once, 0 or more");
     block.modal_rounding = {.value = word.value, .begin = word.begin};
   } else {
     if (block.corner)
-      return refuse_code(reading, line, as_code(word), Code::nc_word_twice,
+      return refuse_word(reading, line, as_gcode(word), Code::nc_word_twice,
                          "a second rounding or chamfer");
     block.corner = word.begin;
     block.move.corner = {.form = word.name == "RND"   ? CornerCut::Form::round
@@ -67,14 +67,14 @@ bool read_angle_or_turns(Reading& reading, const NamedWord& word, ProgramLine& l
   const bool turns = word.name == "TURN";
   if (!turns && reading.trc_active()) {
     if (block.angle)
-      return refuse_code(reading, line, as_code(word), Code::nc_word_twice, "a second ANG=");
+      return refuse_word(reading, line, as_gcode(word), Code::nc_word_twice, "a second ANG=");
     block.angle = {.value = word.value, .begin = word.begin};
     add(line, word, WordRole::trc);
     return true;
   }
   if (turns && reading.contour_open()) {
     if (block.turns)
-      return refuse_code(reading, line, as_code(word), Code::nc_word_twice, "a second TURN=");
+      return refuse_word(reading, line, as_gcode(word), Code::nc_word_twice, "a second TURN=");
     block.turns = {.value = word.value, .begin = word.begin};
     add(line, word, WordRole::coordinate);
     return true;
@@ -89,13 +89,13 @@ bool pass_assignment(Reading& reading, const NamedWord& word, ProgramLine& line,
                      BlockWords& block) {
   const auto is = [&](std::string_view wanted) { return word.name == wanted; };
   const auto refused = [&](std::string_view why) {
-    return refuse_code(reading, line, as_code(word), Code::nc_unsupported, why);
+    return refuse_word(reading, line, as_gcode(word), Code::nc_unsupported, why);
   };
   const bool is_corner_word = is_sinumerik_corner_word(word.name);
   if (is_corner_word) {
     auto& feed = is("FRC") ? block.corner_feed : block.modal_corner_feed;
     if (feed || word.value < 0)
-      return refuse_code(reading, line, as_code(word), Code::nc_number, "once, 0 or more");
+      return refuse_word(reading, line, as_gcode(word), Code::nc_number, "once, 0 or more");
     feed = {.value = word.value, .begin = word.begin};
   }
   if (is("DISC") && word.value != 0) return refused("corners that reach out: DISC=0");
@@ -132,7 +132,7 @@ bool read_assignment(Reading& reading, const NamedWord& word, ProgramLine& line,
     return read_corner(reading, word, line, block);
   if (is("OFFN")) {
     if (block.allowance)
-      return refuse_code(reading, line, as_code(word), Code::nc_word_twice, "a second OFFN");
+      return refuse_word(reading, line, as_gcode(word), Code::nc_word_twice, "a second OFFN");
     block.allowance = {.value = word.value, .begin = word.begin};
     add(line, word, WordRole::trc);
     return true;

@@ -2,7 +2,7 @@
 
 #include "core/nc/dialect/block_words.h"
 #include "core/nc/dialect/g_function.h"
-#include "core/nc/text/code_words.h"
+#include "core/nc/text/gcode_words.h"
 #include "core/nc/text/named_words.h"
 
 // What the files of Sinumerik's words share.
@@ -15,8 +15,8 @@ inline constexpr GFunction call_name{
     .number = 1007, .group = GGroup::single_move, .meaning = "a call"};
 
 // A word of one letter, as the dialects of plain letters and numbers have it.
-[[nodiscard]] inline CodeWord as_code(const NamedWord& word) {
-  return {.kind = CodeWord::Kind::address,
+[[nodiscard]] inline GcodeWord as_gcode(const NamedWord& word) {
+  return {.kind = GcodeWord::Kind::address,
           .letter = word.letter,
           .has_number = true,
           .whole = word.whole,

@@ -61,12 +61,12 @@ bool ends_turn(int tenths) { return tenths == 501 || tenths == 690 || tenths == 
 bool ends_what_is_unfollowed(const Reading& reading, const BlockWords& block) {
   return std::ranges::any_of(ends_of_modes, [&](const std::pair<int, int>& each) {
     return std::ranges::find(block.ends, each.first) != block.ends.end() &&
-           reading.code_modes.is_unfollowed(each.second);
+           reading.gcode_modes.is_unfollowed(each.second);
   });
 }
 
 void end_scaling_frames(Reading& reading, const std::string& frame) {
-  std::erase_if(reading.code_modes.unfollowed, [&](const UnfollowedMode& mode) {
+  std::erase_if(reading.gcode_modes.unfollowed, [&](const UnfollowedMode& mode) {
     return mode.function == scaling_frame_tenths && mode.frame == frame;
   });
 }
@@ -76,14 +76,14 @@ void take_modal_motion(Reading& reading, const ProgramLine& line, const BlockWor
       block.has(single_move) &&
       is_modal_motion(reading.dialect.name, block.of(single_move).function->tenths());
   if (begins || block.has(motion) || block.has(cycle) || block.has(cycle_end))
-    std::erase_if(reading.code_modes.unfollowed,
+    std::erase_if(reading.gcode_modes.unfollowed,
                   [](const UnfollowedMode& mode) { return mode.is_motion; });
   if (!begins) return;
   const GFunction& function = *block.of(single_move).function;
-  reading.code_modes.unfollowed.push_back({.function = function.tenths(),
-                                           .line = line.source.line,
-                                           .meaning = std::string(function.meaning),
-                                           .is_motion = true});
+  reading.gcode_modes.unfollowed.push_back({.function = function.tenths(),
+                                            .line = line.source.line,
+                                            .meaning = std::string(function.meaning),
+                                            .is_motion = true});
 }
 
 }  // namespace
@@ -92,49 +92,49 @@ void take_what_is_unfollowed(Reading& reading, const ProgramLine& line, BlockWor
   const bool scales =
       block.has(unfollowed) && block.of(unfollowed).function->tenths() == scale_tenths;
   if (block.of(frame).is(absolute_frame) || (scales && !block.adds_to_frame)) {
-    reading.code_modes.end_unfollowed(scale_tenths);
+    reading.gcode_modes.end_unfollowed(scale_tenths);
     end_scaling_frames(reading, programmable_frame);
   }
   if (!block.frame.empty()) end_scaling_frames(reading, block.frame);
-  if (block.frame == programmable_frame) reading.code_modes.end_unfollowed(scale_tenths);
+  if (block.frame == programmable_frame) reading.gcode_modes.end_unfollowed(scale_tenths);
   if (scales && !block.axis && !block.adds_to_frame) {
     block.forget |= all_axes;
     block.clear(unfollowed);
   }
-  if (block.has(motion)) reading.code_modes.end_unfollowed(spline_interpolation * 10);
+  if (block.has(motion)) reading.gcode_modes.end_unfollowed(spline_interpolation * 10);
   if (block.has(unfollowed)) {
     const GFunction& function = *block.of(unfollowed).function;
     if (function.tenths() != scaling_frame_tenths)
-      reading.code_modes.end_unfollowed(function.tenths());
-    reading.code_modes.unfollowed.push_back({.function = function.tenths(),
-                                             .line = line.source.line,
-                                             .meaning = std::string(function.meaning),
-                                             .frame = block.frame});
+      reading.gcode_modes.end_unfollowed(function.tenths());
+    reading.gcode_modes.unfollowed.push_back({.function = function.tenths(),
+                                              .line = line.source.line,
+                                              .meaning = std::string(function.meaning),
+                                              .frame = block.frame});
   }
   take_modal_motion(reading, line, block);
   if (!block.has(unfollowed_end)) return;
   for (const auto& [end, mode] : ends_of_modes)
     if (std::ranges::find(block.ends, end) != block.ends.end())
-      reading.code_modes.end_unfollowed(mode);
+      reading.gcode_modes.end_unfollowed(mode);
 }
 
 bool copy_thread(Reading& reading, ProgramLine& line, BlockWords& block) {
-  const bool was_under_thread = !reading.code_modes.unfollowed.empty();
+  const bool was_under_thread = !reading.gcode_modes.unfollowed.empty();
   take_modal_motion(reading, line, block);
-  const bool under_thread = !reading.code_modes.unfollowed.empty();
+  const bool under_thread = !reading.gcode_modes.unfollowed.empty();
   if (was_under_thread != under_thread)
     reading.reads_plain_lines = !under_thread && reading.faults.empty() && !reading.called_motion &&
                                 !reading.called_dimension;
   const bool is_position = !block.has(dwell) && !block.of(zero_shift).is(92);
   if (!under_thread || !(block.has(single_move) || (block.axis && is_position))) return true;
   if (reading.contour_open() || (block.has(side) && !block.of(side).is(40))) {
-    const int number = reading.code_modes.unfollowed.back().function / 10;
+    const int number = reading.gcode_modes.unfollowed.back().function / 10;
     return reading.refuse(
-        line,
-        TextFault{.code = Code::nc_unsupported,
-                  .begin = block.has(single_move) ? block.of(single_move).begin : *block.axis,
-                  .detail = "G" + std::to_string(number) + ", " +
-                            reading.code_modes.unfollowed.back().meaning + " while TRC is active"});
+        line, TextFault{.code = Code::nc_unsupported,
+                        .begin = block.has(single_move) ? block.of(single_move).begin : *block.axis,
+                        .detail = "G" + std::to_string(number) + ", " +
+                                  reading.gcode_modes.unfollowed.back().meaning +
+                                  " while TRC is active"});
   }
   block.copied = true;
   for (std::size_t axis = 0; axis < block.move.end.size(); ++axis)
@@ -155,18 +155,18 @@ void forget_what_ends_nothing(Reading& reading, BlockWords& block) {
   for (const int each : block.ends)
     if (ends_turn(each)) ended |= turn_of(each);
   if (block.has(frame) && ends_turn(block.of(frame).function->tenths())) {
-    if ((reading.code_modes.turned & ended) == 0) {
+    if ((reading.gcode_modes.turned & ended) == 0) {
       // The axes of G50.1 and G100 are those that are mirrored no longer; with T beside it G100 is
       // a tool change that goes there.
       block.copied |= block.axis && !block.tool_number && !block.of(frame).is(69);
       block.clear(frame);
     }
   } else if (block.has(frame)) {
-    reading.code_modes.turned |= turn_of(block.of(frame).function->tenths());
+    reading.gcode_modes.turned |= turn_of(block.of(frame).function->tenths());
   }
-  reading.code_modes.turned &= static_cast<std::uint8_t>(~ended);
-  if (is_any({2550}) && !reading.code_modes.dynamic_offset) block.clear(frame);
-  if (is_any({2540, 2550})) reading.code_modes.dynamic_offset = block.of(frame).is(254);
+  reading.gcode_modes.turned &= static_cast<std::uint8_t>(~ended);
+  if (is_any({2550}) && !reading.gcode_modes.dynamic_offset) block.clear(frame);
+  if (is_any({2540, 2550})) reading.gcode_modes.dynamic_offset = block.of(frame).is(254);
 }
 
 void end_what_was_unfollowed(Reading& reading, BlockWords& block) {
@@ -174,11 +174,11 @@ void end_what_was_unfollowed(Reading& reading, BlockWords& block) {
   constexpr int polar = 1120;
   constexpr int mapping = 1070;
   constexpr int setup_error = 544;
-  if (block.of(zero_shift).is(113)) reading.code_modes.end_unfollowed(polar);
+  if (block.of(zero_shift).is(113)) reading.gcode_modes.end_unfollowed(polar);
   bool ends = false;
   if (block.changes_length)
     for (const int led : {431, 434, 435, 1430, 2340})
-      ends |= reading.code_modes.end_unfollowed(led);
+      ends |= reading.gcode_modes.end_unfollowed(led);
   if (block.has(unfollowed)) {
     const int begun = block.of(unfollowed).function->tenths();
     const bool by_zero = begun == cylinder && !block.move.tracking.empty() &&
@@ -189,7 +189,7 @@ void end_what_was_unfollowed(Reading& reading, BlockWords& block) {
     const bool by_number =
         begun == setup_error && block.tool_data_number && block.tool_data_number->value == 0;
     if (by_zero || alone || by_number) {
-      ends |= reading.code_modes.end_unfollowed(begun);
+      ends |= reading.gcode_modes.end_unfollowed(begun);
       if (ends || !by_zero) block.clear(unfollowed);
     }
   }

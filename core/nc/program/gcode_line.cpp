@@ -1,11 +1,11 @@
-#include "core/nc/program/code_line.h"
+#include "core/nc/program/gcode_line.h"
 
 #include <array>
 #include <charconv>
 #include <cmath>
 
 #include "core/nc/text/characters.h"
-#include "core/nc/text/code_words.h"
+#include "core/nc/text/gcode_words.h"
 #include "core/nc/text/number_format.h"
 
 namespace trc::program {
@@ -49,9 +49,9 @@ LineHead head_of(std::string_view line) {
 }
 
 std::size_t behind_comment(std::string_view line, std::size_t at) {
-  CodeReader reader(line.substr(at));
-  const CodeWord word = reader.next();
-  return word.kind == CodeWord::Kind::comment ? at + word.end : 0;
+  GcodeReader reader(line.substr(at));
+  const GcodeWord word = reader.next();
+  return word.kind == GcodeWord::Kind::comment ? at + word.end : 0;
 }
 
 bool is_over(std::string_view line, std::size_t at) {

@@ -11,7 +11,7 @@
 namespace trc {
 
 // What G41 and G42 need, and D words.
-bool check_code_selection(Reading& reading, ProgramLine& line, BlockWords& block);
+bool check_gcode_selection(Reading& reading, ProgramLine& line, BlockWords& block);
 
 // The radius of the setup stands for the one register that the program selects with, where it has
 // no tools (D-65). D0 may have taken it out of force.

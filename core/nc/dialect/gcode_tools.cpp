@@ -1,4 +1,4 @@
-#include "core/nc/dialect/code_tools.h"
+#include "core/nc/dialect/gcode_tools.h"
 
 #include <algorithm>
 #include <array>
@@ -75,13 +75,13 @@ bool check_what_may_be_skipped(Reading& reading, const ProgramLine& line, const 
   const bool gives_radius =
       (block.has(tool_data) && block.move.radius) || block.allowance || !block.edge_radii.empty();
   const bool leads = block.has(selection) || block.has(transition);
-  if (block.tool_number || block.named_tool) reading.code_modes.skipped_next_tool = skipped;
+  if (block.tool_number || block.named_tool) reading.gcode_modes.skipped_next_tool = skipped;
   // An edge of Sinumerik is one of the tool.
   if (names_tool || (block.tool && (skipped > 0 || !sinumerik)))
-    reading.code_modes.skipped_tool =
-        skipped == 0 && block.loads_tool ? reading.code_modes.skipped_next_tool : skipped;
-  if (gives_radius) reading.code_modes.skipped_tool_data = skipped;
-  if (leads) reading.code_modes.skipped_approach = skipped;
+    reading.gcode_modes.skipped_tool =
+        skipped == 0 && block.loads_tool ? reading.gcode_modes.skipped_next_tool : skipped;
+  if (gives_radius) reading.gcode_modes.skipped_tool_data = skipped;
+  if (leads) reading.gcode_modes.skipped_approach = skipped;
   // Of other dialects a T word changes nothing in a contour.
   const bool changes_contour = block.tool || gives_radius || leads || (sinumerik && names_tool);
   if (skipped > 0 && changes_contour && reading.trc_active())
@@ -90,8 +90,8 @@ bool check_what_may_be_skipped(Reading& reading, const ProgramLine& line, const 
                                           .detail = "a radius or a corner that may be skipped"});
   const bool selects = block.has(side) && !block.of(side).is(40);
   for (const std::uint32_t before :
-       {reading.code_modes.skipped_tool, reading.code_modes.skipped_tool_data,
-        reading.code_modes.skipped_approach})
+       {reading.gcode_modes.skipped_tool, reading.gcode_modes.skipped_tool_data,
+        reading.gcode_modes.skipped_approach})
     if (selects && before > 0)
       return reading.refuse(line, TextFault{.code = Code::block_skip_undecided,
                                             .begin = block.of(side).begin,
@@ -109,15 +109,15 @@ bool refuse_selection(Reading& reading, const ProgramLine& line, const BlockWord
 // Only lathes work without Y (D-105).
 bool check_turning(Reading& reading, const ProgramLine& line, const BlockWords& block) {
   const bool selects = block.has(side) && !block.of(side).is(40);
-  if (selects && reading.code_modes.turning && !reading.code_modes.y_seen)
+  if (selects && reading.gcode_modes.turning && !reading.gcode_modes.y_seen)
     return refuse_selection(reading, line, block, Code::turning, "G41, G42 of a lathe");
   const bool in_zx =
       block.has(plane) ? block.of(plane).is(18) : reading.state.programmed_plane() == Plane::zx;
   const bool leads_in_zx = in_zx || (block.move.end[0] && block.move.end[2]);
-  if (selects && !reading.code_modes.y_seen && leads_in_zx)
+  if (selects && !reading.gcode_modes.y_seen && leads_in_zx)
     return refuse_selection(reading, line, block, Code::turning,
                             "G41, G42 of a lathe, as no Y stands in front of it");
-  if (reading.trc_active() && !reading.code_modes.y_seen &&
+  if (reading.trc_active() && !reading.gcode_modes.y_seen &&
       reading.state.mode().plane == Plane::xy && block.move.end[2])
     return reading.refuse(line, TextFault{.code = Code::turning,
                                           .begin = *block.axis,
@@ -187,8 +187,8 @@ std::optional<ToolSaid> take_tool_of_selection(Reading& reading, ProgramLine& li
     block.tool.reset();
   }
   if (reading.dialect.tool_of_spindle && !block.tool &&
-      (reading.code_modes.spindle_tool != 0 || reading.code_modes.spindle_empty)) {
-    block.tool = {.value = static_cast<double>(reading.code_modes.spindle_tool),
+      (reading.gcode_modes.spindle_tool != 0 || reading.gcode_modes.spindle_empty)) {
+    block.tool = {.value = static_cast<double>(reading.gcode_modes.spindle_tool),
                   .begin = block.of(side).begin};
     said = ToolSaid::by_spindle;
   }
@@ -197,18 +197,18 @@ std::optional<ToolSaid> take_tool_of_selection(Reading& reading, ProgramLine& li
 
 // Of Sinumerik: another tool, or another edge of that tool; `row` as row_of_edge() has it.
 bool refuse_second_edge(Reading& reading, std::int64_t row) {
-  const WordPlace& tool = reading.code_modes.changes_by_m6 ? reading.code_modes.spindle_tool_place
-                                                           : reading.code_modes.next_tool_place;
+  const WordPlace& tool = reading.gcode_modes.changes_by_m6 ? reading.gcode_modes.spindle_tool_place
+                                                            : reading.gcode_modes.next_tool_place;
   const std::int64_t number = tool_of_row(row);
-  const std::string called = !reading.code_modes.tool_name.empty()
-                                 ? quoted(reading.code_modes.tool_name)
+  const std::string called = !reading.gcode_modes.tool_name.empty()
+                                 ? quoted(reading.gcode_modes.tool_name)
                              : number == unnamed_tool ? ""
                                                       : "T" + std::to_string(number);
-  const bool another_tool = number != tool_of_row(*reading.code_modes.only_register);
+  const bool another_tool = number != tool_of_row(*reading.gcode_modes.only_register);
   if (another_tool && !called.empty()) return reading.refuse_at(tool, Code::tool_unknown, called);
   const std::string edge = "D" + std::to_string(edge_of_row(row));
   return reading.refuse_at(
-      reading.code_modes.edge_place.source.line > 0 ? reading.code_modes.edge_place : tool,
+      reading.gcode_modes.edge_place.source.line > 0 ? reading.gcode_modes.edge_place : tool,
       Code::tool_unknown, called.empty() ? edge : edge + " of " + called);
 }
 
@@ -217,7 +217,7 @@ bool check_tool_of_table(Reading& reading, const ProgramLine& line, BlockWords& 
                          ToolSaid said) {
   const bool matters = reading.trc_active() || (block.has(side) && !block.of(side).is(40));
   const std::int64_t number = whole_number(block.tool->value);
-  reading.code_modes.missing_tool = -1;
+  reading.gcode_modes.missing_tool = -1;
   if (!is_whole(block.tool->value)) {
     const bool linuxcnc = reading.dialect.name == DialectName::linuxcnc;
     return reading.refuse(
@@ -232,16 +232,16 @@ bool check_tool_of_table(Reading& reading, const ProgramLine& line, BlockWords& 
   if (matters && take_only_register(reading, line, block, number)) return true;
   if (!matters) {
     // H and D stand side by side in many programs: it matters only where G41 has no D of its own.
-    reading.code_modes.missing_tool = number;
-    reading.code_modes.edge_place = reading.place_of_word(line, block.tool->begin);
+    reading.gcode_modes.missing_tool = number;
+    reading.gcode_modes.edge_place = reading.place_of_word(line, block.tool->begin);
     block.tool.reset();
     return true;
   }
   const Code of_missing = reading.gives_radii() ? Code::tool_unknown : Code::no_tool_radius;
   if (said == ToolSaid::by_spindle)
-    return reading.refuse_at(reading.code_modes.spindle_tool_place, of_missing,
+    return reading.refuse_at(reading.gcode_modes.spindle_tool_place, of_missing,
                              "T" + std::to_string(number));
-  if (reading.dialect.name == DialectName::sinumerik && reading.code_modes.only_register)
+  if (reading.dialect.name == DialectName::sinumerik && reading.gcode_modes.only_register)
     return refuse_second_edge(reading, number);
   return reading.refuse(line, TextFault{.code = of_missing,
                                         .begin = block.tool->begin,
@@ -250,19 +250,19 @@ bool check_tool_of_table(Reading& reading, const ProgramLine& line, BlockWords& 
 
 // FANUC without D words: the radius of the setup is that of the tool in the spindle.
 bool take_only_spindle_tool(Reading& reading) {
-  const std::int64_t tool = reading.code_modes.spindle_tool;
+  const std::int64_t tool = reading.gcode_modes.spindle_tool;
   if (reading.dialect.name != DialectName::fanuc || !reading.has_one_radius() || tool == 0 ||
-      reading.code_modes.only_register)
+      reading.gcode_modes.only_register)
     return true;
-  const std::int64_t only = reading.code_modes.only_spindle_tool.value_or(tool);
-  reading.code_modes.only_spindle_tool = only;
-  return only == tool || reading.refuse_at(reading.code_modes.spindle_tool_place,
+  const std::int64_t only = reading.gcode_modes.only_spindle_tool.value_or(tool);
+  reading.gcode_modes.only_spindle_tool = only;
+  return only == tool || reading.refuse_at(reading.gcode_modes.spindle_tool_place,
                                            Code::tool_unknown, "T" + std::to_string(tool));
 }
 
 // Sinumerik: T is the tool, D its edge; D0 is none.
 bool choose_tool_of_edge(Reading& reading, ProgramLine& line, BlockWords& block) {
-  CodeModes& modes = reading.code_modes;
+  GcodeModes& modes = reading.gcode_modes;
   // A tool change chooses the first one; where M6 changes tools, T alone makes one ready (D-56).
   const bool changes = block.changes_tool || (block.tool_number && !modes.changes_by_m6);
   const bool keeps_edge = block.changes_tool && !block.tool_number && modes.edge_of_next_tool;
@@ -328,11 +328,11 @@ std::int64_t number_of_tool_named(std::string_view name, const ToolInForce& tool
   return std::stoll(std::string(name));
 }
 
-bool check_code_selection(Reading& reading, ProgramLine& line, BlockWords& block) {
+bool check_gcode_selection(Reading& reading, ProgramLine& line, BlockWords& block) {
   const bool selects = block.has(side) && !block.of(side).is(40);
   if (!check_what_may_be_skipped(reading, line, block)) return false;
-  if (selects && !reading.code_modes.unfollowed.empty()) {
-    const UnfollowedMode& mode = reading.code_modes.unfollowed.back();
+  if (selects && !reading.gcode_modes.unfollowed.empty()) {
+    const UnfollowedMode& mode = reading.gcode_modes.unfollowed.back();
     const std::string what =
         mode.is_motion ? name_of_function(mode.function) + ", a motion function of its own"
                        : mode.meaning;
@@ -348,10 +348,10 @@ bool check_code_selection(Reading& reading, ProgramLine& line, BlockWords& block
       selects ? take_tool_of_selection(reading, line, block) : ToolSaid::by_d;
   if (!said) return false;
   const Code of_missing = reading.gives_radii() ? Code::tool_unknown : Code::no_tool_radius;
-  if (selects && !block.tool && !block.tool_radius && reading.code_modes.missing_tool >= 0)
-    return take_only_register(reading, line, block, reading.code_modes.missing_tool) ||
-           reading.refuse_at(reading.code_modes.edge_place, of_missing,
-                             "D" + std::to_string(reading.code_modes.missing_tool));
+  if (selects && !block.tool && !block.tool_radius && reading.gcode_modes.missing_tool >= 0)
+    return take_only_register(reading, line, block, reading.gcode_modes.missing_tool) ||
+           reading.refuse_at(reading.gcode_modes.edge_place, of_missing,
+                             "D" + std::to_string(reading.gcode_modes.missing_tool));
   if (!block.tool && !block.tool_radius) return !selects || take_only_spindle_tool(reading);
   if ((selects || reading.trc_active()) && reading.dialect.name != DialectName::sinumerik)
     for (WordRange& word : line.words)
@@ -361,9 +361,9 @@ bool check_code_selection(Reading& reading, ProgramLine& line, BlockWords& block
 }
 
 std::optional<double> spindle_diameter(const Reading& reading) {
-  if (reading.code_modes.spindle_tool == 0 || reading.state.setup().every_radius)
+  if (reading.gcode_modes.spindle_tool == 0 || reading.state.setup().every_radius)
     return std::nullopt;
-  if (const auto row = reading.state.tool().row_of_tool(reading.code_modes.spindle_tool))
+  if (const auto row = reading.state.tool().row_of_tool(reading.gcode_modes.spindle_tool))
     return 2 * (row->radius + row->wear);
   if (!reading.has_one_radius()) return std::nullopt;
   return 2 * (reading.state.setup().mode.tool_radius + reading.state.setup().wear);
@@ -371,9 +371,9 @@ std::optional<double> spindle_diameter(const Reading& reading) {
 
 bool take_only_register(Reading& reading, const ProgramLine& line, BlockWords& block,
                         std::int64_t number) {
-  if (!reading.has_one_radius() || reading.code_modes.only_register.value_or(number) != number)
+  if (!reading.has_one_radius() || reading.gcode_modes.only_register.value_or(number) != number)
     return false;
-  reading.code_modes.only_register = number;
+  reading.gcode_modes.only_register = number;
   block.only_tool = block.tool ? block.tool->begin : line.words.front().begin;
   block.tool.reset();
   return true;

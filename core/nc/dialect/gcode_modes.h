@@ -71,7 +71,7 @@ struct UnfollowedMode {
 };
 
 // What a program of a dialect of plain letters and numbers has in force besides.
-struct CodeModes {
+struct GcodeModes {
   bool cycle = false;  // each position is one of a drilling cycle
   std::vector<UnfollowedMode> unfollowed{};
   bool points_seen = false;          // a coordinate had a decimal point

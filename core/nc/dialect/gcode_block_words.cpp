@@ -1,4 +1,4 @@
-#include "core/nc/dialect/code_block_words.h"
+#include "core/nc/dialect/gcode_block_words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/nc/dialect/block_words.h"
-#include "core/nc/dialect/code_block.h"
+#include "core/nc/dialect/gcode_block.h"
 #include "core/nc/dialect/pass_words.h"
 #include "core/nc/dialect/reading.h"
 #include "core/nc/text/characters.h"
@@ -102,7 +102,7 @@ bool is_name_alone(std::string_view line, std::size_t begin) {
 
 // `:0030 T01 M06`: the number of a block where a program may be entered. Alone `:` begins a
 // program.
-bool is_alignment_block(std::string_view line, const CodeWord& word) {
+bool is_alignment_block(std::string_view line, const GcodeWord& word) {
   const std::string_view behind = without_blanks_in_front(line.substr(word.end));
   return line[word.begin] == ':' && !behind.empty() && behind.front() != '(' &&
          behind.front() != ';';
@@ -114,10 +114,10 @@ bool reads_as_block(std::string_view comment) {
   if (!comment.starts_with(';')) return false;
   constexpr std::string_view telling = "GMXYZ";
   bool tells = false;
-  CodeReader reader(comment.substr(1));
-  for (CodeWord word = reader.next(); word.kind != CodeWord::Kind::end; word = reader.next()) {
-    if (word.kind == CodeWord::Kind::comment) continue;
-    if (word.kind != CodeWord::Kind::address || !word.has_number) return false;
+  GcodeReader reader(comment.substr(1));
+  for (GcodeWord word = reader.next(); word.kind != GcodeWord::Kind::end; word = reader.next()) {
+    if (word.kind == GcodeWord::Kind::comment) continue;
+    if (word.kind != GcodeWord::Kind::address || !word.has_number) return false;
     tells |= telling.find(word.letter) != std::string_view::npos;
   }
   return tells;
@@ -148,8 +148,8 @@ bool hangs_on_switch(const Reading& reading, std::string_view line, const BlockW
          !is_beside_the_path(line, within, reading.dialect.name);
 }
 
-bool read_code_function(Reading& reading, const CodeWord& word, ProgramLine& line,
-                        BlockWords& block) {
+bool read_gcode_function(Reading& reading, const GcodeWord& word, ProgramLine& line,
+                         BlockWords& block) {
   const GFunction* function = reading.dialect.function(word.value);
   static constexpr GFunction unknown{
       .number = 1007, .group = single_move, .meaning = "an unknown function"};
@@ -160,13 +160,13 @@ bool read_code_function(Reading& reading, const CodeWord& word, ProgramLine& lin
   if (function == nullptr && reading.state.setup().copies_unknown_words) function = &unknown;
   // Under FANUC they turn the tool into the direction of the path.
   if (function == nullptr && (word.value == 41.1 || word.value == 42.1))
-    return refuse_code(reading, line, word, Code::nc_unsupported,
+    return refuse_word(reading, line, word, Code::nc_unsupported,
                        "a correction of LINUXCNC, or a direction of the tool");
-  if (function == nullptr) return refuse_code(reading, line, word, Code::nc_unknown_function);
+  if (function == nullptr) return refuse_word(reading, line, word, Code::nc_unknown_function);
   const GGroup group = function->group;
   if (group == refused || group == call)
-    return refuse_code(reading, line, word, Code::nc_unsupported, function->meaning);
-  if (group == turning) return refuse_code(reading, line, word, Code::turning, function->meaning);
+    return refuse_word(reading, line, word, Code::nc_unsupported, function->meaning);
+  if (group == turning) return refuse_word(reading, line, word, Code::turning, function->meaning);
   BlockWords::Function& seen = block.functions[static_cast<std::size_t>(group)];
   const bool alone = group != technology && group != axis_technology;
   // G15 and G50, G69 and G50.1 of a first line, where all of them end something.
@@ -174,7 +174,7 @@ bool read_code_function(Reading& reading, const CodeWord& word, ProgramLine& lin
       seen.function != nullptr &&
       (group == unfollowed_end || (group == frame && function->initial && seen.function->initial));
   if (alone && seen.function != nullptr && seen.function != function && !both_end)
-    return refuse_code(reading, line, word,
+    return refuse_word(reading, line, word,
                        group == side ? Code::compensation_side_twice : Code::nc_group_twice);
   // The one that its line says more of: the speed limit of G50, the axes of G50.1.
   if (group == unfollowed_end || group == frame)
@@ -183,75 +183,78 @@ bool read_code_function(Reading& reading, const CodeWord& word, ProgramLine& lin
   block.changes_length |=
       function->tenth == 0 &&
       (function->number == 43 || function->number == 44 || function->number == 49);
-  if (function->number == 96) reading.code_modes.turning = block.constant_speed = true;
+  if (function->number == 96) reading.gcode_modes.turning = block.constant_speed = true;
   // Where there is nothing to end, G40 is a line of the program like any other.
   const bool ends_nothing = group == side && function->number == 40 && !reading.contour_open();
   if (reading.dialect.name == DialectName::fanuc && function->tenths() == 110)
-    reading.code_modes.enters_parameters = false;
+    reading.gcode_modes.enters_parameters = false;
   add(line, word, ends_nothing ? WordRole::mode : role_of(group));
   return true;
 }
 
 // A coordinate; `bit`: as WholeWord has it.
-void see_whole(Reading& reading, const CodeWord& word, std::size_t bit, BlockWords& block) {
+void see_whole(Reading& reading, const GcodeWord& word, std::size_t bit, BlockWords& block) {
   constexpr std::size_t bits = 64;
   if (word.whole && bit < bits) block.whole |= std::uint64_t{1} << bit;
-  if (!word.whole) reading.code_modes.points_seen = true;
+  if (!word.whole) reading.gcode_modes.points_seen = true;
 }
 
-bool read_code_axis(Reading& reading, const CodeWord& word, ProgramLine& line, BlockWords& block) {
+bool read_gcode_axis(Reading& reading, const GcodeWord& word, ProgramLine& line,
+                     BlockWords& block) {
   const int axis = reading.axis_of_letter[static_cast<std::size_t>(word.letter - 'A')];
-  if (axis < 0) return refuse_code(reading, line, word, Code::nc_axis_unknown);
+  if (axis < 0) return refuse_word(reading, line, word, Code::nc_axis_unknown);
   const auto index = static_cast<std::size_t>(axis);
   if (index >= 3 && block.move.tracking.size() <= index - 3)
     block.move.tracking.resize(reading.state.setup().tracking_axes.size());
   auto& coordinate = index < 3 ? block.move.end[index] : block.move.tracking[index - 3];
-  if (coordinate) return refuse_code(reading, line, word, Code::nc_word_twice);
+  if (coordinate) return refuse_word(reading, line, word, Code::nc_word_twice);
   coordinate = word.value;
   see_whole(reading, word, index < 3 ? WholeWord::axis + index : WholeWord::tracking + index - 3,
             block);
-  reading.code_modes.y_seen |= word.letter == 'Y';
+  reading.gcode_modes.y_seen |= word.letter == 'Y';
   if (!block.axis) block.axis = word.begin;
   add(line, word, WordRole::coordinate);
   return true;
 }
 
 // ,R ,C ,A
-bool read_comma_word(Reading& reading, const CodeWord& word, ProgramLine& line, BlockWords& block) {
+bool read_comma_word(Reading& reading, const GcodeWord& word, ProgramLine& line,
+                     BlockWords& block) {
   if (reading.dialect.name == DialectName::linuxcnc)
-    return refuse_code(reading, line, word, Code::nc_unsupported, "which LinuxCNC does not have");
+    return refuse_word(reading, line, word, Code::nc_unsupported, "which LinuxCNC does not have");
   const bool angle = word.letter == 'A';
   if (word.letter == 'R' || word.letter == 'C') {
-    if (block.corner) return refuse_code(reading, line, word, Code::nc_word_twice);
+    if (block.corner) return refuse_word(reading, line, word, Code::nc_word_twice);
     block.corner = word.begin;
     block.move.corner = {.form = word.letter == 'R' ? CornerCut::Form::round : CornerCut::Form::leg,
                          .size = word.value};
     see_whole(reading, word, WholeWord::corner, block);
   } else if (angle && reading.trc_active()) {
-    if (block.angle) return refuse_code(reading, line, word, Code::nc_word_twice);
+    if (block.angle) return refuse_word(reading, line, word, Code::nc_word_twice);
     block.angle = {.value = word.value, .begin = word.begin};
     add(line, word, WordRole::trc);
     return true;
   } else if (reading.trc_active()) {
-    return refuse_code(reading, line, word, Code::nc_unsupported,
+    return refuse_word(reading, line, word, Code::nc_unsupported,
                        "a rounding or a chamfer while TRC is active");
   } else if (angle) {
     block.unfollowed_word = word.begin;
   } else {
-    return refuse_code(reading, line, word, Code::nc_syntax);  // X0, Y0
+    return refuse_word(reading, line, word, Code::nc_syntax);  // X0, Y0
   }
   add(line, word, WordRole::technology);
   return true;
 }
 
 // Of LinuxCNC: $ is a spindle, @ a polar radius.
-bool read_code_sign(Reading& reading, const CodeWord& word, ProgramLine& line, BlockWords& block) {
+bool read_gcode_sign(Reading& reading, const GcodeWord& word, ProgramLine& line,
+                     BlockWords& block) {
   const bool linuxcnc = reading.dialect.name == DialectName::linuxcnc;
   if (word.letter == '$') {
-    if (!linuxcnc) return refuse_code(reading, line, word, Code::nc_syntax);
+    if (!linuxcnc) return refuse_word(reading, line, word, Code::nc_syntax);
   } else {
     if (!linuxcnc || reading.trc_active())
-      return refuse_code(reading, line, word, Code::nc_unsupported, "polar coordinates");
+      return refuse_word(reading, line, word, Code::nc_unsupported, "polar coordinates");
     block.unfollowed_word = word.begin;
   }
   add(line, word, WordRole::technology);
@@ -259,12 +262,12 @@ bool read_code_sign(Reading& reading, const CodeWord& word, ProgramLine& line, B
 }
 
 // I, J, K and R.
-bool read_code_center(Reading& reading, const CodeWord& word, ProgramLine& line,
-                      BlockWords& block) {
+bool read_gcode_center(Reading& reading, const GcodeWord& word, ProgramLine& line,
+                       BlockWords& block) {
   const bool is_radius = word.letter == 'R';
   const auto axis = is_radius ? 0 : static_cast<std::size_t>(word.letter - 'I');
   auto& target = is_radius ? block.move.radius : block.move.center[axis];
-  if (target) return refuse_code(reading, line, word, Code::nc_word_twice);
+  if (target) return refuse_word(reading, line, word, Code::nc_word_twice);
   target = word.value;
   see_whole(reading, word, is_radius ? WholeWord::radius : WholeWord::center + axis, block);
   if (!block.center) block.center = word.begin;
@@ -273,28 +276,29 @@ bool read_code_center(Reading& reading, const CodeWord& word, ProgramLine& line,
 }
 
 // T of FANUC may have the number of an offset behind a point, and stand twice.
-bool read_code_tool(Reading& reading, const CodeWord& word, ProgramLine& line, BlockWords& block) {
+bool read_gcode_tool(Reading& reading, const GcodeWord& word, ProgramLine& line,
+                     BlockWords& block) {
   if (block.later_tool || (block.tool_number && reading.dialect.name != DialectName::fanuc))
-    return refuse_code(reading, line, word, Code::nc_word_twice);
+    return refuse_word(reading, line, word, Code::nc_word_twice);
   if (!is_number_of_tool(std::floor(word.value)))
-    return refuse_code(reading, line, word, Code::nc_number);
+    return refuse_word(reading, line, word, Code::nc_number);
   (block.tool_number ? block.later_tool : block.tool_number) = {.value = std::floor(word.value),
                                                                 .begin = word.begin};
-  reading.code_modes.turning |= is_turning_tool(line.word({.begin = word.begin, .end = word.end}));
+  reading.gcode_modes.turning |= is_turning_tool(line.word({.begin = word.begin, .end = word.end}));
   add(line, word, WordRole::technology);
   return true;
 }
 
-bool read_code_machine_function(Reading& reading, const CodeWord& word, ProgramLine& line,
-                                BlockWords& block) {
+bool read_gcode_machine_function(Reading& reading, const GcodeWord& word, ProgramLine& line,
+                                 BlockWords& block) {
   const double m = word.value;
   if (is_subprogram_call(m))
-    return refuse_code(reading, line, word, Code::nc_unsupported, "a subprogram call");
+    return refuse_word(reading, line, word, Code::nc_unsupported, "a subprogram call");
   const bool linuxcnc = reading.dialect.name == DialectName::linuxcnc;
   if (linuxcnc && (m == 70 || m == 71 || m == 72))
     block.kept_modes = {.value = m, .begin = word.begin};
   if (linuxcnc && m == 73)
-    return refuse_code(reading, line, word, Code::nc_unsupported,
+    return refuse_word(reading, line, word, Code::nc_unsupported,
                        "modes as they were in front of a subprogram");
   block.names_tool |= linuxcnc && m == 61;
   const bool ends = m == 2 || m == 30 || m == 99;
@@ -306,36 +310,36 @@ bool read_code_machine_function(Reading& reading, const CodeWord& word, ProgramL
   return true;
 }
 
-bool read_code_address(Reading& reading, const CodeWord& word, ProgramLine& line,
-                       BlockWords& block) {
-  const auto twice = [&] { return refuse_code(reading, line, word, Code::nc_word_twice); };
+bool read_gcode_address(Reading& reading, const GcodeWord& word, ProgramLine& line,
+                        BlockWords& block) {
+  const auto twice = [&] { return refuse_word(reading, line, word, Code::nc_word_twice); };
   const BlockWords::Value value{.value = word.value, .begin = word.begin};
   if (word.comma) return read_comma_word(reading, word, line, block);
   const char letter = word.letter;
-  if (letter == '$' || letter == '@') return read_code_sign(reading, word, line, block);
-  if (letter <= 'C' || letter >= 'U') return read_code_axis(reading, word, line, block);
+  if (letter == '$' || letter == '@') return read_gcode_sign(reading, word, line, block);
+  if (letter <= 'C' || letter >= 'U') return read_gcode_axis(reading, word, line, block);
   switch (letter) {
     case 'I':
     case 'J':
     case 'K':
     case 'R':
-      return read_code_center(reading, word, line, block);
+      return read_gcode_center(reading, word, line, block);
     case 'F':
       if (block.feed) return twice();
-      if (word.value < 0) return refuse_code(reading, line, word, Code::nc_number);
+      if (word.value < 0) return refuse_word(reading, line, word, Code::nc_number);
       block.feed = value;
       if (word.whole) block.whole |= std::uint64_t{1} << WholeWord::feed;
       add(line, word, WordRole::feed);
       return true;
     case 'D':
       if (block.tool) return twice();
-      if (word.value >= first_named_tool) return refuse_code(reading, line, word, Code::nc_number);
+      if (word.value >= first_named_tool) return refuse_word(reading, line, word, Code::nc_number);
       block.tool = value;
       break;
     case 'T':
-      return read_code_tool(reading, word, line, block);
+      return read_gcode_tool(reading, word, line, block);
     case 'M':
-      return read_code_machine_function(reading, word, line, block);
+      return read_gcode_machine_function(reading, word, line, block);
     case 'L':
       block.tool_data = value;
       break;
@@ -360,7 +364,7 @@ bool read_code_address(Reading& reading, const CodeWord& word, ProgramLine& line
 
 }  // namespace
 
-bool refuse_code(Reading& reading, const ProgramLine& line, const CodeWord& word, Code code,
+bool refuse_word(Reading& reading, const ProgramLine& line, const GcodeWord& word, Code code,
                  std::string_view meaning) {
   std::string detail(line.word({.begin = word.begin, .end = word.end}));
   if (!meaning.empty()) detail.append(", ").append(meaning);
@@ -368,15 +372,15 @@ bool refuse_code(Reading& reading, const ProgramLine& line, const CodeWord& word
                         TextFault{.code = code, .begin = word.begin, .detail = std::move(detail)});
 }
 
-bool read_code_words(Reading& reading, ProgramLine& line, BlockWords& block) {
-  CodeReader reader(line.text, reading.dialect.name == DialectName::linuxcnc);
+bool read_gcode_words(Reading& reading, ProgramLine& line, BlockWords& block) {
+  GcodeReader reader(line.text, reading.dialect.name == DialectName::linuxcnc);
   std::size_t faults = 0;
   for (;;) {
-    const CodeWord word = reader.next();
+    const GcodeWord word = reader.next();
     switch (word.kind) {
-      case CodeWord::Kind::end:
-        return complete_code_block(reading, line, block) && faults == 0;
-      case CodeWord::Kind::fault:
+      case GcodeWord::Kind::end:
+        return complete_gcode_block(reading, line, block) && faults == 0;
+      case GcodeWord::Kind::fault:
         if (reader.fault().code == Code::nc_unsupported &&
             names_what_passes(reading, line.text, word.begin) &&
             !cuts_off_words(reading, line, word.begin)) {
@@ -388,34 +392,35 @@ bool read_code_words(Reading& reading, ProgramLine& line, BlockWords& block) {
         reading.refuse(line, reader.fault());
         ++faults;
         break;
-      case CodeWord::Kind::comment:
+      case GcodeWord::Kind::comment:
         if (reading.dialect.name == DialectName::fanuc && block.words > 0 &&
             reads_as_block(std::string_view(line.text).substr(word.begin, word.end - word.begin))) {
-          refuse_code(reading, line, word, Code::nc_unsupported,
+          refuse_word(reading, line, word, Code::nc_unsupported,
                       "a second block in the line, or a comment that reads as one");
           ++faults;
           break;
         }
         add(line, word, WordRole::comment);
         break;
-      case CodeWord::Kind::skip:
+      case GcodeWord::Kind::skip:
         block.to_skip |= hangs_on_switch(reading, line.text, block);
         add(line, word, WordRole::technology);
         break;
-      case CodeWord::Kind::address:
-        faults += read_code_word(reading, word, line, block) ? 0 : 1;
+      case GcodeWord::Kind::address:
+        faults += read_gcode_word(reading, word, line, block) ? 0 : 1;
         break;
     }
     if (reading.diagnostics.stopped() || faults >= reading.limits.most_faults) return false;
   }
 }
 
-bool read_code_word(Reading& reading, const CodeWord& word, ProgramLine& line, BlockWords& block) {
+bool read_gcode_word(Reading& reading, const GcodeWord& word, ProgramLine& line,
+                     BlockWords& block) {
   switch (word.letter) {
     case 'N':
       // Some controls jump and call with N behind other words.
       if (block.words > 0)
-        return refuse_code(reading, line, word, Code::nc_unsupported, "behind other words");
+        return refuse_word(reading, line, word, Code::nc_unsupported, "behind other words");
       if (word.has_number && word.whole && is_whole(word.value))
         line.source.number = static_cast<std::int64_t>(word.value);
       add(line, word, WordRole::number);
@@ -427,24 +432,24 @@ bool read_code_word(Reading& reading, const CodeWord& word, ProgramLine& line, B
       }
       if ((reading.blocks_read > 0 || line.text[word.end - 1] == '>') &&
           reading.dialect.name == DialectName::linuxcnc)
-        return refuse_code(reading, line, word, Code::nc_unsupported, "a subprogram or a loop");
+        return refuse_word(reading, line, word, Code::nc_unsupported, "a subprogram or a loop");
       if (reading.blocks_read > 0)
         return reading.refuse(
             line, TextFault{.code = Code::nc_unsupported,
                             .begin = word.begin,
-                            .detail = reading.code_modes.program_named
+                            .detail = reading.gcode_modes.program_named
                                           ? "O, a second program in one text"
                                           : "O, behind blocks without a number of their "
                                             "program"});
-      reading.code_modes.program_named = true;
+      reading.gcode_modes.program_named = true;
       add(line, word, WordRole::comment);
       return true;
     case 'G':
       ++block.words;
-      return read_code_function(reading, word, line, block);
+      return read_gcode_function(reading, word, line, block);
     default:
       ++block.words;
-      return read_code_address(reading, word, line, block);
+      return read_gcode_address(reading, word, line, block);
   }
 }
 
