@@ -114,8 +114,10 @@ struct BlockWords {
   bool homes = false;              // G74 of ISG
   bool calls_the_machine = false;  // NAME(…) of Sinumerik, which the program does not have
   AxisBits forget = 0;
-  std::optional<Value> tool_data{};         // L of G10
-  std::optional<Value> tool_data_number{};  // P of G10
+  std::optional<Value> l_word{};
+  std::optional<Value> p_word{};
+  std::optional<Value> q_word{};
+  std::optional<Value> h_word{};
   // $TC_DP6[t,d]= of Sinumerik: its row_of_edge() and its radius, mm.
   struct EdgeRadius {
     std::int64_t row = 0;
@@ -138,8 +140,6 @@ struct BlockWords {
   bool sets_position = false;                // G92: the axis words say where the machine stands
   std::optional<Value> kept_modes{};         // M70 … M72 of LinuxCNC
   bool names_tool = false;                   // M61 of LinuxCNC: Q is the tool in the spindle
-  std::optional<Value> quantity{};           // Q
-  std::optional<Value> offset{};             // H
   // Of Sinumerik. References: 1 for AC(), -1 for IC(), 0 as G90 and G91 say.
   std::array<std::int8_t, 3> end_reference{};
   std::array<std::int8_t, 3> center_reference{};

@@ -61,7 +61,7 @@ void copy_for_functions(Reading& reading, BlockWords& block, AxisBits named,
                         !block.of(dimension).is(91);
   copy_for(frame, block.sets_position ? AxisBits{0} : all_axes, block, found);
   const bool moves_zero_points =
-      block.tool_data && (block.tool_data->value == 2 || block.tool_data->value == 20);
+      block.l_word && (block.l_word->value == 2 || block.l_word->value == 20);
   copy_for(tool_data, moves_zero_points ? all_axes : AxisBits{0}, block, found);
   copy_for(unfollowed, all_axes, block, found);
   copy_for(unfollowed_end, all_axes, block, found);
@@ -140,7 +140,7 @@ void copy_for_words_of_line(Reading& reading, BlockWords& block, AxisBits named,
   if (reading.gcode_modes.tangent_arcs && !follows_tangent) copy_motion("CT", named, block, found);
   if (leaves_from_lost_place(reading, block))
     copy_motion("a motion of one axis behind a deselection without motion", named, block, found);
-  if (reading.dialect.name == DialectName::fanuc && block.tool_data)
+  if (reading.dialect.name == DialectName::fanuc && block.l_word)
     copy_motion("a motion with L, which is repeated", all_axes, block, found);
   if (block.to_skip && !block.copied) {
     copy_motion("a motion that may be skipped", named, block, found);

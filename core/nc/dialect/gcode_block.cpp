@@ -199,7 +199,7 @@ void take_words_of_few_controls(BlockWords& block) {
   BlockWords::Function& found = block.functions[static_cast<std::size_t>(single_move)];
   static constexpr GFunction scaling{.number = 72, .group = unfollowed, .meaning = "scaling"};
   static constexpr GFunction no_scaling{.number = 72, .group = unfollowed_end};
-  const bool drills = block.center || block.tool_data || block.tool_data_number || block.quantity;
+  const bool drills = block.center || block.l_word || block.p_word || block.q_word;
   if (found.is(72) && !drills && (block.spindle_speed || block.axis)) {
     const bool ends = !block.axis && block.spindle_speed->value == 1;
     const GFunction& function = ends ? no_scaling : scaling;
@@ -224,9 +224,9 @@ void take_tool_words(Reading& reading, const ProgramLine& line, BlockWords& bloc
         reading.gcode_modes.tool_named && reading.gcode_modes.next_tool == 0;
     block.forget |= static_cast<AxisBits>(1U << axes_of(reading.state.mode().plane).third);
   }
-  if (block.names_tool && block.quantity) {
-    reading.gcode_modes.spindle_tool = whole_number(block.quantity->value);
-    reading.gcode_modes.spindle_tool_place = reading.place_of_word(line, block.quantity->begin);
+  if (block.names_tool && block.q_word) {
+    reading.gcode_modes.spindle_tool = whole_number(block.q_word->value);
+    reading.gcode_modes.spindle_tool_place = reading.place_of_word(line, block.q_word->begin);
     reading.gcode_modes.spindle_empty = reading.gcode_modes.spindle_tool == 0;
   }
 }
@@ -235,8 +235,7 @@ void take_tool_words(Reading& reading, const ProgramLine& line, BlockWords& bloc
 void take_unit_of_old(const Reading& reading, ProgramLine& line, BlockWords& block) {
   BlockWords::Function& found = block.functions[static_cast<std::size_t>(single_move)];
   const bool unit_of_old = block.of(single_move).is(70) || block.of(single_move).is(71);
-  if (!unit_of_old || block.axis || block.center || block.tool_data || block.tool_data_number ||
-      block.has(unit))
+  if (!unit_of_old || block.axis || block.center || block.l_word || block.p_word || block.has(unit))
     return;
   for (WordRange& word : line.words)
     if (word.begin == found.begin) word.role = WordRole::mode;
@@ -246,14 +245,12 @@ void take_unit_of_old(const Reading& reading, ProgramLine& line, BlockWords& blo
 
 // P beside G2 and G3 of LinuxCNC: how many turns, the last of which may be a part of one.
 void take_turns_of_arc(const Reading& reading, ProgramLine& line, BlockWords& block) {
-  if (reading.dialect.name != DialectName::linuxcnc || !block.tool_data_number ||
-      !reading.contour_open())
+  if (reading.dialect.name != DialectName::linuxcnc || !block.p_word || !reading.contour_open())
     return;
   if (!block.axis && !block.center) return;
   const MotionKind kind = kind_of(reading, block);
   if (kind != MotionKind::clockwise && kind != MotionKind::counter_clockwise) return;
-  block.turns = {.value = block.tool_data_number->value - 1,
-                 .begin = block.tool_data_number->begin};
+  block.turns = {.value = block.p_word->value - 1, .begin = block.p_word->begin};
   for (WordRange& word : line.words)
     if (word.begin == block.turns->begin) word.role = WordRole::coordinate;
 }
@@ -341,8 +338,7 @@ void take_work_offset(Reading& reading, BlockWords& block) {
   const GFunction& function = *block.of(zero_shift).function;
   constexpr std::array shifts_by_words{53, 74, 92, 159};
   constexpr std::int64_t for_its_number = 1'000'000;
-  const std::int64_t number =
-      block.tool_data_number ? whole_number(block.tool_data_number->value) : 0;
+  const std::int64_t number = block.p_word ? whole_number(block.p_word->value) : 0;
   const bool is_selection =
       std::ranges::find(shifts_by_words, function.number) == shifts_by_words.end() && number >= 0 &&
       !block.has(dwell) && !may_change && !block.to_skip;

@@ -341,16 +341,16 @@ bool read_gcode_address(Reading& reading, const GcodeWord& word, ProgramLine& li
     case 'M':
       return read_gcode_machine_function(reading, word, line, block);
     case 'L':
-      block.tool_data = value;
+      block.l_word = value;
       break;
     case 'P':
-      block.tool_data_number = value;
+      block.p_word = value;
       break;
     case 'Q':
-      block.quantity = value;
+      block.q_word = value;
       break;
     case 'H':
-      block.offset = value;
+      block.h_word = value;
       break;
     case 'S':
       block.spindle_speed = value;

@@ -139,17 +139,17 @@ bool check_words_beside_contour(Reading& reading, const ProgramLine& line,
   if (block.tooth_feed && reading.trc_active())
     return unsupported(*block.tooth_feed, "FZ=, no feed per minute, while TRC is active");
   const bool takes_p = block.orients_spindle || block.has(dwell) || block.has(zero_shift) ||
-                       block.has(tool_data) || block.tool_data || has_function_with_p(line);
-  if (reading.dialect.name == DialectName::fanuc && selects && block.tool_data_number && !takes_p)
-    return unsupported(block.tool_data_number->begin,
-                       block.tool || block.offset ? "P, which no function of the line takes"
-                                                  : "P beside G41, G42, a radius or a diameter");
+                       block.has(tool_data) || block.l_word || has_function_with_p(line);
+  if (reading.dialect.name == DialectName::fanuc && selects && block.p_word && !takes_p)
+    return unsupported(block.p_word->begin, block.tool || block.h_word
+                                                ? "P, which no function of the line takes"
+                                                : "P beside G41, G42, a radius or a diameter");
   if (reading.dialect.name != DialectName::linuxcnc) return true;
-  if (selects && block.tool_data_number)
-    return unsupported(block.tool_data_number->begin, "P, which no function of the line takes");
-  if ((selects || reading.trc_active()) && block.tool_data && !block.has(tool_data) &&
+  if (selects && block.p_word)
+    return unsupported(block.p_word->begin, "P, which no function of the line takes");
+  if ((selects || reading.trc_active()) && block.l_word && !block.has(tool_data) &&
       (block.axis || block.center))
-    return unsupported(block.tool_data->begin, "L, which no function of the line takes");
+    return unsupported(block.l_word->begin, "L, which no function of the line takes");
   return true;
 }
 
@@ -162,9 +162,9 @@ std::optional<ToolSaid> take_tool_of_selection(Reading& reading, ProgramLine& li
   ToolSaid said = ToolSaid::by_d;
   // Older controls have one table for lengths and radii, with H words for both. Without G41 beside
   // it H would change the length.
-  if (reading.dialect.name == DialectName::fanuc && !block.tool && block.offset &&
+  if (reading.dialect.name == DialectName::fanuc && !block.tool && block.h_word &&
       !has_length_offset(line)) {
-    block.tool = block.offset;
+    block.tool = block.h_word;
     said = ToolSaid::by_h;
   }
   const bool gives_diameter = block.of(side).function->tenth != 0;
@@ -420,8 +420,8 @@ bool take_tool_data(Reading& reading, ProgramLine& line, BlockWords& block) {
       return false;
   }
   // Controls with one table for lengths and radii have no L word.
-  if (!block.has(tool_data) || (!block.tool_data && !block.tool_data_number)) return true;
-  const std::int64_t data = block.tool_data ? whole_number(block.tool_data->value) : 12;
+  if (!block.has(tool_data) || (!block.l_word && !block.p_word)) return true;
+  const std::int64_t data = block.l_word ? whole_number(block.l_word->value) : 12;
   const bool linuxcnc = reading.dialect.name == DialectName::linuxcnc;
   const bool radius_data =
       linuxcnc ? data == 1 || data == 10 || data == 11 : data == 12 || data == 13;
@@ -435,12 +435,11 @@ bool take_tool_data(Reading& reading, ProgramLine& line, BlockWords& block) {
                         .detail = "G10 L" + std::to_string(data).append(", ").append(why)});
   };
   if (adds && is_wear && *block.move.radius == 0) return true;
-  if ((linuxcnc && data != 1) || !block.tool_data_number || adds)
-    return refused("a sum of a tool radius");
+  if ((linuxcnc && data != 1) || !block.p_word || adds) return refused("a sum of a tool radius");
   if (!reading.faults.empty()) return true;
   const bool inch =
       block.has(unit) ? reading.counts_in_inch(*block.of(unit).function) : reading.inch;
-  const std::int64_t number = whole_number(block.tool_data_number->value);
+  const std::int64_t number = whole_number(block.p_word->value);
   const double value = *block.move.radius * (inch ? mm_per_inch : 1);
   if (is_wear) {
     // What the setup says of the wear it has been told; a program that sets it back to 0 does not.

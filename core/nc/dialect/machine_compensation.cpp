@@ -56,8 +56,8 @@ bool take_cycle_with_register(Reading& reading, ProgramLine& line, BlockWords& b
 }
 
 void take_parameters_of_control(Reading& reading, ProgramLine& line, BlockWords& block) {
-  const bool begins = block.has(tool_data) && block.tool_data &&
-                      (block.tool_data->value == 50 || block.tool_data->value == 52);
+  const bool begins = block.has(tool_data) && block.l_word &&
+                      (block.l_word->value == 50 || block.l_word->value == 52);
   reading.gcode_modes.enters_parameters |= begins;
   if (!reading.gcode_modes.enters_parameters) return;
   if (begins) block.forget = all_axes;

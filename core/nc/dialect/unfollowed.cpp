@@ -185,9 +185,8 @@ void end_what_was_unfollowed(Reading& reading, BlockWords& block) {
                          std::ranges::all_of(block.move.tracking, [](const auto& radius) {
                            return radius.value_or(0) == 0;
                          });
-    const bool alone = begun == mapping && !block.axis && !block.quantity && !block.center;
-    const bool by_number =
-        begun == setup_error && block.tool_data_number && block.tool_data_number->value == 0;
+    const bool alone = begun == mapping && !block.axis && !block.q_word && !block.center;
+    const bool by_number = begun == setup_error && block.p_word && block.p_word->value == 0;
     if (by_zero || alone || by_number) {
       ends |= reading.gcode_modes.end_unfollowed(begun);
       if (ends || !by_zero) block.clear(unfollowed);
