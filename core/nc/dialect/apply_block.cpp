@@ -186,12 +186,12 @@ bool apply_trc(Reading& reading, const ProgramLine& line, const BlockWords& bloc
       !reading.state.set_selection(selection_of(block.of(selection).function->number), source))
     return false;
   // A smooth retraction runs along the contour before it ends TRC.
-  const bool ends = has(side) && block.of(side).is(40) && !block.leads_softly;
+  const bool ends = has(side) && block.deselects() && !block.leads_softly;
   if (has(tangential) && !reading.state.set_tangential(source)) return false;
   // The tool of such a block is no longer one of the contour: D0 takes it out of force.
   if (ends && at(block.of(side).begin) && !reading.state.select(Side::off, source)) return false;
   if (!apply_tool(reading, line, block)) return false;
-  if (!has(side) || block.of(side).is(40)) return true;
+  if (!has(side) || block.deselects()) return true;
   return reading.state.select(side_of(block.of(side).function->number), source);
 }
 

@@ -78,6 +78,17 @@ struct BlockWords {
     functions[static_cast<std::size_t>(function.group)] = {.function = &function, .begin = begin};
   }
   void clear(GGroup group) { functions[static_cast<std::size_t>(group)] = {}; }
+  // X Y Z of the line.
+  [[nodiscard]] AxisBits named_axes() const {
+    AxisBits named = 0;
+    for (std::size_t main = 0; main < move.end.size(); ++main)
+      if (move.end[main]) named |= main_axis_bit(main);
+    return named;
+  }
+  // G41, G42
+  [[nodiscard]] bool selects() const { return has(GGroup::side) && !deselects(); }
+  // G40
+  [[nodiscard]] bool deselects() const { return of(GGroup::side).is(40); }
 
   std::array<Function, g_group_count> functions{};
   // In tenths; of a line with several of them `functions` has one: G15 G50, G69 G50.1.

@@ -45,7 +45,7 @@ void copy_for(GGroup group, AxisBits forget, BlockWords& block, NotWhileActive& 
 
 void copy_for_functions(Reading& reading, BlockWords& block, AxisBits named,
                         NotWhileActive& found) {
-  const auto third = static_cast<AxisBits>(1U << axes_of(reading.state.mode().plane).third);
+  const AxisBits third = main_axis_bit(axes_of(reading.state.mode().plane).third);
   // G28 Z and G53 Z: the tool stays beside the contour, and the next line may end TRC.
   const bool leaves_across = reading.dialect.name == DialectName::fanuc && named == third &&
                              !block.center && !block.to_skip &&
@@ -71,7 +71,7 @@ void copy_for_functions(Reading& reading, BlockWords& block, AxisBits named,
 // on it (D-71).
 void follow_tool_offset(Reading& reading, BlockWords& block, AxisBits named,
                         NotWhileActive& found) {
-  const auto third = static_cast<AxisBits>(1U << axes_of(reading.state.mode().plane).third);
+  const AxisBits third = main_axis_bit(axes_of(reading.state.mode().plane).third);
   if (block.of(axis_technology).is(43) && (named & ~third) != 0) {
     block.forget |= static_cast<AxisBits>(named & ~third);
     reading.gcode_modes.offset_axes |= static_cast<AxisBits>(named & ~third);
@@ -98,7 +98,7 @@ void copy_motion(const char* why, AxisBits forget, BlockWords& block, NotWhileAc
 // What began the cycle, or changed the coordinates, has been told where TRC is active.
 void copy_under_modes(Reading& reading, BlockWords& block, AxisBits named, NotWhileActive& found) {
   const bool told = !block.copied || block.has(unfollowed_end);
-  const auto third = static_cast<AxisBits>(1U << axes_of(reading.state.mode().plane).third);
+  const AxisBits third = main_axis_bit(axes_of(reading.state.mode().plane).third);
   if (reading.gcode_modes.cycle)
     copy_motion("a position of a drilling cycle", static_cast<AxisBits>(named | third), block,
                 found);
@@ -114,8 +114,7 @@ void copy_under_modes(Reading& reading, BlockWords& block, AxisBits named, NotWh
 // Its other axis still stands beside the contour, or where only the control knows.
 bool leaves_from_lost_place(const Reading& reading, const BlockWords& block) {
   const bool incremental = block.has(dimension) ? block.of(dimension).is(91) : reading.incremental;
-  const bool stands_beside =
-      reading.contour_open() && (!reading.trc_active() || block.of(side).is(40));
+  const bool stands_beside = reading.contour_open() && (!reading.trc_active() || block.deselects());
   const PlaneAxes axes = axes_of(reading.state.mode().plane);
   const bool is_whole = block.move.end[axes.first] && block.move.end[axes.second];
   return stands_beside && (reading.state.retract_is_lost() || block.has(zero_shift)) &&
@@ -152,9 +151,7 @@ void copy_for_words_of_line(Reading& reading, BlockWords& block, AxisBits named,
 // not stand there while TRC is active.
 NotWhileActive find_what_is_copied(Reading& reading, BlockWords& block) {
   NotWhileActive found;
-  AxisBits named = 0;
-  for (std::size_t axis = 0; axis < block.move.end.size(); ++axis)
-    if (block.move.end[axis]) named |= static_cast<AxisBits>(1U << axis);
+  const AxisBits named = block.named_axes();
   copy_for_functions(reading, block, named, found);
   if (reading.dialect.name == DialectName::linuxcnc)
     follow_tool_offset(reading, block, named, found);
@@ -175,7 +172,7 @@ NotWhileActive find_what_is_copied(Reading& reading, BlockWords& block) {
 // What counts on the motion before it cannot be copied behind one that TRC moves, and what no
 // number says cannot be written anew.
 bool check_motion_before(Reading& reading, const ProgramLine& line, const BlockWords& block) {
-  const bool selects = block.has(side) && !block.of(side).is(40);
+  const bool selects = block.selects();
   if (reading.gcode_modes.tangent_arcs && block.axis && reading.gcode_modes.leaves_contour &&
       reading.faults.empty() && !reading.trc_active())
     return reading.refuse(
@@ -250,8 +247,7 @@ void copy_helix_with_pitch(const Reading& reading, ProgramLine& line, BlockWords
       block.has(dwell) || block.move.radius || reading.dialect.name == DialectName::linuxcnc)
     return;
   block.copied = true;
-  for (std::size_t axis = 0; axis < block.move.end.size(); ++axis)
-    if (block.move.end[axis]) block.forget |= static_cast<AxisBits>(1U << axis);
+  block.forget |= block.named_axes();
   take_for_technology(line, WordRole::coordinate);
   take_for_technology(line, WordRole::trc);
 }
@@ -273,8 +269,8 @@ bool copy_gcode_block(Reading& reading, ProgramLine& line, BlockWords& block) {
   if (!check_motion_before(reading, line, block)) return false;
   NotWhileActive found = find_what_is_copied(reading, block);
   // G40 beside G28 and the like ends TRC first.
-  const bool active = reading.trc_active() && !block.of(side).is(40);
-  const bool selects_here = block.has(side) && !block.of(side).is(40);
+  const bool active = reading.trc_active() && !block.deselects();
+  const bool selects_here = block.selects();
   const bool may_be_skipped =
       block.to_skip && block.has(side) && (selects_here || reading.contour_open());
   if (found.hangs_on_what_was_told && !reading.faults.empty() && !selects_here && active)

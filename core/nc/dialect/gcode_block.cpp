@@ -110,7 +110,7 @@ bool check_skipped_modes(Reading& reading, const ProgramLine& line, const BlockW
   if (block.to_skip && (block.has(feed_adaptation) || block.masks || block.modal_rounding ||
                         block.corner_feed || block.modal_corner_feed))
     return undecided("feeds, corners or masking of a contour that may be skipped");
-  const bool selects = block.has(side) && !block.of(side).is(40);
+  const bool selects = block.selects();
   const bool in_contour = reading.contour_open() || selects;
   if (block.has(motion)) reading.gcode_modes.motion_uncertain = block.to_skip;
   if (reading.gcode_modes.motion_uncertain && in_contour && (block.to_skip || block.axis))
@@ -161,8 +161,7 @@ void pass_over_circle_words(const Reading& reading, ProgramLine& line, BlockWord
                                      says(block.move.center[1]) || says(block.move.center[2]));
   if (cuts_corner) {
     block.copied = true;
-    for (std::size_t axis = 0; axis < block.move.end.size(); ++axis)
-      if (block.move.end[axis]) block.forget |= static_cast<AxisBits>(1U << axis);
+    block.forget |= block.named_axes();
     return;
   }
   block.move.radius.reset();
@@ -188,9 +187,8 @@ bool check_circle_words(Reading& reading, const ProgramLine& line, const BlockWo
                                           .detail = std::move(detail)});
   };
   if (block.has(side) && has_center)
-    return refused(block.of(side).is(40)
-                       ? "I, J beside G40, a vector of the wall behind it"
-                       : "I, J beside G41, G42, a vector of the contour behind it");
+    return refused(block.deselects() ? "I, J beside G40, a vector of the wall behind it"
+                                     : "I, J beside G41, G42, a vector of the contour behind it");
   return has_center || !block.axis || refused("R in a straight motion");
 }
 
@@ -222,7 +220,7 @@ void take_tool_words(Reading& reading, const ProgramLine& line, BlockWords& bloc
     reading.gcode_modes.spindle_tool_place = reading.gcode_modes.next_tool_place;
     reading.gcode_modes.spindle_empty =
         reading.gcode_modes.tool_named && reading.gcode_modes.next_tool == 0;
-    block.forget |= static_cast<AxisBits>(1U << axes_of(reading.state.mode().plane).third);
+    block.forget |= main_axis_bit(axes_of(reading.state.mode().plane).third);
   }
   if (block.names_tool && block.q_word) {
     reading.gcode_modes.spindle_tool = whole_number(block.q_word->value);

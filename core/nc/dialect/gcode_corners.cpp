@@ -22,7 +22,7 @@ bool take_fagor_words(Reading& reading, ProgramLine& line, BlockWords& block) {
   const int number = found.function->number;
   if (number < 36 || number > 39) return true;
   if (number == 37 || number == 38) {
-    const bool selects = block.has(side) && !block.of(side).is(40);
+    const bool selects = block.selects();
     if (!reading.trc_active() && !selects) return true;
     return reading.refuse(
         line,
@@ -51,8 +51,8 @@ bool take_fagor_words(Reading& reading, ProgramLine& line, BlockWords& block) {
 }
 
 bool take_modal_rounding(Reading& reading, ProgramLine& line, BlockWords& block) {
-  const bool selects = block.has(side) && !block.of(side).is(40);
-  const bool ends = block.of(side).is(40) && reading.trc_active();
+  const bool selects = block.selects();
+  const bool ends = block.deselects() && reading.trc_active();
   if (block.modal_rounding) {
     reading.gcode_modes.modal_rounding = block.modal_rounding->value * reading.length_unit();
     if (reading.trc_active() || selects)
@@ -93,7 +93,7 @@ bool take_corner_feed(Reading& reading, ProgramLine& line, BlockWords& block) {
 
 bool take_corner(Reading& reading, ProgramLine& line, BlockWords& block) {
   const bool moves = block.axis || block.center;
-  const bool selects = block.has(side) && !block.of(side).is(40);
+  const bool selects = block.selects();
   // The approach is another line than the one that the program rounds into.
   if (selects && reading.gcode_modes.open_corner.source.line > 0)
     return reading.refuse_at(reading.gcode_modes.open_corner, Code::nc_unsupported,

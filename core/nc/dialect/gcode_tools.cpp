@@ -88,7 +88,7 @@ bool check_what_may_be_skipped(Reading& reading, const ProgramLine& line, const 
     return reading.refuse(line, TextFault{.code = Code::block_skip_undecided,
                                           .begin = line.words.front().begin,
                                           .detail = "a radius or a corner that may be skipped"});
-  const bool selects = block.has(side) && !block.of(side).is(40);
+  const bool selects = block.selects();
   for (const std::uint32_t before :
        {reading.gcode_modes.skipped_tool, reading.gcode_modes.skipped_tool_data,
         reading.gcode_modes.skipped_approach})
@@ -108,7 +108,7 @@ bool refuse_selection(Reading& reading, const ProgramLine& line, const BlockWord
 
 // Only lathes work without Y (D-105).
 bool check_turning(Reading& reading, const ProgramLine& line, const BlockWords& block) {
-  const bool selects = block.has(side) && !block.of(side).is(40);
+  const bool selects = block.selects();
   if (selects && reading.gcode_modes.turning && !reading.gcode_modes.y_seen)
     return refuse_selection(reading, line, block, Code::turning, "G41, G42 of a lathe");
   const bool in_zx =
@@ -128,7 +128,7 @@ bool check_turning(Reading& reading, const ProgramLine& line, const BlockWords& 
 // Words that say nothing to a contour, or something that is not followed.
 bool check_words_beside_contour(Reading& reading, const ProgramLine& line,
                                 const BlockWords& block) {
-  const bool selects = block.has(side) && !block.of(side).is(40);
+  const bool selects = block.selects();
   const auto unsupported = [&](std::uint32_t begin, std::string detail) {
     return reading.refuse(
         line, TextFault{.code = Code::nc_unsupported, .begin = begin, .detail = std::move(detail)});
@@ -215,7 +215,7 @@ bool refuse_second_edge(Reading& reading, std::int64_t row) {
 // Whether the table has the tool of the line, or the radius of the setup stands for it.
 bool check_tool_of_table(Reading& reading, const ProgramLine& line, BlockWords& block,
                          ToolSaid said) {
-  const bool matters = reading.trc_active() || (block.has(side) && !block.of(side).is(40));
+  const bool matters = reading.trc_active() || block.selects();
   const std::int64_t number = whole_number(block.tool->value);
   reading.gcode_modes.missing_tool = -1;
   if (!is_whole(block.tool->value)) {
@@ -272,7 +272,7 @@ bool choose_tool_of_edge(Reading& reading, ProgramLine& line, BlockWords& block)
   }
   if (block.tool_number) modes.edge_of_next_tool = block.tool.has_value();
   const std::optional<BlockWords::Value> edge_word = std::exchange(block.tool, {});
-  const bool selects = block.has(side) && !block.of(side).is(40);
+  const bool selects = block.selects();
   const bool goes_on = reading.trc_active() && !block.has(side);
   if (!selects && !(goes_on && (edge_word || changes))) return true;
   const std::uint32_t begin = selects     ? block.of(side).begin
@@ -329,7 +329,7 @@ std::int64_t number_of_tool_named(std::string_view name, const ToolInForce& tool
 }
 
 bool check_gcode_selection(Reading& reading, ProgramLine& line, BlockWords& block) {
-  const bool selects = block.has(side) && !block.of(side).is(40);
+  const bool selects = block.selects();
   if (!check_what_may_be_skipped(reading, line, block)) return false;
   if (selects && !reading.gcode_modes.unfollowed.empty()) {
     const UnfollowedMode& mode = reading.gcode_modes.unfollowed.back();

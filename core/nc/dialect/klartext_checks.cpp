@@ -72,7 +72,7 @@ void leave_plane_by_arc(const Reading& reading, KlartextBlock& block) {
   block.leave_unfollowed(KlartextObstacle::Why::across_the_plane);
   if (pole_across) block.leaves_on = reading.klartext_modes.pole_across;
   for (std::size_t axis = 0; axis < block.end.size(); ++axis)
-    if (block.end[axis]) block.leaves_on |= static_cast<AxisBits>(1U << axis);
+    if (block.end[axis]) block.leaves_on |= main_axis_bit(axis);
 }
 
 // What the words must be together.

@@ -69,7 +69,7 @@ bool take_pole_across(Reading& reading, ProgramLine& line, const KlartextBlock& 
     return refuse_klartext(reading, line, block.begin, "CC across the plane");
   AxisBits named = 0;
   for (std::size_t axis = 0; axis < block.end.size(); ++axis)
-    if (block.end[axis]) named |= static_cast<AxisBits>(1U << axis);
+    if (block.end[axis]) named |= main_axis_bit(axis);
   reading.klartext_modes.pole_across = (named & (named - 1)) != 0 ? named : all_axes;
   reading.klartext_modes.pole.reset();
   line.klartext->loses_pole = true;

@@ -17,7 +17,7 @@ using enum GGroup;
 
 bool take_cycle_with_register(Reading& reading, ProgramLine& line, BlockWords& block) {
   const BlockWords::Function& cycle = block.of(single_move);
-  const bool selects = block.has(side) && !block.of(side).is(40);
+  const bool selects = block.selects();
   const bool compensates = cycle.is(12) || cycle.is(13) || cycle.is(150);
   if (!compensates || reading.contour_open()) {
     if (!block.tool) return true;

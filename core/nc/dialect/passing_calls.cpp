@@ -294,7 +294,7 @@ bool restate_modes(Reading& reading, ProgramLine& line, BlockWords& block) {
     return true;
   }
   if (reading.contour_open() || !(block.axis || block.center)) return true;
-  const bool selects = block.has(GGroup::side) && !block.of(GGroup::side).is(40);
+  const bool selects = block.selects();
   if (selects && reading.machine_follows) {  // which is refused for that
     block.forget = all_axes;
     return true;
@@ -330,7 +330,7 @@ bool watch_tool(Reading& reading, const ProgramLine& line, const BlockWords& blo
     reading.gcode_modes.next_tool_place = reading.place_of_word(line, block.tool_number->begin);
     reading.gcode_modes.tool_awaits_call = !block.changes_tool;
   }
-  const bool selects = block.has(GGroup::side) && !block.of(GGroup::side).is(40);
+  const bool selects = block.selects();
   if (!selects || reading.trc_active()) return true;
   const std::uint32_t begin = block.of(GGroup::side).begin;
   if (reading.gcode_modes.modal_cycle)
@@ -369,8 +369,7 @@ bool warn_of_other_tool(Reading& reading, const ProgramLine& line, std::uint32_t
 }
 
 bool note_unknown_call(Reading& reading, const ProgramLine& line, const BlockWords& block) {
-  const bool selects =
-      block.has(GGroup::side) && !block.of(GGroup::side).is(40) && !reading.trc_active();
+  const bool selects = block.selects() && !reading.trc_active();
   if (!selects || !reading.gcode_modes.unknown_call || reading.gcode_modes.unknown_call->empty() ||
       !reading.faults.empty())
     return true;

@@ -41,7 +41,7 @@ void sum_up_words(ProgramLine& line) {
     if (!names_an_axis(line, word)) continue;
     const char letter = upper(line.text[word.begin]);
     if (letter >= 'X' && letter <= 'Z') {
-      line.main_axes |= static_cast<std::uint8_t>(1U << (letter - 'X'));
+      line.main_axes |= main_axis_bit(static_cast<std::size_t>(letter - 'X'));
     } else if (!is_of_center(letter)) {
       line.names_other_axes = true;
     }
@@ -172,8 +172,7 @@ bool read_block(Reading& reading, ProgramLine& line) {
                             ? read_call_of_machine(reading, line, block)
                             : passes || read_words_of_dialect(reading, line, block);
   sum_up_words(line);
-  if (!reading.faults.empty() && block.has(GGroup::side))
-    reading.scanned_trc = !block.of(GGroup::side).is(40);
+  if (!reading.faults.empty() && block.has(GGroup::side)) reading.scanned_trc = !block.deselects();
   reading.in_front_of_tape &= !readable || (line.roles & ~bit(WordRole::comment)) == 0;
   if (!readable || !reading.faults.empty()) return false;
   if ((line.roles & ~bit(WordRole::comment)) == 0) return true;

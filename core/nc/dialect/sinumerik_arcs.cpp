@@ -142,7 +142,7 @@ bool resolve_polar_words(Reading& reading, ProgramLine& line, BlockWords& block)
   if (!polar) return true;
   const std::uint32_t begin = std::min(block.polar_angle ? block.polar_angle->begin : ~0U,
                                        block.polar_radius ? block.polar_radius->begin : ~0U);
-  const bool selects = block.has(side) && !block.of(side).is(40);
+  const bool selects = block.selects();
   const bool both = block.polar_angle && block.polar_radius;
   // A line that is copied would count on a word that the written program has no longer.
   const bool counts_on = !both || block.increments_angle || block.increments_radius;

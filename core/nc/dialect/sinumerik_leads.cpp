@@ -31,9 +31,9 @@ bool check_soft_lead(Reading& reading, ProgramLine& line, const BlockWords& bloc
   const bool approaches = is_approach(lead.function->number);
   if (!approaches && !reading.trc_active())
     return wrong(lead.begin, " behind G40: write both into one block");
-  if (!approaches && !block.of(side).is(40))
+  if (!approaches && !block.deselects())
     return wrong(lead.begin, " without G40: write G40 beside it");
-  if (approaches && block.of(side).is(40)) return wrong(lead.begin, " beside G40");
+  if (approaches && block.deselects()) return wrong(lead.begin, " beside G40");
   if (block.to_skip)
     return reading.refuse(line, TextFault{.code = Code::block_skip_undecided,
                                           .begin = lead.begin,
@@ -147,7 +147,7 @@ bool take_soft_lead(Reading& reading, ProgramLine& line, BlockWords& block) {
     reading.gcode_modes.soft_direction = block.of(soft_direction).function->number;
   if (block.has(soft_steps)) reading.gcode_modes.soft_in_space = block.of(soft_steps).is(340);
   const BlockWords::Function& lead = block.of(soft_lead);
-  const bool selects = block.has(side) && !block.of(side).is(40);
+  const bool selects = block.selects();
   if (!block.has(soft_lead)) {
     for (const auto& word : {block.soft_length, block.soft_clearance, block.soft_feed})
       if (word && (selects || reading.contour_open()))

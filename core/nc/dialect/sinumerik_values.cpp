@@ -27,7 +27,8 @@ AxisBits main_axis_of(std::string_view assignment) {
   const std::size_t index = assignment.find_first_not_of("[ \t", assignment.find('['));
   if (index == std::string_view::npos) return 0;
   const char axis = upper(assignment[index]);
-  return axis < 'X' || axis > 'Z' ? AxisBits{0} : static_cast<AxisBits>(1U << (axis - 'X'));
+  return axis < 'X' || axis > 'Z' ? AxisBits{0}
+                                  : main_axis_bit(static_cast<std::size_t>(axis - 'X'));
 }
 
 bool read_form_of_arc(Reading& reading, const NamedWord& word, ProgramLine& line,

@@ -127,7 +127,7 @@ bool copy_thread(Reading& reading, ProgramLine& line, BlockWords& block) {
                                 !reading.called_dimension;
   const bool is_position = !block.has(dwell) && !block.of(zero_shift).is(92);
   if (!under_thread || !(block.has(single_move) || (block.axis && is_position))) return true;
-  if (reading.contour_open() || (block.has(side) && !block.of(side).is(40))) {
+  if (reading.contour_open() || block.selects()) {
     const int number = reading.gcode_modes.unfollowed.back().function / 10;
     return reading.refuse(
         line, TextFault{.code = Code::nc_unsupported,
@@ -137,8 +137,7 @@ bool copy_thread(Reading& reading, ProgramLine& line, BlockWords& block) {
                                   " while TRC is active"});
   }
   block.copied = true;
-  for (std::size_t axis = 0; axis < block.move.end.size(); ++axis)
-    if (block.move.end[axis]) block.forget |= static_cast<AxisBits>(1U << axis);
+  block.forget |= block.named_axes();
   take_for_technology(line, WordRole::coordinate);
   take_for_technology(line, WordRole::trc);
   return true;

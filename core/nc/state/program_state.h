@@ -29,6 +29,9 @@ struct RadiusUse {
 // Some of X Y Z, a bit each.
 using AxisBits = std::uint8_t;
 inline constexpr AxisBits all_axes = 7;
+[[nodiscard]] constexpr AxisBits main_axis_bit(std::size_t axis) {
+  return static_cast<AxisBits>(1U << axis);
+}
 
 enum class MotionKind : std::uint8_t { rapid, linear, clockwise, counter_clockwise };
 
