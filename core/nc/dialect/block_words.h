@@ -13,9 +13,12 @@
 
 namespace trc {
 
-// -1 where it is none.
-[[nodiscard]] inline std::int64_t whole_number(double value) {
-  return is_whole(value) ? static_cast<std::int64_t>(value) : -1;
+[[nodiscard]] inline std::optional<std::int64_t> whole_number(double value) {
+  return is_whole(value) ? std::optional(static_cast<std::int64_t>(value)) : std::nullopt;
+}
+// The tool, edge or register that a word names; `no_tool_number` where its value names none.
+[[nodiscard]] inline std::int64_t register_number(double value) {
+  return whole_number(value).value_or(no_tool_number);
 }
 // Of a D or T word.
 [[nodiscard]] inline bool is_number_of_tool(double value) {

@@ -210,7 +210,7 @@ void take_words_of_few_controls(BlockWords& block) {
 void take_tool_words(Reading& reading, const ProgramLine& line, BlockWords& block) {
   if (block.tool_number) {
     reading.gcode_modes.next_tool =
-        block.named_tool.value_or(whole_number(block.tool_number->value));
+        block.named_tool.value_or(register_number(block.tool_number->value));
     reading.gcode_modes.next_tool_place = reading.place_of_word(line, block.tool_number->begin);
   }
   reading.gcode_modes.tool_named |= block.tool_number.has_value();
@@ -223,7 +223,7 @@ void take_tool_words(Reading& reading, const ProgramLine& line, BlockWords& bloc
     block.forget |= main_axis_bit(axes_of(reading.state.mode().plane).third);
   }
   if (block.names_tool && block.q_word) {
-    reading.gcode_modes.spindle_tool = whole_number(block.q_word->value);
+    reading.gcode_modes.spindle_tool = register_number(block.q_word->value);
     reading.gcode_modes.spindle_tool_place = reading.place_of_word(line, block.q_word->begin);
     reading.gcode_modes.spindle_empty = reading.gcode_modes.spindle_tool == 0;
   }
@@ -336,12 +336,12 @@ void take_work_offset(Reading& reading, BlockWords& block) {
   const GFunction& function = *block.of(zero_shift).function;
   constexpr std::array shifts_by_words{53, 74, 92, 159};
   constexpr std::int64_t for_its_number = 1'000'000;
-  const std::int64_t number = block.p_word ? whole_number(block.p_word->value) : 0;
+  const std::optional<std::int64_t> number = block.p_word ? whole_number(block.p_word->value) : 0;
   const bool is_selection =
-      std::ranges::find(shifts_by_words, function.number) == shifts_by_words.end() && number >= 0 &&
+      std::ranges::find(shifts_by_words, function.number) == shifts_by_words.end() && number &&
       !block.has(dwell) && !may_change && !block.to_skip;
   const std::int64_t selected =
-      is_selection ? number * for_its_number + function.tenths() : std::int64_t{0};
+      is_selection ? *number * for_its_number + function.tenths() : std::int64_t{0};
   if (selected != 0 && selected == reading.gcode_modes.work_offset) block.clear(zero_shift);
   reading.gcode_modes.work_offset = selected;
 }

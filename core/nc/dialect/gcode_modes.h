@@ -100,10 +100,10 @@ struct GcodeModes {
   bool spindle_empty = false;  // T0 M06
   WordPlace next_tool_place{};
   WordPlace spindle_tool_place{};
-  WordPlace edge_place{};          // of the last D word; with a new tool none
-  bool edge_of_next_tool = false;  // D stands beside the last T word
-  std::int64_t missing_tool = -1;  // of the last D word, which the table has not
-  std::string tool_name{};         // of T="…"
+  WordPlace edge_place{};                      // of the last D word; with a new tool none
+  bool edge_of_next_tool = false;              // D stands beside the last T word
+  std::optional<std::int64_t> missing_tool{};  // of the last D word, which the table has not
+  std::string tool_name{};                     // of T="…"
   std::string only_tool_name{};
   bool tangent_arcs = false;      // CT
   bool tangents_written = false;  // its word is in the output no longer
@@ -111,8 +111,8 @@ struct GcodeModes {
   WordPlace open_corner{};        // a rounding whose next motion is still to come
   double modal_rounding = 0;      // RNDM=, mm
   double corner_feed = 0;         // FRCM=, mm/min
-  // Of FANUC: the last D word, -1 for none, and whether it stands in the output.
-  double last_register = -1;
+  // Of FANUC: the last D word, and whether it stands in the output.
+  std::optional<double> last_register{};
   bool register_comes_out = true;
   bool enters_parameters = false;  // G10 L50 and L52, up to G11
   WordPlace register_place{};

@@ -216,8 +216,8 @@ bool refuse_second_edge(Reading& reading, std::int64_t row) {
 bool check_tool_of_table(Reading& reading, const ProgramLine& line, BlockWords& block,
                          ToolSaid said) {
   const bool matters = reading.trc_active() || block.selects();
-  const std::int64_t number = whole_number(block.tool->value);
-  reading.gcode_modes.missing_tool = -1;
+  const std::int64_t number = register_number(block.tool->value);
+  reading.gcode_modes.missing_tool.reset();
   if (!is_whole(block.tool->value)) {
     const bool linuxcnc = reading.dialect.name == DialectName::linuxcnc;
     return reading.refuse(
@@ -288,7 +288,7 @@ bool choose_tool_of_edge(Reading& reading, ProgramLine& line, BlockWords& block)
     return reading.refuse_at(tool, Code::tool_unknown, std::move(detail));
   };
   const bool table = !reading.state.setup().tools.empty();
-  const std::int64_t edge = whole_number(modes.edge);
+  const std::int64_t edge = register_number(modes.edge);
   const std::int64_t row = row_of_edge(number, edge);
   if (table && number == no_tool_number)
     return unknown(name_not_in_table(reading, modes.tool_name));
@@ -348,10 +348,10 @@ bool check_gcode_selection(Reading& reading, ProgramLine& line, BlockWords& bloc
       selects ? take_tool_of_selection(reading, line, block) : ToolSaid::by_d;
   if (!said) return false;
   const Code of_missing = reading.gives_radii() ? Code::tool_unknown : Code::no_tool_radius;
-  if (selects && !block.tool && !block.tool_radius && reading.gcode_modes.missing_tool >= 0)
-    return take_only_register(reading, line, block, reading.gcode_modes.missing_tool) ||
+  if (selects && !block.tool && !block.tool_radius && reading.gcode_modes.missing_tool)
+    return take_only_register(reading, line, block, *reading.gcode_modes.missing_tool) ||
            reading.refuse_at(reading.gcode_modes.edge_place, of_missing,
-                             "D" + std::to_string(reading.gcode_modes.missing_tool));
+                             "D" + std::to_string(*reading.gcode_modes.missing_tool));
   if (!block.tool && !block.tool_radius) return !selects || take_only_spindle_tool(reading);
   if ((selects || reading.trc_active()) && reading.dialect.name != DialectName::sinumerik)
     for (WordRange& word : line.words)
@@ -421,7 +421,7 @@ bool take_tool_data(Reading& reading, ProgramLine& line, BlockWords& block) {
   }
   // Controls with one table for lengths and radii have no L word.
   if (!block.has(tool_data) || (!block.l_word && !block.p_word)) return true;
-  const std::int64_t data = block.l_word ? whole_number(block.l_word->value) : 12;
+  const std::optional<std::int64_t> data = block.l_word ? whole_number(block.l_word->value) : 12;
   const bool linuxcnc = reading.dialect.name == DialectName::linuxcnc;
   const bool radius_data =
       linuxcnc ? data == 1 || data == 10 || data == 11 : data == 12 || data == 13;
@@ -432,14 +432,14 @@ bool take_tool_data(Reading& reading, ProgramLine& line, BlockWords& block) {
     return reading.refuse(
         line, TextFault{.code = Code::nc_unsupported,
                         .begin = block.of(tool_data).begin,
-                        .detail = "G10 L" + std::to_string(data).append(", ").append(why)});
+                        .detail = "G10 L" + std::to_string(*data).append(", ").append(why)});
   };
   if (adds && is_wear && *block.move.radius == 0) return true;
   if ((linuxcnc && data != 1) || !block.p_word || adds) return refused("a sum of a tool radius");
   if (!reading.faults.empty()) return true;
   const bool inch =
       block.has(unit) ? reading.counts_in_inch(*block.of(unit).function) : reading.inch;
-  const std::int64_t number = whole_number(block.p_word->value);
+  const std::int64_t number = register_number(block.p_word->value);
   const double value = *block.move.radius * (inch ? mm_per_inch : 1);
   if (is_wear) {
     // What the setup says of the wear it has been told; a program that sets it back to 0 does not.

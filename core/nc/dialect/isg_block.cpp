@@ -324,7 +324,7 @@ bool check_isg_block(Reading& reading, ProgramLine& line, BlockWords& block) {
   if (!watch_tool(reading, line, block) || !restate_modes(reading, line, block) ||
       !note_unknown_call(reading, line, block))
     return false;
-  if (const std::int64_t number = block.tool ? whole_number(block.tool->value) : 0;
+  if (const std::int64_t number = block.tool ? register_number(block.tool->value) : 0;
       !reading.state.tool().has_tool(number))
     take_only_register(reading, line, block, number);
   if (block.homes) {  // where the axes stand then only the machine knows

@@ -152,7 +152,7 @@ bool check_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block) {
   const auto wrong = [&](std::string detail, Code code) {
     return refuse_klartext(reading, line, block.begin, block.title() + std::move(detail), code);
   };
-  if (block.feed && block.feed->begin == ~0U) return wrong(" with F alone", Code::nc_number);
+  if (block.feed_lacks_number) return wrong(" with F alone", Code::nc_number);
   const double unit = reading.inch ? mm_per_inch / 10 : 1;
   if (block.feed && !reading.state.is_feed(block.feed->value * unit))
     return refuse_klartext(

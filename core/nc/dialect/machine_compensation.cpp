@@ -29,11 +29,12 @@ bool take_cycle_with_register(Reading& reading, ProgramLine& line, BlockWords& b
   const std::string name = "G" + std::to_string(cycle.function->number);
   if (!block.tool && !reading.gcode_modes.register_comes_out)
     return reading.refuse(
-        line, TextFault{.code = Code::nc_unsupported,
-                        .begin = cycle.begin,
-                        .detail = name + " without D behind D" +
-                                  std::to_string(whole_number(reading.gcode_modes.last_register)) +
-                                  " " + place_of(reading.gcode_modes.register_place.source)});
+        line,
+        TextFault{.code = Code::nc_unsupported,
+                  .begin = cycle.begin,
+                  .detail = name + " without D behind D" +
+                            std::to_string(register_number(*reading.gcode_modes.last_register)) +
+                            " " + place_of(reading.gcode_modes.register_place.source)});
   const std::uint32_t begin = block.tool ? block.tool->begin : cycle.begin;
   if (block.tool) {
     reading.gcode_modes.last_register = block.tool->value;
@@ -46,10 +47,10 @@ bool take_cycle_with_register(Reading& reading, ProgramLine& line, BlockWords& b
     take_for_technology(line, WordRole::trc);
   }
   if (reading.gcode_modes.last_register == 0 || !reading.faults.empty()) return true;
-  const bool is_said = block.tool || reading.gcode_modes.last_register > 0;
+  const bool is_said = block.tool || reading.gcode_modes.last_register.value_or(0) > 0;
   Diagnostic warned = diagnostic(
       Code::machine_compensates, line.source,
-      is_said ? name + " D" + std::to_string(whole_number(reading.gcode_modes.last_register))
+      is_said ? name + " D" + std::to_string(register_number(*reading.gcode_modes.last_register))
               : name);
   warned.column = reading.place_of_word(line, begin).column;
   return reading.diagnostics.report(std::move(warned));

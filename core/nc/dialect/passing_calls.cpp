@@ -326,7 +326,7 @@ bool watch_tool(Reading& reading, const ProgramLine& line, const BlockWords& blo
     reading.gcode_modes.radius_doubtful = false;
   }
   if (reading.dialect.name == DialectName::isg && block.tool_number) {
-    reading.gcode_modes.next_tool = whole_number(block.tool_number->value);
+    reading.gcode_modes.next_tool = register_number(block.tool_number->value);
     reading.gcode_modes.next_tool_place = reading.place_of_word(line, block.tool_number->begin);
     reading.gcode_modes.tool_awaits_call = !block.changes_tool;
   }
