@@ -153,8 +153,7 @@ bool check_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block) {
     return refuse_klartext(reading, line, block.begin, block.title() + std::move(detail), code);
   };
   if (block.feed_lacks_number) return wrong(" with F alone", Code::nc_number);
-  const double unit = reading.inch ? mm_per_inch / 10 : 1;
-  if (block.feed && !reading.state.is_feed(block.feed->value * unit))
+  if (block.feed && !reading.state.is_feed(block.feed->value * klartext_feed_unit(reading)))
     return refuse_klartext(
         reading, line, block.feed->begin,
         word_at(line, block.feed->begin) + ", more than 0 and at most 1000000000 mm/min",

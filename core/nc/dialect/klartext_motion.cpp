@@ -47,7 +47,7 @@ bool leaves_from_lost_place(const Reading& reading, const KlartextBlock& block) 
 bool apply_klartext_modes(Reading& reading, ProgramLine& line, KlartextBlock& block) {
   reading.klartext_modes.feed_before = reading.feed;
   if (block.feed && !block.is_corner())
-    reading.feed = block.feed->value * (reading.inch ? mm_per_inch / 10 : 1);
+    reading.feed = block.feed->value * klartext_feed_unit(reading);
   if (block.called_feed) reading.feed = reading.klartext_modes.called_feed;
   if (block.feed_per_turn || block.open_feed) reading.feed = 0;
   if (block.side || block.adapts_feed || block.masks)
@@ -273,7 +273,7 @@ bool apply_klartext_motion(Reading& reading, ProgramLine& line, KlartextBlock& b
       if (size == 0) return true;
       return reading.state.cut_corner_behind(
           {.form = round ? CornerCut::Form::round : CornerCut::Form::leg, .size = size},
-          block.feed ? block.feed->value * (reading.inch ? mm_per_inch / 10 : 1) : 0, line.source);
+          block.feed ? block.feed->value * klartext_feed_unit(reading) : 0, line.source);
     }
     case approach:
     case departure:

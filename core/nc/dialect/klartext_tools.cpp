@@ -189,8 +189,7 @@ bool read_tool_call(Reading& reading, ProgramLine& line, std::size_t begin,
   if (!reading.faults.empty()) return false;
   const Plane plane = call.plane.value_or(reading.state.mode().plane);
   // It holds from here on, not only for F AUTO.
-  if (call.feed)
-    reading.feed = modes.called_feed = *call.feed * (reading.inch ? mm_per_inch / 10 : 1);
+  if (call.feed) reading.feed = modes.called_feed = *call.feed * klartext_feed_unit(reading);
   if (call.named) {
     modes.calls_behind_tool.clear();
     modes.tool_of_label = 0;
