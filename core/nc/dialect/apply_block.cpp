@@ -7,6 +7,7 @@
 #include "core/nc/dialect/copied_block.h"
 #include "core/nc/dialect/full_turns.h"
 #include "core/nc/dialect/kept_modes.h"
+#include "core/nc/dialect/named_functions.h"
 #include "core/nc/dialect/reading.h"
 #include "core/nc/dialect/sinumerik_arcs.h"
 #include "core/nc/dialect/sinumerik_leads.h"
@@ -93,7 +94,7 @@ bool apply_modes(Reading& reading, const ProgramLine& line, const BlockWords& bl
   if (block.tooth_feed) reading.feed = 0;
   if (block.has(circle_center)) {
     const GFunction& function = *block.of(circle_center).function;
-    reading.absolute_center = function.number == 161 || function.tenths() == 901;
+    reading.absolute_center = function.number == 161 || function.tenths() == tenths_of(90, 1);
     reading.state.set_absolute_center(reading.absolute_center);
   }
   if (block.has(circle_check)) reading.state.set_circle_correction(block.of(circle_check).is(165));
@@ -172,7 +173,7 @@ bool apply_trc(Reading& reading, const ProgramLine& line, const BlockWords& bloc
   if (block.masks && at(0) && !leave_out_bottlenecks(reading, *block.masks, source)) return false;
   if (has(feed_adaptation) &&
       !reading.state.set_feed_adaptation(block.of(feed_adaptation).is(11) ? FeedAdaptation::on
-                                         : block.of(feed_adaptation).is(feed_at_inside)
+                                         : block.of(feed_adaptation).is(by_name::feed_at_inside)
                                              ? FeedAdaptation::inside
                                              : FeedAdaptation::off,
                                          source))

@@ -31,20 +31,6 @@ namespace trc {
 // "5" of T="5", where no tool of the table has that name: the tool of that number. 0: it is none.
 [[nodiscard]] std::int64_t number_of_tool_named(std::string_view name, const ToolInForce& tools);
 
-// CFIN of Sinumerik, among the numbers of the feed adaptation.
-inline constexpr int feed_at_inside = 1008;
-
-// TRANS, ROT and MIRROR of Sinumerik, which end what has been said of the frame before, SCALE too.
-inline constexpr int absolute_frame = 1009;
-
-// BSPLINE, POLY and the like, in force up to the next motion function; CUT3DC and the like
-// (D-73).
-inline constexpr int spline_interpolation = 1011;
-inline constexpr int compensation_in_space = 1012;
-
-// $P_PFRAME=CSCALE(…) and the like, which nothing is known to end.
-inline constexpr int scaling_frame = 1013;
-
 // The bits of BlockWords::whole; I J K and tracking axes have one for each word.
 struct WholeWord {
   static constexpr unsigned axis = 0;
@@ -62,9 +48,15 @@ struct BlockWords {
     const GFunction* function = nullptr;
     std::uint32_t begin = 0;
 
+    // Whatever stands behind its point.
     [[nodiscard]] bool is(int number) const {
       return function != nullptr && function->number == number;
     }
+    // G51.1 is (51, 1).
+    [[nodiscard]] bool is(int number, int tenth) const {
+      return function != nullptr && function->tenths() == tenths_of(number, tenth);
+    }
+    [[nodiscard]] bool is(const GFunction& other) const { return is(other.number, other.tenth); }
   };
   struct Value {
     double value = 0;

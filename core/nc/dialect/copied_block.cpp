@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/nc/dialect/block_words.h"
+#include "core/nc/dialect/named_functions.h"
 #include "core/nc/dialect/reading.h"
 #include "core/nc/text/characters.h"
 
@@ -51,14 +52,14 @@ void copy_for_functions(Reading& reading, BlockWords& block, AxisBits named,
                              !block.center && !block.to_skip &&
                              (block.of(single_move).is(28) || block.of(single_move).is(30) ||
                               block.of(single_move).is(53));
-  copy_for(single_move, named == 0 || block.of(single_move).is(1007) ? all_axes : named, block,
-           found);
+  copy_for(single_move,
+           named == 0 || block.of(single_move).is(by_name::only_machine_knows) ? all_axes : named,
+           block, found);
   if (leaves_across) found = {};
   copy_for(cycle, static_cast<AxisBits>(named | third), block, found);
   // Both controls: the axes named stand where the block says, the others where they stood.
-  block.sets_position = block.has(frame) && block.of(frame).function->tenths() == 920 &&
-                        block.axis && !reading.incremental && !block.to_skip &&
-                        !block.of(dimension).is(91);
+  block.sets_position = block.of(frame).is(92, 0) && block.axis && !reading.incremental &&
+                        !block.to_skip && !block.of(dimension).is(91);
   copy_for(frame, block.sets_position ? AxisBits{0} : all_axes, block, found);
   const bool moves_zero_points =
       block.l_word && (block.l_word->value == 2 || block.l_word->value == 20);

@@ -70,9 +70,7 @@ void take_words_that_are_no_motion(ProgramLine& line, BlockWords& block) {
     block.feed.reset();
     take_for_technology(line, WordRole::feed);
   }
-  constexpr int smoothing_tenths = 51;
-  const bool smooths =
-      block.has(technology) && block.of(technology).function->tenths() == smoothing_tenths;
+  const bool smooths = block.of(technology).is(5, 1);
   if ((block.orients_spindle || smooths) && !block.axis && block.move.radius) {
     block.move.radius.reset();
     block.center.reset();

@@ -7,6 +7,7 @@
 
 #include "core/nc/dialect/block_words.h"
 #include "core/nc/dialect/gcode_block.h"
+#include "core/nc/dialect/named_functions.h"
 #include "core/nc/dialect/pass_words.h"
 #include "core/nc/dialect/reading.h"
 #include "core/nc/text/characters.h"
@@ -151,13 +152,10 @@ bool hangs_on_switch(const Reading& reading, std::string_view line, const BlockW
 bool read_gcode_function(Reading& reading, const GcodeWord& word, ProgramLine& line,
                          BlockWords& block) {
   const GFunction* function = reading.dialect.function(word.value);
-  static constexpr GFunction unknown{
-      .number = 1007, .group = single_move, .meaning = "an unknown function"};
-  static constexpr GFunction passing{
-      .number = 1007, .group = axis_technology, .meaning = "an unknown function"};
   if (function == nullptr && passes_word(reading.state.setup(), line.text, word.begin))
-    function = &passing;
-  if (function == nullptr && reading.state.setup().copies_unknown_words) function = &unknown;
+    function = &by_name::passing_function;
+  if (function == nullptr && reading.state.setup().copies_unknown_words)
+    function = &by_name::unknown_function;
   // Under FANUC they turn the tool into the direction of the path.
   if (function == nullptr && (word.value == 41.1 || word.value == 42.1))
     return refuse_word(reading, line, word, Code::nc_unsupported,
@@ -186,7 +184,7 @@ bool read_gcode_function(Reading& reading, const GcodeWord& word, ProgramLine& l
   if (function->number == 96) reading.gcode_modes.turning = block.constant_speed = true;
   // Where there is nothing to end, G40 is a line of the program like any other.
   const bool ends_nothing = group == side && function->number == 40 && !reading.contour_open();
-  if (reading.dialect.name == DialectName::fanuc && function->tenths() == 110)
+  if (reading.dialect.name == DialectName::fanuc && function->tenths() == tenths_of(11))
     reading.gcode_modes.enters_parameters = false;
   add(line, word, ends_nothing ? WordRole::mode : role_of(group));
   return true;

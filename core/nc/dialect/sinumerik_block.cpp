@@ -6,6 +6,7 @@
 #include "core/nc/dialect/block_words.h"
 #include "core/nc/dialect/gcode_block.h"
 #include "core/nc/dialect/gcode_block_words.h"
+#include "core/nc/dialect/named_functions.h"
 #include "core/nc/dialect/pass_words.h"
 #include "core/nc/dialect/reading.h"
 #include "core/nc/dialect/sinumerik_functions.h"
@@ -77,7 +78,7 @@ bool read_call_by_letter(Reading& reading, const NamedWord& word, ProgramLine& l
   if (!passes)
     return refuse_word(reading, line, as_gcode(word), Code::nc_unsupported, "a subprogram call");
   block.calls_the_machine = true;
-  return read_as(call_name, word, line, block);
+  return read_as(by_name::call, word, line, block);
 }
 
 // S1=500 and M1=3 are of a spindle, X1=0 of G74 and G75 names an axis.

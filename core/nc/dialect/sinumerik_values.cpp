@@ -5,6 +5,7 @@
 #include "core/nc/dialect/block_words.h"
 #include "core/nc/dialect/gcode_block_words.h"
 #include "core/nc/dialect/gcode_tools.h"
+#include "core/nc/dialect/named_functions.h"
 #include "core/nc/dialect/reading.h"
 #include "core/nc/dialect/sinumerik_arcs.h"
 #include "core/nc/dialect/sinumerik_functions.h"
@@ -18,9 +19,6 @@
 
 namespace trc {
 namespace {
-
-constexpr GFunction frame_scale{
-    .number = scaling_frame, .group = GGroup::unfollowed, .meaning = "a frame that scales"};
 
 // POS[X]=10; POS[A]=10 and POS[Q1]=10 move what has no part in the path: none.
 AxisBits main_axis_of(std::string_view assignment) {
@@ -152,12 +150,12 @@ bool read_assignment(Reading& reading, const NamedWord& word, ProgramLine& line,
     const bool is_whole = value.find(',') > sign && value.find('$', sign) == std::string::npos;
     block.frame = without_blanks_behind(std::string_view(value).substr(0, sign));
     if (!is_whole && !scales) block.frame.clear();
-    return read_as(scales ? frame_scale : frame_name, word, line, block);
+    return read_as(scales ? by_name::scaling_frame : by_name::frame, word, line, block);
   }
   if (is("$TC_DP6") || is("$TC_DP15")) return read_edge_data(reading, word, line, block);
   // 0 ends them: the kinematics of the tool holder, the tool that is turned with it.
   if ((is("TCARR") || is("CUTMOD")) && word.value != 0)
-    return read_as(frame_name, word, line, block);
+    return read_as(by_name::frame, word, line, block);
   return pass_assignment(reading, word, line, block);
 }
 
