@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/nc/dialect/block_words.h"
+#include "core/nc/dialect/left_contour.h"
 #include "core/nc/dialect/named_functions.h"
 #include "core/nc/dialect/reading.h"
 #include "core/nc/text/characters.h"
@@ -204,34 +205,21 @@ bool check_motion_before(Reading& reading, const ProgramLine& line, const BlockW
 
 }  // namespace
 
-bool leave_contour_by_copy(Reading& reading, ProgramLine& line, const BlockWords& block) {
+bool leave_contour_by_copy(Reading& reading, const ProgramLine& line, const BlockWords& block) {
   const bool drills_here = block.has(cycle) && reading.contour_open() && !reading.trc_active();
   if (!reading.state.retract_is_lost() && !drills_here) return true;
   const bool sets = block.has(frame) || block.has(dwell) || block.has(tool_data);
   const bool machine_place = block.has(single_move);
-  std::array<bool, 3> named{};
-  for (std::size_t axis = 0; axis < named.size(); ++axis)
-    named[axis] =
-        block.move.end[axis] && !sets && !block.to_skip && (!reading.incremental || machine_place);
-  if (block.copied) reading.state.have_left_contour(named);
-  const bool cuts = reading.gcode_modes.cycle || reading.motion != MotionKind::rapid;
   const bool goes = block.axis && !sets && !machine_place && !block.calls_the_machine;
-  if (!block.has(cycle) && !(goes && cuts)) return true;
-  return check_left_contour(reading, line, block.axis.value_or(0), named);
-}
-
-bool check_left_contour(Reading& reading, const ProgramLine& line, std::uint32_t begin,
-                        const std::array<bool, 3>& named) {
-  const auto& beside = reading.state.beside_contour();
-  const char* const ended =
-      reading.dialect.name == DialectName::heidenhain ? "R0 without motion" : "G40 without motion";
-  for (std::size_t axis = 0; axis < beside.size(); ++axis)
-    if (beside[axis] && !named[axis])
-      return reading.refuse(line, TextFault{.code = Code::position_unknown,
-                                            .begin = begin,
-                                            .detail = std::string(1, "XYZ"[axis]) +
-                                                      ", beside the contour since " + ended});
-  return true;
+  LineBesideContour says{
+      .copied = block.copied,
+      .cuts = block.has(cycle) ||
+              (goes && (reading.gcode_modes.cycle || reading.motion != MotionKind::rapid)),
+      .begin = block.axis.value_or(0)};
+  for (std::size_t axis = 0; axis < says.named.size(); ++axis)
+    says.named[axis] =
+        block.move.end[axis] && !sets && !block.to_skip && (!reading.incremental || machine_place);
+  return leave_contour(reading, line, says);
 }
 
 void copy_helix_with_pitch(const Reading& reading, ProgramLine& line, BlockWords& block) {

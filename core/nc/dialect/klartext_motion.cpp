@@ -8,13 +8,13 @@
 
 #include "core/geometry/turn.h"
 #include "core/nc/dialect/apply_block.h"
-#include "core/nc/dialect/copied_block.h"
 #include "core/nc/dialect/heidenhain.h"
 #include "core/nc/dialect/klartext_arcs.h"
 #include "core/nc/dialect/klartext_block.h"
 #include "core/nc/dialect/klartext_checks.h"
 #include "core/nc/dialect/klartext_statements.h"
 #include "core/nc/dialect/klartext_tools.h"
+#include "core/nc/dialect/left_contour.h"
 #include "core/nc/dialect/reading.h"
 
 // What a block of Klartext that may move does.
@@ -31,9 +31,9 @@ Vector tangent_behind_arc(double radius, const Vector& chord, double turn) {
   return cosine * chord + turn * sine * left_of(chord);
 }
 
-// Behind a retract that is lost, as for the dialects of G code: its other axis stands beside the
-// contour, or nobody knows where.
-bool leaves_from_lost_place(const Reading& reading, const KlartextBlock& block) {
+// Behind a retract that is lost: the other axis of the plane stands beside the contour, or nobody
+// knows where.
+bool leaves_with_one_axis(const Reading& reading, const KlartextBlock& block) {
   if (!block.is(KlartextStatement::straight) || block.unfollowed || reading.trc_active())
     return false;
   const PlaneAxes axes = axes_of(reading.state.mode().plane);
@@ -290,19 +290,17 @@ bool apply_klartext_motion(Reading& reading, ProgramLine& line, KlartextBlock& b
   return find_klartext_end(reading, line, block);
 }
 
-// What a block of Klartext does behind R0 without motion, as copied lines of G code do.
-bool leave_contour_by_copy(Reading& reading, ProgramLine& line, const KlartextBlock& block,
-                           bool copied) {
+// Behind R0 without motion.
+bool leave_contour_in_klartext(Reading& reading, const ProgramLine& line,
+                               const KlartextBlock& block, bool copied) {
   const bool leaves_here = copied && reading.contour_open() && !reading.trc_active();
   if (!reading.state.retract_is_lost() && !leaves_here) return true;
-  std::array<bool, 3> named{};
-  for (std::size_t axis = 0; axis < named.size(); ++axis)
-    named[axis] = !block.to_skip &&
-                  (block.by_parameter.at(axis) || (block.end[axis] && !block.end[axis]->increment));
-  if (copied) reading.state.have_left_contour(named);
-  const bool cuts = block.is_motion() && !block.rapid && !block.machine_place && block.names_axes();
-  if (!cuts && !block.calls_cycle) return true;
-  return check_left_contour(reading, line, block.begin, named);
+  const bool goes = block.is_motion() && !block.rapid && !block.machine_place && block.names_axes();
+  LineBesideContour says{.copied = copied, .cuts = goes || block.calls_cycle, .begin = block.begin};
+  for (std::size_t axis = 0; axis < says.named.size(); ++axis)
+    says.named[axis] = !block.to_skip && (block.by_parameter.at(axis) ||
+                                          (block.end[axis] && !block.end[axis]->increment));
+  return leave_contour(reading, line, says);
 }
 
 // Where it leads only the control knows. `alone`: along the axes that it names.
@@ -345,11 +343,11 @@ bool apply_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block) {
                        !block.end[plane.second] && !reading.state.is_known(plane.third);
   const bool is_lost = reading.state.retract_is_lost();
   const bool alone =
-      (is_lost && leaves_from_lost_place(reading, block)) || (plunges && !block.unfollowed);
+      (is_lost && leaves_with_one_axis(reading, block)) || (plunges && !block.unfollowed);
   const bool copied = block.unfollowed.has_value() || alone || (is_lead && !approaches && !departs);
   if (corner && reading.contour_open() && line.has(WordRole::stop))
     return refuse_klartext(reading, line, block.begin, "a stop beside " + block.title());
-  if ((copied || is_lost) && !leave_contour_by_copy(reading, line, block, copied)) return false;
+  if ((copied || is_lost) && !leave_contour_in_klartext(reading, line, block, copied)) return false;
   if (copied || ((corner || block.is(KlartextStatement::center)) && !reading.contour_open())) {
     // As it stands: nothing of it is written anew.
     for (WordRange& word : line.words)
