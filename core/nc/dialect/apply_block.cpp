@@ -38,9 +38,6 @@ Selection selection_of(int g_number) {
   }
 }
 
-constexpr std::array<MotionKind, 4> motions{MotionKind::rapid, MotionKind::linear,
-                                            MotionKind::clockwise, MotionKind::counter_clockwise};
-
 // Of a line that is copied: what it moves counts on the feed in force.
 bool may_move_at_the_feed(const Reading& reading, const BlockWords& block) {
   using enum GGroup;
@@ -72,7 +69,7 @@ void forget_position(Reading& reading, const ProgramLine& line, const BlockWords
 bool apply_modes(Reading& reading, const ProgramLine& line, const BlockWords& block) {
   using enum GGroup;
   if (block.has(motion)) {
-    reading.motion = motions[static_cast<std::size_t>(block.of(motion).function->number)];
+    reading.motion = motion_of_function(block.of(motion).function->number);
     reading.motion_given = true;
   }
   if (block.has(unit)) {

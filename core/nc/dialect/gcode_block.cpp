@@ -34,9 +34,6 @@ std::string_view called_name(std::string_view text, std::uint32_t begin) {
   return text.substr(begin, text.find(';', begin) - begin);
 }
 
-constexpr std::array<MotionKind, 4> motions{MotionKind::rapid, MotionKind::linear,
-                                            MotionKind::clockwise, MotionKind::counter_clockwise};
-
 // G50 S and G92 S: how fast the spindle may turn, of lathes.
 void take_spindle_limit(Reading& reading, const ProgramLine& line, BlockWords& block) {
   const bool spindle_limit = block.has(unfollowed_end) && block.of(unfollowed_end).is(50);
@@ -139,8 +136,7 @@ bool may_read_plain_lines(const Reading& reading) {
 }
 
 MotionKind kind_of(const Reading& reading, const BlockWords& block) {
-  return block.has(motion) ? motions[static_cast<std::size_t>(block.of(motion).function->number)]
-                           : reading.motion;
+  return block.has(motion) ? motion_of_function(block.of(motion).function->number) : reading.motion;
 }
 
 // I, J, K and R of a straight motion of FANUC outside of contours: where it ends hangs on none of

@@ -10,15 +10,6 @@
 
 namespace trc::program {
 
-std::size_t behind_blanks(std::string_view line, std::size_t at) {
-  while (at < line.size()) {
-    const std::size_t blank = blank_at_start(line.substr(at));
-    if (blank == 0) break;
-    at += blank;
-  }
-  return at;
-}
-
 LineHead head_of(std::string_view line) {
   LineHead head;
   std::size_t at = behind_blanks(line, 0);
@@ -105,7 +96,7 @@ void append_value(std::string& out, double value, PointStyle style, int decimals
   if (style == PointStyle::with_point && out.find('.', begin) == std::string::npos) out += '.';
 }
 
-void append_fixed(std::string& out, double value, int decimals) {
+void append_exactly(std::string& out, double value, int decimals) {
   std::array<char, 400> digits{};
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
                                  std::chars_format::fixed, decimals);

@@ -33,7 +33,12 @@ inline constexpr AxisBits all_axes = 7;
   return static_cast<AxisBits>(1U << axis);
 }
 
+// In the order of G00 … G03.
 enum class MotionKind : std::uint8_t { rapid, linear, clockwise, counter_clockwise };
+inline constexpr int last_motion_function = 3;
+[[nodiscard]] constexpr MotionKind motion_of_function(int g_number) {
+  return static_cast<MotionKind>(g_number);
+}
 
 // One programmed motion before position, plane and circle rules are applied.
 // Main axes in the order X Y Z and I J K, mm. An absent coordinate keeps its value.
