@@ -52,7 +52,7 @@ bool may_move_at_the_feed(const Reading& reading, const BlockWords& block) {
     return std::ranges::find(always_rapid, number) == always_rapid.end() &&
            !(moves_as_g00_says && reading.motion == MotionKind::rapid);
   }
-  if (block.has(cycle) || reading.gcode_modes.cycle) return true;
+  if (block.has(cycle) || reading.gcode.cycle) return true;
   return (block.axis || block.center || block.unfollowed_word) &&
          reading.motion != MotionKind::rapid;
 }
@@ -84,7 +84,7 @@ bool apply_modes(Reading& reading, const ProgramLine& line, const BlockWords& bl
   }
   if (block.has(feed_mode)) {
     reading.feed_mode = block.of(feed_mode).function->number;
-    reading.gcode_modes.feed_mode_line = line.source.line;
+    reading.gcode.feed_mode_line = line.source.line;
   }
   if (block.feed) reading.feed = block.feed->value * reading.feed_unit(reading.inch);
   // A feed per tooth, which blocks have no number for.
@@ -139,7 +139,7 @@ bool apply_tool(Reading& reading, const ProgramLine& line, const BlockWords& blo
   if (block.only_tool && at(*block.only_tool) &&
       !reading.state.call_tool(
           ToolRow(reading.state.setup().mode.tool_radius,
-                  reading.state.tool().wear_of(reading.gcode_modes.only_register.value_or(0))),
+                  reading.state.tool().wear_of(reading.gcode.tools.only_register.value_or(0))),
           source))
     return false;
   const bool zero = block.tool && block.tool->value == 0 && reading.dialect.zero_is_a_radius &&
@@ -196,20 +196,20 @@ bool apply_trc(Reading& reading, const ProgramLine& line, const BlockWords& bloc
 // Feeds that blocks have no number for cannot be adapted; on lines nothing is.
 bool check_feed_of_contour(Reading& reading, const ProgramLine& line, const BlockWords& block,
                            std::uint32_t begin) {
-  if (reading.feed_mode == 94 && !reading.gcode_modes.tooth_feed) return true;
+  if (reading.feed_mode == 94 && !reading.gcode.tooth_feed) return true;
   const bool isg = reading.dialect.name == DialectName::isg;
   const bool straight = reading.motion == MotionKind::linear || reading.motion == MotionKind::rapid;
   const bool line_alone = !isg && straight && !block.move.corner;
   const bool adapted = reading.state.mode().feed_adaptation != FeedAdaptation::off && !line_alone;
   if (reading.feed_mode != 93 && !adapted) return true;
   const std::string feed =
-      reading.gcode_modes.tooth_feed ? "FZ=" : "G" + std::to_string(reading.feed_mode);
+      reading.gcode.tooth_feed ? "FZ=" : "G" + std::to_string(reading.feed_mode);
   return reading.refuse(
       line, TextFault{.code = Code::nc_unsupported,
                       .begin = begin,
                       .detail = adapted ? feed + " with the feed at the contour (G11, CFC)"
                                         : feed + ", the time of a block, in force since line " +
-                                              std::to_string(reading.gcode_modes.feed_mode_line)});
+                                              std::to_string(reading.gcode.feed_mode_line)});
 }
 
 bool apply_motion(Reading& reading, ProgramLine& line, BlockWords& block) {
@@ -218,7 +218,7 @@ bool apply_motion(Reading& reading, ProgramLine& line, BlockWords& block) {
       !resolve_references(reading, line, block))
     return false;
   if (block.angle && !take_angle(reading, line, block)) return false;
-  if (reading.gcode_modes.tangent_arcs && block.axis && !take_tangent(reading, line, block))
+  if (reading.gcode.tangent_arcs.in_force && block.axis && !take_tangent(reading, line, block))
     return false;
   if (block.leads_softly)
     return block.of(GGroup::soft_lead).function->number % 10 == 7
@@ -233,7 +233,7 @@ bool apply_motion(Reading& reading, ProgramLine& line, BlockWords& block) {
     return reading.refuse(line, TextFault{.code = Code::motion_unknown, .begin = begin});
   if (reading.state.contour_open() && !check_feed_of_contour(reading, line, block, begin))
     return false;
-  if (reading.gcode_modes.soft_approach) return begin_contour_of_approach(reading, line, block);
+  if (reading.gcode.soft.approach) return begin_contour_of_approach(reading, line, block);
   return block.turns ? move_in_full_turns(reading, line, block) : move(reading, line, block.move);
 }
 
@@ -305,7 +305,7 @@ bool move(Reading& reading, ProgramLine& line, MoveRequest& request) {
   line.is_motion = true;
   const PlaneAxes axes = axes_of(reading.state.mode().plane);
   if (request.end[axes.first] || request.end[axes.second])
-    reading.gcode_modes.leaves_contour = reading.state.contour_open();
+    reading.gcode.tangent_arcs.leave_contour = reading.state.contour_open();
   return leads_on_an_arc ? reading.state.approach_on_arc(request) : reading.state.move(request);
 }
 

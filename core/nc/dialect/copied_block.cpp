@@ -76,12 +76,12 @@ void follow_tool_offset(Reading& reading, BlockWords& block, AxisBits named,
   const AxisBits third = main_axis_bit(axes_of(reading.state.mode().plane).third);
   if (block.of(axis_technology).is(43) && (named & ~third) != 0) {
     block.forget |= static_cast<AxisBits>(named & ~third);
-    reading.gcode_modes.offset_axes |= static_cast<AxisBits>(named & ~third);
+    reading.gcode.coordinates.offset_axes |= static_cast<AxisBits>(named & ~third);
   }
   const bool ends_offset = block.of(technology).is(49) || block.of(technology).is(43);
-  if (!ends_offset || reading.gcode_modes.offset_axes == 0) return;
-  block.forget |= reading.gcode_modes.offset_axes;
-  reading.gcode_modes.offset_axes = 0;
+  if (!ends_offset || reading.gcode.coordinates.offset_axes == 0) return;
+  block.forget |= reading.gcode.coordinates.offset_axes;
+  reading.gcode.coordinates.offset_axes = 0;
   if (!found.begin)
     found.begin = block.of(technology).begin, found.meaning = "a tool offset in the plane";
 }
@@ -101,14 +101,14 @@ void copy_motion(const char* why, AxisBits forget, BlockWords& block, NotWhileAc
 void copy_under_modes(Reading& reading, BlockWords& block, AxisBits named, NotWhileActive& found) {
   const bool told = !block.copied || block.has(unfollowed_end);
   const AxisBits third = main_axis_bit(axes_of(reading.state.mode().plane).third);
-  if (reading.gcode_modes.cycle)
+  if (reading.gcode.cycle)
     copy_motion("a position of a drilling cycle", static_cast<AxisBits>(named | third), block,
                 found);
   if (reading.machine_follows)
     copy_motion("a motion under G66 of a macro that only the machine has", all_axes, block, found);
   const bool moves_as_named =
-      std::ranges::all_of(reading.gcode_modes.unfollowed, &UnfollowedMode::is_motion);
-  if (!reading.gcode_modes.unfollowed.empty())
+      std::ranges::all_of(reading.gcode.coordinates.unfollowed, &UnfollowedMode::is_motion);
+  if (!reading.gcode.coordinates.unfollowed.empty())
     copy_motion("a position that is not followed", moves_as_named ? named : all_axes, block, found);
   found.hangs_on_what_was_told = told && block.copied;
 }
@@ -138,7 +138,8 @@ void copy_for_words_of_line(Reading& reading, BlockWords& block, AxisBits named,
     copy_motion("CT, TURN=, AP=, RP=, ANG=, ,A or a variable", all_axes, block, found);
   // In a contour they have centres (take_tangent).
   const bool follows_tangent = reading.trc_active() && !block.has(side);
-  if (reading.gcode_modes.tangent_arcs && !follows_tangent) copy_motion("CT", named, block, found);
+  if (reading.gcode.tangent_arcs.in_force && !follows_tangent)
+    copy_motion("CT", named, block, found);
   if (leaves_from_lost_place(reading, block))
     copy_motion("a motion of one axis behind a deselection without motion", named, block, found);
   if (reading.dialect.name == DialectName::fanuc && block.l_word)
@@ -175,17 +176,17 @@ NotWhileActive find_what_is_copied(Reading& reading, BlockWords& block) {
 // number says cannot be written anew.
 bool check_motion_before(Reading& reading, const ProgramLine& line, const BlockWords& block) {
   const bool selects = block.selects();
-  if (reading.gcode_modes.tangent_arcs && block.axis && reading.gcode_modes.leaves_contour &&
-      reading.faults.empty() && !reading.trc_active())
+  if (reading.gcode.tangent_arcs.in_force && block.axis &&
+      reading.gcode.tangent_arcs.leave_contour && reading.faults.empty() && !reading.trc_active())
     return reading.refuse(
         line, TextFault{.code = Code::nc_unsupported,
                         .begin = *block.axis,
                         .detail = "CT behind a motion of the contour: program its centre"});
-  if (reading.gcode_modes.tangent_arcs && block.axis && reading.trc_active() && block.has(side))
+  if (reading.gcode.tangent_arcs.in_force && block.axis && reading.trc_active() && block.has(side))
     return reading.refuse(line, TextFault{.code = Code::nc_unsupported,
                                           .begin = *block.axis,
                                           .detail = "CT while TRC is active"});
-  if (reading.gcode_modes.tangent_arcs && reading.gcode_modes.tangents_written && block.axis &&
+  if (reading.gcode.tangent_arcs.in_force && reading.gcode.tangent_arcs.are_written && block.axis &&
       !reading.trc_active())
     return reading.refuse(
         line, TextFault{.code = Code::nc_unsupported,
@@ -214,7 +215,7 @@ bool leave_contour_by_copy(Reading& reading, const ProgramLine& line, const Bloc
   LineBesideContour says{
       .copied = block.copied,
       .cuts = block.has(cycle) ||
-              (goes && (reading.gcode_modes.cycle || reading.motion != MotionKind::rapid)),
+              (goes && (reading.gcode.cycle || reading.motion != MotionKind::rapid)),
       .begin = block.axis.value_or(0)};
   for (std::size_t axis = 0; axis < says.named.size(); ++axis)
     says.named[axis] =
@@ -247,7 +248,7 @@ bool copy_gcode_block(Reading& reading, ProgramLine& line, BlockWords& block) {
                                           .begin = block.of(axis_technology).begin,
                                           .detail = "G5 or G8 with axis words"});
   const bool shifts_zero =
-      reading.gcode_modes.dynamic_offset &&
+      reading.gcode.coordinates.dynamic_offset &&
       std::ranges::any_of(block.move.tracking, [](const auto& value) { return value.has_value(); });
   if (shifts_zero && reading.trc_active())
     return reading.refuse(line,
@@ -281,7 +282,7 @@ bool copy_gcode_block(Reading& reading, ProgramLine& line, BlockWords& block) {
   const bool says_place = block.has(axis_technology) || block.has(frame) || block.has(dwell) ||
                           block.has(tool_data) || block.has(zero_shift);
   if ((block.move.end[axes.first] || block.move.end[axes.second]) && !says_place)
-    reading.gcode_modes.leaves_contour = false;
+    reading.gcode.tangent_arcs.leave_contour = false;
   take_for_technology(line, WordRole::coordinate);
   take_for_technology(line, WordRole::trc);
   return true;

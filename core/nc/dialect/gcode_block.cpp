@@ -41,7 +41,7 @@ void take_spindle_limit(Reading& reading, const ProgramLine& line, BlockWords& b
     return line.text[word.begin] == 'S' || line.text[word.begin] == 's';
   });
   const bool sets_spindle_limit = block.of(frame).is(92) && has_spindle && !block.axis;
-  reading.gcode_modes.turning |= (spindle_limit || block.of(frame).is(92)) && has_spindle;
+  reading.gcode.seen.lathe |= (spindle_limit || block.of(frame).is(92)) && has_spindle;
   if (sets_spindle_limit) block.clear(frame);
 }
 
@@ -51,14 +51,12 @@ void end_modes_before(Reading& reading, const BlockWords& block) {
   const bool motion_ends_cycle =
       block.has(motion) && reading.dialect.name != DialectName::sinumerik;
   // What a line that may be skipped ends may still hold.
-  if ((motion_ends_cycle || block.has(cycle_end)) && !block.to_skip)
-    reading.gcode_modes.cycle = false;
-  if (block.has(motion)) reading.gcode_modes.tangent_arcs = false;
-  reading.gcode_modes.tangent_arcs |= block.begins_tangent_arcs;
-  if (block.begins_tangent_arcs) reading.gcode_modes.tangents_written = reading.trc_active();
-  reading.gcode_modes.tooth_feed =
-      block.tooth_feed.has_value() ||
-      (reading.gcode_modes.tooth_feed && !(block.feed && !block.has(dwell)));
+  if ((motion_ends_cycle || block.has(cycle_end)) && !block.to_skip) reading.gcode.cycle = false;
+  if (block.has(motion)) reading.gcode.tangent_arcs.in_force = false;
+  reading.gcode.tangent_arcs.in_force |= block.begins_tangent_arcs;
+  if (block.begins_tangent_arcs) reading.gcode.tangent_arcs.are_written = reading.trc_active();
+  reading.gcode.tooth_feed = block.tooth_feed.has_value() ||
+                             (reading.gcode.tooth_feed && !(block.feed && !block.has(dwell)));
 }
 
 // F of a dwell is a time, R of M19 an angle, that of G5.1 a level of smoothing.
@@ -89,8 +87,8 @@ bool check_dwell(Reading& reading, const ProgramLine& line, const BlockWords& bl
 
 // Of a block that may be skipped: what all lines behind it hang on.
 bool check_skipped_modes(Reading& reading, const ProgramLine& line, const BlockWords& block) {
-  if (block.has(dimension)) reading.gcode_modes.dimension_uncertain = block.to_skip;
-  if (reading.gcode_modes.dimension_uncertain && block.axis && !block.to_skip)
+  if (block.has(dimension)) reading.gcode.skipped.dimension = block.to_skip;
+  if (reading.gcode.skipped.dimension && block.axis && !block.to_skip)
     return reading.refuse(line,
                           TextFault{.code = Code::block_skip_undecided,
                                     .begin = *block.axis,
@@ -107,32 +105,31 @@ bool check_skipped_modes(Reading& reading, const ProgramLine& line, const BlockW
     return undecided("feeds, corners or masking of a contour that may be skipped");
   const bool selects = block.selects();
   const bool in_contour = reading.contour_open() || selects;
-  if (block.has(motion)) reading.gcode_modes.motion_uncertain = block.to_skip;
-  if (reading.gcode_modes.motion_uncertain && in_contour && (block.to_skip || block.axis))
+  if (block.has(motion)) reading.gcode.skipped.motion = block.to_skip;
+  if (reading.gcode.skipped.motion && in_contour && (block.to_skip || block.axis))
     return undecided("a motion behind G00 … G03 that may be skipped");
   if (block.feed && !block.has(dwell))
-    reading.gcode_modes.skipped_feed = block.to_skip ? line.source.line : 0;
-  if (reading.gcode_modes.skipped_feed > 0 && in_contour &&
+    reading.gcode.skipped.feed = block.to_skip ? line.source.line : 0;
+  if (reading.gcode.skipped.feed > 0 && in_contour &&
       reading.state.mode().feed_adaptation != FeedAdaptation::off)
     return undecided("the feed at the contour, of an F that may be skipped, in line " +
-                     std::to_string(reading.gcode_modes.skipped_feed));
+                     std::to_string(reading.gcode.skipped.feed));
   return true;
 }
 
 // Whether a line of axis words alone says all that its motion hangs on.
 bool may_read_plain_lines(const Reading& reading) {
   const WholeNumbers whole = reading.state.setup().whole_numbers;
-  const bool plain_whole_numbers =
-      reading.dialect.name != DialectName::fanuc || whole == WholeNumbers::units ||
-      (whole == WholeNumbers::unsaid && reading.gcode_modes.points_seen);
-  return !reading.gcode_modes.cycle && reading.gcode_modes.unfollowed.empty() &&
-         !reading.gcode_modes.tangent_arcs && !reading.gcode_modes.dimension_uncertain &&
-         !reading.gcode_modes.motion_uncertain && reading.gcode_modes.skipped_feed == 0 &&
-         reading.gcode_modes.y_seen && reading.faults.empty() && plain_whole_numbers &&
-         !reading.gcode_modes.enters_parameters && reading.gcode_modes.modal_rounding == 0 &&
-         !reading.gcode_modes.soft_approach && !reading.called_motion &&
-         !reading.called_dimension && !reading.gcode_modes.tooth_feed &&
-         reading.gcode_modes.open_corner.source.line == 0;
+  const bool plain_whole_numbers = reading.dialect.name != DialectName::fanuc ||
+                                   whole == WholeNumbers::units ||
+                                   (whole == WholeNumbers::unsaid && reading.gcode.seen.points);
+  return !reading.gcode.cycle && reading.gcode.coordinates.unfollowed.empty() &&
+         !reading.gcode.tangent_arcs.in_force && !reading.gcode.skipped.dimension &&
+         !reading.gcode.skipped.motion && reading.gcode.skipped.feed == 0 && reading.gcode.seen.y &&
+         reading.faults.empty() && plain_whole_numbers && !reading.gcode.enters_parameters &&
+         reading.gcode.corners.modal_rounding == 0 && !reading.gcode.soft.approach &&
+         !reading.called_motion && !reading.called_dimension && !reading.gcode.tooth_feed &&
+         reading.gcode.corners.open.source.line == 0;
 }
 
 MotionKind kind_of(const Reading& reading, const BlockWords& block) {
@@ -146,7 +143,7 @@ void pass_over_circle_words(const Reading& reading, ProgramLine& line, BlockWord
   const bool is_straight = kind == MotionKind::rapid || kind == MotionKind::linear;
   if (reading.dialect.name != DialectName::fanuc || !block.center || !is_straight ||
       reading.contour_open() || block.has(side) || block.has(dwell) || block.has(tool_data) ||
-      block.has(single_move) || block.has(cycle) || reading.gcode_modes.cycle || block.has(frame) ||
+      block.has(single_move) || block.has(cycle) || reading.gcode.cycle || block.has(frame) ||
       block.has(unfollowed))
     return;
   const auto says = [](const std::optional<double>& value) { return value.value_or(0) != 0; };
@@ -203,23 +200,22 @@ void take_words_of_few_controls(BlockWords& block) {
 // T, M06 and M61.
 void take_tool_words(Reading& reading, const ProgramLine& line, BlockWords& block) {
   if (block.tool_number) {
-    reading.gcode_modes.next_tool =
-        block.named_tool.value_or(register_number(block.tool_number->value));
-    reading.gcode_modes.next_tool_place = reading.place_of_word(line, block.tool_number->begin);
+    reading.gcode.tools.next = block.named_tool.value_or(register_number(block.tool_number->value));
+    reading.gcode.tools.next_place = reading.place_of_word(line, block.tool_number->begin);
   }
-  reading.gcode_modes.tool_named |= block.tool_number.has_value();
-  reading.gcode_modes.changes_by_m6 |= block.changes_tool.has_value();
+  reading.gcode.tools.named |= block.tool_number.has_value();
+  reading.gcode.tools.changed_by_m6 |= block.changes_tool.has_value();
   if (block.changes_tool) {
-    reading.gcode_modes.spindle_tool = reading.gcode_modes.next_tool;
-    reading.gcode_modes.spindle_tool_place = reading.gcode_modes.next_tool_place;
-    reading.gcode_modes.spindle_empty =
-        reading.gcode_modes.tool_named && reading.gcode_modes.next_tool == 0;
+    reading.gcode.tools.in_spindle = reading.gcode.tools.next;
+    reading.gcode.tools.spindle_place = reading.gcode.tools.next_place;
+    reading.gcode.tools.spindle_is_empty =
+        reading.gcode.tools.named && reading.gcode.tools.next == 0;
     block.forget |= main_axis_bit(axes_of(reading.state.mode().plane).third);
   }
   if (block.names_tool && block.q_word) {
-    reading.gcode_modes.spindle_tool = register_number(block.q_word->value);
-    reading.gcode_modes.spindle_tool_place = reading.place_of_word(line, block.q_word->begin);
-    reading.gcode_modes.spindle_empty = reading.gcode_modes.spindle_tool == 0;
+    reading.gcode.tools.in_spindle = register_number(block.q_word->value);
+    reading.gcode.tools.spindle_place = reading.place_of_word(line, block.q_word->begin);
+    reading.gcode.tools.spindle_is_empty = reading.gcode.tools.in_spindle == 0;
   }
 }
 
@@ -250,17 +246,17 @@ void take_turns_of_arc(const Reading& reading, ProgramLine& line, BlockWords& bl
 // What the words make of the coordinates from here on.
 void take_coordinates(Reading& reading, const ProgramLine& line, BlockWords& block) {
   std::vector<UnfollowedMode> before;
-  if (block.to_skip) before = reading.gcode_modes.unfollowed;
-  const std::uint8_t turned = reading.gcode_modes.turned;
+  if (block.to_skip) before = reading.gcode.coordinates.unfollowed;
+  const std::uint8_t turned = reading.gcode.coordinates.turned;
   forget_what_ends_nothing(reading, block);
   end_what_was_unfollowed(reading, block);
   take_what_is_unfollowed(reading, line, block);
   if (!block.to_skip) return;
   // What a line that may be skipped ends may still hold.
-  reading.gcode_modes.turned |= turned;
+  reading.gcode.coordinates.turned |= turned;
   for (UnfollowedMode& mode : before)
-    if (!reading.gcode_modes.is_unfollowed(mode.function))
-      reading.gcode_modes.unfollowed.push_back(std::move(mode));
+    if (!reading.gcode.coordinates.is_unfollowed(mode.function))
+      reading.gcode.coordinates.unfollowed.push_back(std::move(mode));
 }
 
 }  // namespace
@@ -306,11 +302,11 @@ bool complete_gcode_block(Reading& reading, ProgramLine& line, BlockWords& block
     forget_what_a_call_may_change(reading, line, block,
                                   block.calls_the_machine
                                       ? called_name(line.text, block.of(single_move).begin)
-                                      : reading.gcode_modes.call);
+                                      : reading.gcode.calls.last);
   pass_over_circle_words(reading, line, block);
   const bool goes_on =
       copy_gcode_block(reading, line, block) && check_circle_words(reading, line, block);
-  if (block.has(cycle)) reading.gcode_modes.cycle = true;
+  if (block.has(cycle)) reading.gcode.cycle = true;
   reading.reads_plain_lines = may_read_plain_lines(reading);
   return goes_on && take_tool_data(reading, line, block);
 }
@@ -325,7 +321,7 @@ void take_work_offset(Reading& reading, BlockWords& block) {
   const bool may_change = block.has(frame) || block.has(tool_data) || block.has(unfollowed) ||
                           block.has(unfollowed_end) || block.calls_the_machine ||
                           reading.machine_follows || !moves_alone;
-  if (may_change) reading.gcode_modes.work_offset = 0;
+  if (may_change) reading.gcode.coordinates.work_offset = 0;
   if (!block.has(zero_shift)) return;
   const GFunction& function = *block.of(zero_shift).function;
   constexpr std::array shifts_by_words{53, 74, 92, 159};
@@ -336,8 +332,8 @@ void take_work_offset(Reading& reading, BlockWords& block) {
       !block.has(dwell) && !may_change && !block.to_skip;
   const std::int64_t selected =
       is_selection ? *number * for_its_number + function.tenths() : std::int64_t{0};
-  if (selected != 0 && selected == reading.gcode_modes.work_offset) block.clear(zero_shift);
-  reading.gcode_modes.work_offset = selected;
+  if (selected != 0 && selected == reading.gcode.coordinates.work_offset) block.clear(zero_shift);
+  reading.gcode.coordinates.work_offset = selected;
 }
 
 }  // namespace trc

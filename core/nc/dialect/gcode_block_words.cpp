@@ -181,11 +181,11 @@ bool read_gcode_function(Reading& reading, const GcodeWord& word, ProgramLine& l
   block.changes_length |=
       function->tenth == 0 &&
       (function->number == 43 || function->number == 44 || function->number == 49);
-  if (function->number == 96) reading.gcode_modes.turning = block.constant_speed = true;
+  if (function->number == 96) reading.gcode.seen.lathe = block.constant_speed = true;
   // Where there is nothing to end, G40 is a line of the program like any other.
   const bool ends_nothing = group == side && function->number == 40 && !reading.contour_open();
   if (reading.dialect.name == DialectName::fanuc && function->tenths() == tenths_of(11))
-    reading.gcode_modes.enters_parameters = false;
+    reading.gcode.enters_parameters = false;
   add(line, word, ends_nothing ? WordRole::mode : role_of(group));
   return true;
 }
@@ -194,7 +194,7 @@ bool read_gcode_function(Reading& reading, const GcodeWord& word, ProgramLine& l
 void see_whole(Reading& reading, const GcodeWord& word, std::size_t bit, BlockWords& block) {
   constexpr std::size_t bits = 64;
   if (word.whole && bit < bits) block.whole |= std::uint64_t{1} << bit;
-  if (!word.whole) reading.gcode_modes.points_seen = true;
+  if (!word.whole) reading.gcode.seen.points = true;
 }
 
 bool read_gcode_axis(Reading& reading, const GcodeWord& word, ProgramLine& line,
@@ -209,7 +209,7 @@ bool read_gcode_axis(Reading& reading, const GcodeWord& word, ProgramLine& line,
   coordinate = word.value;
   see_whole(reading, word, index < 3 ? WholeWord::axis + index : WholeWord::tracking + index - 3,
             block);
-  reading.gcode_modes.y_seen |= word.letter == 'Y';
+  reading.gcode.seen.y |= word.letter == 'Y';
   if (!block.axis) block.axis = word.begin;
   add(line, word, WordRole::coordinate);
   return true;
@@ -282,7 +282,7 @@ bool read_gcode_tool(Reading& reading, const GcodeWord& word, ProgramLine& line,
     return refuse_word(reading, line, word, Code::nc_number);
   (block.tool_number ? block.later_tool : block.tool_number) = {.value = std::floor(word.value),
                                                                 .begin = word.begin};
-  reading.gcode_modes.turning |= is_turning_tool(line.word({.begin = word.begin, .end = word.end}));
+  reading.gcode.seen.lathe |= is_turning_tool(line.word({.begin = word.begin, .end = word.end}));
   add(line, word, WordRole::technology);
   return true;
 }
@@ -435,11 +435,11 @@ bool read_gcode_word(Reading& reading, const GcodeWord& word, ProgramLine& line,
         return reading.refuse(
             line, TextFault{.code = Code::nc_unsupported,
                             .begin = word.begin,
-                            .detail = reading.gcode_modes.program_named
+                            .detail = reading.gcode.seen.program
                                           ? "O, a second program in one text"
                                           : "O, behind blocks without a number of their "
                                             "program"});
-      reading.gcode_modes.program_named = true;
+      reading.gcode.seen.program = true;
       add(line, word, WordRole::comment);
       return true;
     case 'G':

@@ -54,34 +54,33 @@ bool take_modal_rounding(Reading& reading, ProgramLine& line, BlockWords& block)
   const bool selects = block.selects();
   const bool ends = block.deselects() && reading.trc_active();
   if (block.modal_rounding) {
-    reading.gcode_modes.modal_rounding = block.modal_rounding->value * reading.length_unit();
+    reading.gcode.corners.modal_rounding = block.modal_rounding->value * reading.length_unit();
     if (reading.trc_active() || selects)
       for (WordRange& word : line.words)
         if (word.begin == block.modal_rounding->begin) word.role = WordRole::trc;
   }
   const bool from_outside = selects && !reading.trc_active() && !block.modal_rounding;
-  if (reading.gcode_modes.modal_rounding != 0 && (from_outside || ends))
+  if (reading.gcode.corners.modal_rounding != 0 && (from_outside || ends))
     return reading.refuse(
         line, TextFault{.code = Code::nc_unsupported,
                         .begin = block.of(side).begin,
                         .detail = "RNDM= beyond the contour: set it behind G41, G42, and "
                                   "to 0 in front of G40"});
-  if (reading.gcode_modes.modal_rounding != 0 && reading.trc_active() && !selects &&
+  if (reading.gcode.corners.modal_rounding != 0 && reading.trc_active() && !selects &&
       (block.axis || block.center) && !block.corner && !block.copied)
     block.move.corner = {.form = CornerCut::Form::round,
-                         .size = reading.gcode_modes.modal_rounding / reading.length_unit(),
+                         .size = reading.gcode.corners.modal_rounding / reading.length_unit(),
                          .modal = true};
   return true;
 }
 
 bool take_corner_feed(Reading& reading, ProgramLine& line, BlockWords& block) {
   if (block.modal_corner_feed)
-    reading.gcode_modes.corner_feed =
-        block.modal_corner_feed->value * reading.feed_unit(reading.inch);
+    reading.gcode.corners.feed = block.modal_corner_feed->value * reading.feed_unit(reading.inch);
   if (!block.move.corner || !reading.trc_active()) return true;
   const bool is_said = block.corner_feed && block.corner_feed->value > 0;
   block.move.corner_feed = is_said ? block.corner_feed->value * reading.feed_unit(reading.inch)
-                                   : reading.gcode_modes.corner_feed;
+                                   : reading.gcode.corners.feed;
   for (WordRange& word : line.words)
     if (block.corner_feed && word.begin == block.corner_feed->begin) word.role = WordRole::trc;
   if (block.move.corner_feed == 0 || reading.feed_mode == 94) return true;
@@ -95,14 +94,14 @@ bool take_corner(Reading& reading, ProgramLine& line, BlockWords& block) {
   const bool moves = block.axis || block.center;
   const bool selects = block.selects();
   // The approach is another line than the one that the program rounds into.
-  if (selects && reading.gcode_modes.open_corner.source.line > 0)
-    return reading.refuse_at(reading.gcode_modes.open_corner, Code::nc_unsupported,
+  if (selects && reading.gcode.corners.open.source.line > 0)
+    return reading.refuse_at(reading.gcode.corners.open, Code::nc_unsupported,
                              "a rounding or a chamfer in front of the motion that selects TRC");
-  if (moves) reading.gcode_modes.open_corner = {};
+  if (moves) reading.gcode.corners.open = {};
   if (!block.corner) return true;
   if (!reading.contour_open() && !block.has(side)) {
     if (moves && block.move.corner->size != 0)
-      reading.gcode_modes.open_corner = reading.place_of_word(line, *block.corner);
+      reading.gcode.corners.open = reading.place_of_word(line, *block.corner);
     block.move.corner.reset();
     return true;
   }

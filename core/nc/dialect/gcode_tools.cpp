@@ -75,13 +75,13 @@ bool check_what_may_be_skipped(Reading& reading, const ProgramLine& line, const 
   const bool gives_radius =
       (block.has(tool_data) && block.move.radius) || block.allowance || !block.edge_radii.empty();
   const bool leads = block.has(selection) || block.has(transition);
-  if (block.tool_number || block.named_tool) reading.gcode_modes.skipped_next_tool = skipped;
+  if (block.tool_number || block.named_tool) reading.gcode.skipped.next_tool = skipped;
   // An edge of Sinumerik is one of the tool.
   if (names_tool || (block.tool && (skipped > 0 || !sinumerik)))
-    reading.gcode_modes.skipped_tool =
-        skipped == 0 && block.loads_tool ? reading.gcode_modes.skipped_next_tool : skipped;
-  if (gives_radius) reading.gcode_modes.skipped_tool_data = skipped;
-  if (leads) reading.gcode_modes.skipped_approach = skipped;
+    reading.gcode.skipped.tool =
+        skipped == 0 && block.loads_tool ? reading.gcode.skipped.next_tool : skipped;
+  if (gives_radius) reading.gcode.skipped.tool_data = skipped;
+  if (leads) reading.gcode.skipped.approach = skipped;
   // Of other dialects a T word changes nothing in a contour.
   const bool changes_contour = block.tool || gives_radius || leads || (sinumerik && names_tool);
   if (skipped > 0 && changes_contour && reading.trc_active())
@@ -89,9 +89,8 @@ bool check_what_may_be_skipped(Reading& reading, const ProgramLine& line, const 
                                           .begin = line.words.front().begin,
                                           .detail = "a radius or a corner that may be skipped"});
   const bool selects = block.selects();
-  for (const std::uint32_t before :
-       {reading.gcode_modes.skipped_tool, reading.gcode_modes.skipped_tool_data,
-        reading.gcode_modes.skipped_approach})
+  for (const std::uint32_t before : {reading.gcode.skipped.tool, reading.gcode.skipped.tool_data,
+                                     reading.gcode.skipped.approach})
     if (selects && before > 0)
       return reading.refuse(line, TextFault{.code = Code::block_skip_undecided,
                                             .begin = block.of(side).begin,
@@ -109,16 +108,16 @@ bool refuse_selection(Reading& reading, const ProgramLine& line, const BlockWord
 // Only lathes work without Y (D-105).
 bool check_turning(Reading& reading, const ProgramLine& line, const BlockWords& block) {
   const bool selects = block.selects();
-  if (selects && reading.gcode_modes.turning && !reading.gcode_modes.y_seen)
+  if (selects && reading.gcode.seen.lathe && !reading.gcode.seen.y)
     return refuse_selection(reading, line, block, Code::turning, "G41, G42 of a lathe");
   const bool in_zx =
       block.has(plane) ? block.of(plane).is(18) : reading.state.programmed_plane() == Plane::zx;
   const bool leads_in_zx = in_zx || (block.move.end[0] && block.move.end[2]);
-  if (selects && !reading.gcode_modes.y_seen && leads_in_zx)
+  if (selects && !reading.gcode.seen.y && leads_in_zx)
     return refuse_selection(reading, line, block, Code::turning,
                             "G41, G42 of a lathe, as no Y stands in front of it");
-  if (reading.trc_active() && !reading.gcode_modes.y_seen &&
-      reading.state.mode().plane == Plane::xy && block.move.end[2])
+  if (reading.trc_active() && !reading.gcode.seen.y && reading.state.mode().plane == Plane::xy &&
+      block.move.end[2])
     return reading.refuse(line, TextFault{.code = Code::turning,
                                           .begin = *block.axis,
                                           .detail = "a contour of X and Z in the plane X Y"});
@@ -187,8 +186,8 @@ std::optional<ToolSaid> take_tool_of_selection(Reading& reading, ProgramLine& li
     block.tool.reset();
   }
   if (reading.dialect.tool_of_spindle && !block.tool &&
-      (reading.gcode_modes.spindle_tool != 0 || reading.gcode_modes.spindle_empty)) {
-    block.tool = {.value = static_cast<double>(reading.gcode_modes.spindle_tool),
+      (reading.gcode.tools.in_spindle != 0 || reading.gcode.tools.spindle_is_empty)) {
+    block.tool = {.value = static_cast<double>(reading.gcode.tools.in_spindle),
                   .begin = block.of(side).begin};
     said = ToolSaid::by_spindle;
   }
@@ -197,18 +196,17 @@ std::optional<ToolSaid> take_tool_of_selection(Reading& reading, ProgramLine& li
 
 // Of Sinumerik: another tool, or another edge of that tool; `row` as row_of_edge() has it.
 bool refuse_second_edge(Reading& reading, std::int64_t row) {
-  const WordPlace& tool = reading.gcode_modes.changes_by_m6 ? reading.gcode_modes.spindle_tool_place
-                                                            : reading.gcode_modes.next_tool_place;
+  const WordPlace& tool = reading.gcode.tools.changed_by_m6 ? reading.gcode.tools.spindle_place
+                                                            : reading.gcode.tools.next_place;
   const std::int64_t number = tool_of_row(row);
-  const std::string called = !reading.gcode_modes.tool_name.empty()
-                                 ? quoted(reading.gcode_modes.tool_name)
-                             : number == unnamed_tool ? ""
-                                                      : "T" + std::to_string(number);
-  const bool another_tool = number != tool_of_row(*reading.gcode_modes.only_register);
+  const std::string called = !reading.gcode.tools.name.empty() ? quoted(reading.gcode.tools.name)
+                             : number == unnamed_tool          ? ""
+                                                               : "T" + std::to_string(number);
+  const bool another_tool = number != tool_of_row(*reading.gcode.tools.only_register);
   if (another_tool && !called.empty()) return reading.refuse_at(tool, Code::tool_unknown, called);
   const std::string edge = "D" + std::to_string(edge_of_row(row));
   return reading.refuse_at(
-      reading.gcode_modes.edge_place.source.line > 0 ? reading.gcode_modes.edge_place : tool,
+      reading.gcode.tools.edge_place.source.line > 0 ? reading.gcode.tools.edge_place : tool,
       Code::tool_unknown, called.empty() ? edge : edge + " of " + called);
 }
 
@@ -217,7 +215,7 @@ bool check_tool_of_table(Reading& reading, const ProgramLine& line, BlockWords& 
                          ToolSaid said) {
   const bool matters = reading.trc_active() || block.selects();
   const std::int64_t number = register_number(block.tool->value);
-  reading.gcode_modes.missing_tool.reset();
+  reading.gcode.tools.missing.reset();
   if (!is_whole(block.tool->value)) {
     const bool linuxcnc = reading.dialect.name == DialectName::linuxcnc;
     return reading.refuse(
@@ -232,16 +230,16 @@ bool check_tool_of_table(Reading& reading, const ProgramLine& line, BlockWords& 
   if (matters && take_only_register(reading, line, block, number)) return true;
   if (!matters) {
     // H and D stand side by side in many programs: it matters only where G41 has no D of its own.
-    reading.gcode_modes.missing_tool = number;
-    reading.gcode_modes.edge_place = reading.place_of_word(line, block.tool->begin);
+    reading.gcode.tools.missing = number;
+    reading.gcode.tools.edge_place = reading.place_of_word(line, block.tool->begin);
     block.tool.reset();
     return true;
   }
   const Code of_missing = reading.gives_radii() ? Code::tool_unknown : Code::no_tool_radius;
   if (said == ToolSaid::by_spindle)
-    return reading.refuse_at(reading.gcode_modes.spindle_tool_place, of_missing,
+    return reading.refuse_at(reading.gcode.tools.spindle_place, of_missing,
                              "T" + std::to_string(number));
-  if (reading.dialect.name == DialectName::sinumerik && reading.gcode_modes.only_register)
+  if (reading.dialect.name == DialectName::sinumerik && reading.gcode.tools.only_register)
     return refuse_second_edge(reading, number);
   return reading.refuse(line, TextFault{.code = of_missing,
                                         .begin = block.tool->begin,
@@ -250,27 +248,27 @@ bool check_tool_of_table(Reading& reading, const ProgramLine& line, BlockWords& 
 
 // FANUC without D words: the radius of the setup is that of the tool in the spindle.
 bool take_only_spindle_tool(Reading& reading) {
-  const std::int64_t tool = reading.gcode_modes.spindle_tool;
+  const std::int64_t tool = reading.gcode.tools.in_spindle;
   if (reading.dialect.name != DialectName::fanuc || !reading.has_one_radius() || tool == 0 ||
-      reading.gcode_modes.only_register)
+      reading.gcode.tools.only_register)
     return true;
-  const std::int64_t only = reading.gcode_modes.only_spindle_tool.value_or(tool);
-  reading.gcode_modes.only_spindle_tool = only;
-  return only == tool || reading.refuse_at(reading.gcode_modes.spindle_tool_place,
-                                           Code::tool_unknown, "T" + std::to_string(tool));
+  const std::int64_t only = reading.gcode.tools.only_in_spindle.value_or(tool);
+  reading.gcode.tools.only_in_spindle = only;
+  return only == tool || reading.refuse_at(reading.gcode.tools.spindle_place, Code::tool_unknown,
+                                           "T" + std::to_string(tool));
 }
 
 // Sinumerik: T is the tool, D its edge; D0 is none.
 bool choose_tool_of_edge(Reading& reading, ProgramLine& line, BlockWords& block) {
-  GcodeModes& modes = reading.gcode_modes;
+  GcodeModes::Tools& tools = reading.gcode.tools;
   // A tool change chooses the first one; where M6 changes tools, T alone makes one ready (D-56).
-  const bool changes = block.changes_tool || (block.tool_number && !modes.changes_by_m6);
-  const bool keeps_edge = block.changes_tool && !block.tool_number && modes.edge_of_next_tool;
+  const bool changes = block.changes_tool || (block.tool_number && !tools.changed_by_m6);
+  const bool keeps_edge = block.changes_tool && !block.tool_number && tools.edge_is_of_next;
   if (block.tool || (changes && !keeps_edge)) {
-    modes.edge = block.tool ? block.tool->value : 1;
-    modes.edge_place = block.tool ? reading.place_of_word(line, block.tool->begin) : WordPlace{};
+    tools.edge = block.tool ? block.tool->value : 1;
+    tools.edge_place = block.tool ? reading.place_of_word(line, block.tool->begin) : WordPlace{};
   }
-  if (block.tool_number) modes.edge_of_next_tool = block.tool.has_value();
+  if (block.tool_number) tools.edge_is_of_next = block.tool.has_value();
   const std::optional<BlockWords::Value> edge_word = std::exchange(block.tool, {});
   const bool selects = block.selects();
   const bool goes_on = reading.trc_active() && !block.has(side);
@@ -278,37 +276,34 @@ bool choose_tool_of_edge(Reading& reading, ProgramLine& line, BlockWords& block)
   const std::uint32_t begin = selects     ? block.of(side).begin
                               : edge_word ? edge_word->begin
                                           : line.words.front().begin;
-  if (modes.edge == 0) {
+  if (tools.edge == 0) {
     block.tool = {.value = 0, .begin = begin};
     return true;
   }
-  const std::int64_t number = modes.changes_by_m6 ? modes.spindle_tool : modes.next_tool;
-  const WordPlace& tool = modes.changes_by_m6 ? modes.spindle_tool_place : modes.next_tool_place;
+  const std::int64_t number = tools.changed_by_m6 ? tools.in_spindle : tools.next;
+  const WordPlace& tool = tools.changed_by_m6 ? tools.spindle_place : tools.next_place;
   const auto unknown = [&](std::string detail) {
     return reading.refuse_at(tool, Code::tool_unknown, std::move(detail));
   };
   const bool table = !reading.state.setup().tools.empty();
-  const std::int64_t edge = register_number(modes.edge);
+  const std::int64_t edge = register_number(tools.edge);
   const std::int64_t row = row_of_edge(number, edge);
-  if (table && number == no_tool_number)
-    return unknown(name_not_in_table(reading, modes.tool_name));
-  const bool is_plain = edge == 1 && modes.tool_name.empty();
-  const std::string called =
-      modes.tool_name.empty() ? "T" + std::to_string(number) : quoted(modes.tool_name);
+  if (table && number == no_tool_number) return unknown(name_not_in_table(reading, tools.name));
+  const bool is_plain = edge == 1 && tools.name.empty();
+  const std::string called = tools.name.empty() ? "T" + std::to_string(number) : quoted(tools.name);
   if (table && !is_plain && !reading.state.tool().has_tool(row))
-    return reading.refuse_at(edge == 1 ? tool : modes.edge_place, Code::tool_unknown,
+    return reading.refuse_at(edge == 1 ? tool : tools.edge_place, Code::tool_unknown,
                              "D" + std::to_string(edge) + " of " + called);
   if (table && number > 0 && !reading.state.tool().has_tool(row)) return unknown(called);
-  if (table && number == 0 && !modes.tool_named &&
-      reading.state.tool().row_of_tool(row) == std::nullopt)
+  if (table && number == 0 && !tools.named && reading.state.tool().row_of_tool(row) == std::nullopt)
     return reading.refuse(
         line, TextFault{.code = Code::nc_unsupported,
                         .begin = begin,
                         .detail = "D" + std::to_string(edge) + " without T, which tool it is of"});
   if (number == no_tool_number) {
     // The radius of the setup stands for the one tool that the program selects with.
-    if (modes.only_tool_name.empty()) modes.only_tool_name = modes.tool_name;
-    if (modes.only_tool_name != modes.tool_name) return unknown(quoted(modes.tool_name));
+    if (tools.only_name.empty()) tools.only_name = tools.name;
+    if (tools.only_name != tools.name) return unknown(quoted(tools.name));
   }
   const bool numbered = number > 0;
   if (numbered || reading.has_one_radius())
@@ -331,8 +326,8 @@ std::int64_t number_of_tool_named(std::string_view name, const ToolInForce& tool
 bool check_gcode_selection(Reading& reading, ProgramLine& line, BlockWords& block) {
   const bool selects = block.selects();
   if (!check_what_may_be_skipped(reading, line, block)) return false;
-  if (selects && !reading.gcode_modes.unfollowed.empty()) {
-    const UnfollowedMode& mode = reading.gcode_modes.unfollowed.back();
+  if (selects && !reading.gcode.coordinates.unfollowed.empty()) {
+    const UnfollowedMode& mode = reading.gcode.coordinates.unfollowed.back();
     const std::string what =
         mode.is_motion ? name_of_function(mode.function) + ", a motion function of its own"
                        : mode.meaning;
@@ -348,10 +343,10 @@ bool check_gcode_selection(Reading& reading, ProgramLine& line, BlockWords& bloc
       selects ? take_tool_of_selection(reading, line, block) : ToolSaid::by_d;
   if (!said) return false;
   const Code of_missing = reading.gives_radii() ? Code::tool_unknown : Code::no_tool_radius;
-  if (selects && !block.tool && !block.tool_radius && reading.gcode_modes.missing_tool)
-    return take_only_register(reading, line, block, *reading.gcode_modes.missing_tool) ||
-           reading.refuse_at(reading.gcode_modes.edge_place, of_missing,
-                             "D" + std::to_string(*reading.gcode_modes.missing_tool));
+  if (selects && !block.tool && !block.tool_radius && reading.gcode.tools.missing)
+    return take_only_register(reading, line, block, *reading.gcode.tools.missing) ||
+           reading.refuse_at(reading.gcode.tools.edge_place, of_missing,
+                             "D" + std::to_string(*reading.gcode.tools.missing));
   if (!block.tool && !block.tool_radius) return !selects || take_only_spindle_tool(reading);
   if ((selects || reading.trc_active()) && reading.dialect.name != DialectName::sinumerik)
     for (WordRange& word : line.words)
@@ -361,9 +356,9 @@ bool check_gcode_selection(Reading& reading, ProgramLine& line, BlockWords& bloc
 }
 
 std::optional<double> spindle_diameter(const Reading& reading) {
-  if (reading.gcode_modes.spindle_tool == 0 || reading.state.setup().every_radius)
+  if (reading.gcode.tools.in_spindle == 0 || reading.state.setup().every_radius)
     return std::nullopt;
-  if (const auto row = reading.state.tool().row_of_tool(reading.gcode_modes.spindle_tool))
+  if (const auto row = reading.state.tool().row_of_tool(reading.gcode.tools.in_spindle))
     return 2 * (row->radius + row->wear);
   if (!reading.has_one_radius()) return std::nullopt;
   return 2 * (reading.state.setup().mode.tool_radius + reading.state.setup().wear);
@@ -371,9 +366,9 @@ std::optional<double> spindle_diameter(const Reading& reading) {
 
 bool take_only_register(Reading& reading, const ProgramLine& line, BlockWords& block,
                         std::int64_t number) {
-  if (!reading.has_one_radius() || reading.gcode_modes.only_register.value_or(number) != number)
+  if (!reading.has_one_radius() || reading.gcode.tools.only_register.value_or(number) != number)
     return false;
-  reading.gcode_modes.only_register = number;
+  reading.gcode.tools.only_register = number;
   block.only_tool = block.tool ? block.tool->begin : line.words.front().begin;
   block.tool.reset();
   return true;

@@ -110,7 +110,7 @@ bool read_g_function(Reading& reading, const Word& word, ProgramLine& line, Bloc
     return reading.refuse(line, fault);
   }
   if (group == GGroup::zero_shift && reading.contour_open() &&
-      reading.gcode_modes.work_offset != function->tenths())
+      reading.gcode.coordinates.work_offset != function->tenths())
     return reading.refuse(line, word, Code::nc_unsupported, named(" while TRC is active"));
   constexpr int homing = 74;
   block.homes |= function->number == homing;

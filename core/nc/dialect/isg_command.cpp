@@ -175,7 +175,7 @@ bool read_command(Reading& reading, const Word& word, ProgramLine& line, BlockWo
     return wrong(
         {.begin = static_cast<std::uint32_t>(behind), .detail = "a word behind a # command"});
   if (name == "TIME " && !is_time(command)) return reading.refuse(line, word, Code::nc_number);
-  if (name == "DISABLE MODAL") reading.gcode_modes.modal_cycle.reset();
+  if (name == "DISABLE MODAL") reading.gcode.calls.modal_cycle.reset();
   const bool passes = name == "TIME " || name == "DISABLE MODAL" ||
                       begins_with_any(name, passing_commands) ||
                       passes_word(reading.state.setup(), command, 0);

@@ -160,10 +160,10 @@ bool choose_called_tool(Reading& reading, const ProgramLine& line, std::size_t b
   if (!row && setup.tools.empty() && setup.mode.tool_radius != 0) {
     const std::int64_t number = *modes.tool;
     if (modes.only_tool_name.empty()) modes.only_tool_name = modes.tool_name;
-    if (reading.gcode_modes.only_register.value_or(number) != number ||
+    if (reading.gcode.tools.only_register.value_or(number) != number ||
         modes.only_tool_name != modes.tool_name)
       return unknown(number_text(number));
-    reading.gcode_modes.only_register = number;
+    reading.gcode.tools.only_register = number;
     row = ToolRow(setup.mode.tool_radius, setup.wear);
   }
   if (!row && !setup.tools.empty()) return unknown(number_text(*modes.tool));
@@ -204,7 +204,7 @@ bool read_tool_call(Reading& reading, ProgramLine& line, std::size_t begin,
     modes.modal_cycle = false;
     modes.radius_delta = 0;
     modes.open_delta.clear();
-    reading.gcode_modes.tool_said = true;
+    reading.gcode.calls.tool_said = true;
     std::array<bool, 3> third{};
     third[axes_of(plane).third] = true;
     reading.state.forget_position(third, line.source);
@@ -291,7 +291,7 @@ bool read_tool_definition(Reading& reading, ProgramLine& line, std::size_t begin
 
 bool select_in_klartext(Reading& reading, const ProgramLine& line, Side side, std::size_t begin) {
   const std::uint32_t skipped =
-      std::max(reading.gcode_modes.skipped_tool, reading.gcode_modes.skipped_tool_data);
+      std::max(reading.gcode.skipped.tool, reading.gcode.skipped.tool_data);
   if (side != Side::off && skipped > 0)
     return refuse_klartext(reading, line, begin,
                            "TRC behind what may be skipped, in line " + std::to_string(skipped),

@@ -83,7 +83,7 @@ bool is_left_out(Reading& reading, ProgramLine& line) {
 // nothing.
 void forget_what_stands_in_front(Reading& reading) {
   reading.faults.clear();
-  reading.gcode_modes = {};
+  reading.gcode = {};
   reading.called_motion = reading.called_dimension = false;
 }
 

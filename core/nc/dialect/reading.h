@@ -96,9 +96,9 @@ struct Reading {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(lines_read, blocks_read, comment_block, ended, motion, motion_given, incremental, inch,
-            absolute_center, feed_mode, feed, isg_word_seen, reads_plain_lines, feed_in_mm,
-            gcode_modes, klartext_modes, faults, scanned_trc, in_front_of_tape, called_motion,
-            called_dimension, in_subprogram);
+            absolute_center, feed_mode, feed, isg_word_seen, reads_plain_lines, feed_in_mm, gcode,
+            klartext_modes, faults, scanned_trc, in_front_of_tape, called_motion, called_dimension,
+            in_subprogram);
   }
 
   ReaderLimits limits;
@@ -131,7 +131,7 @@ struct Reading {
   // dimensions count.
   bool called_motion = false;
   bool called_dimension = false;
-  GcodeModes gcode_modes{};
+  GcodeModes gcode{};
   KlartextModes klartext_modes{};
 
   // A line of a motion and nothing else means what its words say.

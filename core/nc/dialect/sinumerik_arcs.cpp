@@ -106,13 +106,13 @@ void take_pole(Reading& reading, const BlockWords& block) {
   const int number = pole.function == nullptr ? 0 : pole.function->number;
   const bool sets = number >= 110 && number <= 112;
   if (!clears && !sets) return;
-  reading.gcode_modes.polar_angle.reset();
-  reading.gcode_modes.polar_radius.reset();
+  reading.gcode.polar.angle.reset();
+  reading.gcode.polar.radius.reset();
   const PlaneAxes axes = axes_of(reading.state.mode().plane);
   const auto& x = block.move.end[axes.first];
   const auto& y = block.move.end[axes.second];
   // Without a pole of its own a program counts from its zero point.
-  if (clears && (reading.gcode_modes.pole != Point(0, 0) || sets)) reading.gcode_modes.pole.reset();
+  if (clears && (reading.gcode.polar.pole != Point(0, 0) || sets)) reading.gcode.polar.pole.reset();
   if (clears || !sets) return;
   Point base = Point::Zero();
   bool known = x && y && !block.polar_angle && !block.polar_radius;
@@ -122,70 +122,69 @@ void take_pole(Reading& reading, const BlockWords& block) {
              !reading.contour_open();
   }
   if (number == 112) {
-    known &= reading.gcode_modes.pole.has_value();
-    base = reading.gcode_modes.pole.value_or(base);
+    known &= reading.gcode.polar.pole.has_value();
+    base = reading.gcode.polar.pole.value_or(base);
   }
-  reading.gcode_modes.pole.reset();
-  if (known) reading.gcode_modes.pole = base + Point(*x, *y);
+  reading.gcode.polar.pole.reset();
+  if (known) reading.gcode.polar.pole = base + Point(*x, *y);
 }
 
 bool resolve_polar_words(Reading& reading, ProgramLine& line, BlockWords& block) {
-  GcodeModes& modes = reading.gcode_modes;
+  GcodeModes::Polar& polar = reading.gcode.polar;
   const PlaneAxes axes = axes_of(reading.state.mode().plane);
   auto& x = block.move.end[axes.first];
   auto& y = block.move.end[axes.second];
-  const bool polar = block.polar_angle || block.polar_radius;
-  if (!polar && (x || y)) {
-    modes.polar_angle.reset();
-    modes.polar_radius.reset();
+  const bool is_polar = block.polar_angle || block.polar_radius;
+  if (!is_polar && (x || y)) {
+    polar.angle.reset();
+    polar.radius.reset();
   }
-  if (!polar) return true;
+  if (!is_polar) return true;
   const std::uint32_t begin = std::min(block.polar_angle ? block.polar_angle->begin : ~0U,
                                        block.polar_radius ? block.polar_radius->begin : ~0U);
   const bool selects = block.selects();
   const bool both = block.polar_angle && block.polar_radius;
   // A line that is copied would count on a word that the written program has no longer.
   const bool counts_on = !both || block.increments_angle || block.increments_radius;
-  if (modes.polar_rewritten && counts_on && !reading.contour_open() && !selects)
+  if (polar.rewritten && counts_on && !reading.contour_open() && !selects)
     return reading.refuse(line,
                           TextFault{.code = Code::nc_unsupported,
                                     .begin = begin,
                                     .detail = "AP= or RP= alone behind a contour: write both"});
-  if (selects || reading.contour_open()) modes.polar_rewritten = true;
-  if (both && !reading.contour_open() && !selects) modes.polar_rewritten = false;
+  if (selects || reading.contour_open()) polar.rewritten = true;
+  if (both && !reading.contour_open() && !selects) polar.rewritten = false;
   // AP=IC(…) and RP=IC(…) count from the word before.
   const auto take = [](const std::optional<BlockWords::Value>& word, bool increment,
                        std::optional<double>& value) {
     if (word && (!increment || value)) value = word->value + (increment ? *value : 0);
     return !word || !increment || value;
   };
-  const bool angle_known = take(block.polar_angle, block.increments_angle, modes.polar_angle);
-  const bool radius_known = take(block.polar_radius, block.increments_radius, modes.polar_radius);
-  const MotionKind kind = block.has(motion)
-                              ? static_cast<MotionKind>(block.of(motion).function->number)
-                              : reading.motion;
+  const bool angle_known = take(block.polar_angle, block.increments_angle, polar.angle);
+  const bool radius_known = take(block.polar_radius, block.increments_radius, polar.radius);
+  const MotionKind kind =
+      block.has(motion) ? motion_of_function(block.of(motion).function->number) : reading.motion;
   const bool circle = kind == MotionKind::clockwise || kind == MotionKind::counter_clockwise;
   const bool start_known =
       reading.state.is_known(axes.first) && reading.state.is_known(axes.second);
-  const bool followed = modes.pole && modes.polar_angle && modes.polar_radius && !x && !y &&
-                        !block.center && !reading.incremental && !block.of(dimension).is(91) &&
-                        angle_known && radius_known && !block.to_skip && (!circle || start_known);
+  const bool followed = polar.pole && polar.angle && polar.radius && !x && !y && !block.center &&
+                        !reading.incremental && !block.of(dimension).is(91) && angle_known &&
+                        radius_known && !block.to_skip && (!circle || start_known);
   if (!followed) {
     block.unfollowed_word = begin;
-    modes.polar_angle.reset();
-    modes.polar_radius.reset();
+    polar.angle.reset();
+    polar.radius.reset();
     return true;
   }
-  const double angle = *modes.polar_angle * std::numbers::pi / 180;
-  const Point end = *modes.pole + *modes.polar_radius * Point(std::cos(angle), std::sin(angle));
+  const double angle = *polar.angle * std::numbers::pi / 180;
+  const Point end = *polar.pole + *polar.radius * Point(std::cos(angle), std::sin(angle));
   x = end.x();
   y = end.y();
   if (!block.axis || begin < *block.axis) block.axis = begin;
   if (!circle) return true;
   const Point start =
       to_plane(reading.state.mode().plane, reading.state.position()) / reading.length_unit();
-  block.move.center[axes.first] = modes.pole->x() - start.x();
-  block.move.center[axes.second] = modes.pole->y() - start.y();
+  block.move.center[axes.first] = polar.pole->x() - start.x();
+  block.move.center[axes.second] = polar.pole->y() - start.y();
   block.center = begin;
   return true;
 }
@@ -252,7 +251,7 @@ bool take_angle(Reading& reading, ProgramLine& line, BlockWords& block) {
   const double angle = block.angle->value * std::numbers::pi / 180;
   const double along = first ? std::cos(angle) : std::sin(angle);
   constexpr double parallel = 1e-6;
-  if (!straight || reading.gcode_modes.tangent_arcs || first.has_value() == second.has_value() ||
+  if (!straight || reading.gcode.tangent_arcs.in_force || first.has_value() == second.has_value() ||
       std::abs(along) < parallel)
     return reading.refuse(
         line, TextFault{.code = Code::nc_unsupported,

@@ -57,10 +57,10 @@ bool read_tool_name(Reading& reading, const NamedWord& word, ProgramLine& line, 
   if (block.tool_number) return refuse_word(reading, line, as_gcode(word), Code::nc_word_twice);
   const std::int64_t number = number_of_tool_named(word.name, reading.state.tool());
   if (number > 0) {
-    reading.gcode_modes.tool_name.clear();
+    reading.gcode.tools.name.clear();
     block.tool_number = {.value = static_cast<double>(number), .begin = word.begin};
   } else {
-    reading.gcode_modes.tool_name = word.name;
+    reading.gcode.tools.name = word.name;
     block.tool_number = {.value = -1, .begin = word.begin};
     block.named_tool = reading.state.tool().tool_named(word.name);
   }
@@ -127,7 +127,7 @@ bool read_named_address(Reading& reading, const NamedWord& word, ProgramLine& li
   const char letter = word.letter;
   if (!check_index(reading, word, line)) return false;
   if (word.is_text) return read_tool_name(reading, word, line, block);
-  if (letter == 'T') reading.gcode_modes.tool_name.clear();
+  if (letter == 'T') reading.gcode.tools.name.clear();
   if (letter == 'L' || letter == 'E') return read_call_by_letter(reading, word, line, block);
   if (is_center_letter(letter) && word.index == 1) {  // the point between of CIP
     block.through[static_cast<std::size_t>(letter - 'I')] = {.value = word.value,

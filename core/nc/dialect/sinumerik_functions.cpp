@@ -50,7 +50,7 @@ bool read_known_name(Reading& reading, SinumerikMeaning meaning, const NamedWord
     case SinumerikMeaning::spatial:
       return stands_for(by_name::compensation_in_space);
     case SinumerikMeaning::spatial_end:
-      if (reading.gcode_modes.is_unfollowed(by_name::compensation_in_space.tenths()))
+      if (reading.gcode.coordinates.is_unfollowed(by_name::compensation_in_space.tenths()))
         return stands_for(by_name::compensation_in_space_end);
       break;
     case SinumerikMeaning::unfollowed_end:
@@ -65,7 +65,7 @@ bool read_known_name(Reading& reading, SinumerikMeaning meaning, const NamedWord
     case SinumerikMeaning::statement:
       return refuse_name(reading, line, word, "a statement");
     case SinumerikMeaning::turning:
-      reading.gcode_modes.turning = true;
+      reading.gcode.seen.lathe = true;
       return reading.refuse(
           line, TextFault{.code = Code::turning, .begin = word.begin, .detail = word.name});
     case SinumerikMeaning::technology:

@@ -62,12 +62,12 @@ Lead soft_lead_of(const Reading& reading, const BlockWords& block) {
   const double length = block.soft_length->value * reading.length_unit();
   if (number < 200) return {.form = Lead::Form::tangent, .length = length, .from_edge = true};
   const bool left = reading.state.mode().side == Side::left;
-  const bool other_side = (reading.gcode_modes.soft_direction == 141 && !left) ||
-                          (reading.gcode_modes.soft_direction == 142 && left);
+  const bool other_side = (reading.gcode.soft.direction == 141 && !left) ||
+                          (reading.gcode.soft.direction == 142 && left);
   return {.form = Lead::Form::arc,
           .radius = other_side ? -length : length,
           .angle = number > 300 ? std::numbers::pi : std::numbers::pi / 2,
-          .bends_to_tool = reading.gcode_modes.soft_direction == 143};
+          .bends_to_tool = reading.gcode.soft.direction == 143};
 }
 
 // The part of DISCL= in a block that leads to or from a contour.
@@ -144,8 +144,8 @@ bool read_soft_word(Reading& reading, const NamedWord& word, ProgramLine& line, 
 
 bool take_soft_lead(Reading& reading, ProgramLine& line, BlockWords& block) {
   if (block.has(soft_direction))
-    reading.gcode_modes.soft_direction = block.of(soft_direction).function->number;
-  if (block.has(soft_steps)) reading.gcode_modes.soft_in_space = block.of(soft_steps).is(340);
+    reading.gcode.soft.direction = block.of(soft_direction).function->number;
+  if (block.has(soft_steps)) reading.gcode.soft.in_space = block.of(soft_steps).is(340);
   const BlockWords::Function& lead = block.of(soft_lead);
   const bool selects = block.selects();
   if (!block.has(soft_lead)) {
@@ -155,7 +155,7 @@ bool take_soft_lead(Reading& reading, ProgramLine& line, BlockWords& block) {
             line, TextFault{.code = Code::nc_unsupported,
                             .begin = word->begin,
                             .detail = std::string("DISR=, DISCL= or FAD= ").append(words_alone)});
-    if (reading.gcode_modes.soft_approach && reading.faults.empty() && block.has(side))
+    if (reading.gcode.soft.approach && reading.faults.empty() && block.has(side))
       return reading.refuse(
           line, TextFault{.code = Code::nc_unsupported,
                           .begin = block.of(side).begin,
@@ -178,14 +178,14 @@ bool take_soft_lead(Reading& reading, ProgramLine& line, BlockWords& block) {
 }
 
 bool approach_softly(Reading& reading, ProgramLine& line, BlockWords& block) {
-  if (!reading.state.awaits_approach() || reading.gcode_modes.soft_approach)
+  if (!reading.state.awaits_approach() || reading.gcode.soft.approach)
     return reading.refuse(
         line, TextFault{.code = Code::nc_unsupported,
                         .begin = block.of(soft_lead).begin,
                         .detail = "a smooth approach within a contour or behind another"});
   SoftApproach approach{.lead = soft_lead_of(reading, block),
                         .clearance = clearance_of(reading, block),
-                        .along_the_lead = reading.gcode_modes.soft_in_space,
+                        .along_the_lead = reading.gcode.soft.in_space,
                         .rapid = block.motion_before == MotionKind::rapid,
                         .feed_before = block.feed_before};
   if (block.soft_feed) approach.feed = block.soft_feed->value * reading.feed_unit(reading.inch);
@@ -193,7 +193,7 @@ bool approach_softly(Reading& reading, ProgramLine& line, BlockWords& block) {
   if (!find_soft_end(reading, line, block, end)) return false;
   const PlaneAxes axes = axes_of(reading.state.mode().plane);
   approach.height = end[axes.third];
-  reading.gcode_modes.soft_approach = approach;
+  reading.gcode.soft.approach = approach;
   if (end[axes.first] || end[axes.second]) return begin_contour_of_approach(reading, line, block);
   reading.reads_plain_lines = false;
   return true;
@@ -216,7 +216,7 @@ bool begin_contour_of_approach(Reading& reading, ProgramLine& line, BlockWords& 
     return wrong("in an arc, beside a corner or a further axis");
   MoveRequest request{.source = line.source, .kind = MotionKind::linear, .feed = reading.feed};
   if (!find_soft_end(reading, line, block, request.end)) return false;
-  const SoftApproach approach = *reading.gcode_modes.soft_approach;
+  const SoftApproach approach = *reading.gcode.soft.approach;
   auto& height = request.end[axes.third];
   if (!height) height = approach.height;
   const bool moves_across = height || approach.clearance;
@@ -230,7 +230,7 @@ bool begin_contour_of_approach(Reading& reading, ProgramLine& line, BlockWords& 
   way.feed = approach.feed_before;
   Infeed infeed{.height = *quick, .along_the_lead = approach.along_the_lead, .feed = reading.feed};
   if (approach.feed != 0) (infeed.along_the_lead ? request.feed : infeed.feed) = approach.feed;
-  reading.gcode_modes.soft_approach.reset();
+  reading.gcode.soft.approach.reset();
   line.is_motion = true;
   return reading.state.approach_by(approach.lead, request, way, infeed);
 }
@@ -258,13 +258,13 @@ bool depart_softly(Reading& reading, ProgramLine& line, BlockWords& block) {
   const double infeed = block.soft_feed ? block.soft_feed->value * reading.feed_unit(reading.inch)
                                         : block.feed_before;
   MoveRequest step{.source = line.source, .kind = MotionKind::linear, .feed = slow};
-  if (reading.gcode_modes.soft_in_space && block.soft_feed) step.feed = infeed;
+  if (reading.gcode.soft.in_space && block.soft_feed) step.feed = infeed;
   // Which way the arc bends may depend on where the tool goes.
   step.end[axes.first] = end[axes.first];
   step.end[axes.second] = end[axes.second];
-  if (reading.gcode_modes.soft_in_space) step.end[axes.third] = *quick;
+  if (reading.gcode.soft.in_space) step.end[axes.third] = *quick;
   line.is_motion = true;
-  if (!reading.state.depart_by(lead, step, reading.gcode_modes.soft_in_space)) return false;
+  if (!reading.state.depart_by(lead, step, reading.gcode.soft.in_space)) return false;
   const auto travel = [&](const std::array<std::optional<double>, 3>& to) {
     const Position& here = reading.state.position();
     bool moves = false;

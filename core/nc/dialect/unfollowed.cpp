@@ -71,12 +71,12 @@ bool ends_turn(int tenths) {
 bool ends_what_is_unfollowed(const Reading& reading, const BlockWords& block) {
   return std::ranges::any_of(ends_of_modes, [&](const std::pair<int, int>& each) {
     return std::ranges::find(block.ends, each.first) != block.ends.end() &&
-           reading.gcode_modes.is_unfollowed(each.second);
+           reading.gcode.coordinates.is_unfollowed(each.second);
   });
 }
 
 void end_scaling_frames(Reading& reading, const std::string& frame) {
-  std::erase_if(reading.gcode_modes.unfollowed, [&](const UnfollowedMode& mode) {
+  std::erase_if(reading.gcode.coordinates.unfollowed, [&](const UnfollowedMode& mode) {
     return mode.function == by_name::scaling_frame.tenths() && mode.frame == frame;
   });
 }
@@ -86,14 +86,14 @@ void take_modal_motion(Reading& reading, const ProgramLine& line, const BlockWor
       block.has(single_move) &&
       is_modal_motion(reading.dialect.name, block.of(single_move).function->tenths());
   if (begins || block.has(motion) || block.has(cycle) || block.has(cycle_end))
-    std::erase_if(reading.gcode_modes.unfollowed,
+    std::erase_if(reading.gcode.coordinates.unfollowed,
                   [](const UnfollowedMode& mode) { return mode.is_motion; });
   if (!begins) return;
   const GFunction& function = *block.of(single_move).function;
-  reading.gcode_modes.unfollowed.push_back({.function = function.tenths(),
-                                            .line = line.source.line,
-                                            .meaning = std::string(function.meaning),
-                                            .is_motion = true});
+  reading.gcode.coordinates.unfollowed.push_back({.function = function.tenths(),
+                                                  .line = line.source.line,
+                                                  .meaning = std::string(function.meaning),
+                                                  .is_motion = true});
 }
 
 }  // namespace
@@ -101,48 +101,48 @@ void take_modal_motion(Reading& reading, const ProgramLine& line, const BlockWor
 void take_what_is_unfollowed(Reading& reading, const ProgramLine& line, BlockWords& block) {
   const bool scales = block.of(unfollowed).is(by_name::scale);
   if (block.of(frame).is(by_name::absolute_frame) || (scales && !block.adds_to_frame)) {
-    reading.gcode_modes.end_unfollowed(scale_tenths);
+    reading.gcode.coordinates.end_unfollowed(scale_tenths);
     end_scaling_frames(reading, programmable_frame);
   }
   if (!block.frame.empty()) end_scaling_frames(reading, block.frame);
-  if (block.frame == programmable_frame) reading.gcode_modes.end_unfollowed(scale_tenths);
+  if (block.frame == programmable_frame) reading.gcode.coordinates.end_unfollowed(scale_tenths);
   if (scales && !block.axis && !block.adds_to_frame) {
     block.forget |= all_axes;
     block.clear(unfollowed);
   }
-  if (block.has(motion)) reading.gcode_modes.end_unfollowed(by_name::spline.tenths());
+  if (block.has(motion)) reading.gcode.coordinates.end_unfollowed(by_name::spline.tenths());
   if (block.has(unfollowed)) {
     const GFunction& function = *block.of(unfollowed).function;
     if (!block.of(unfollowed).is(by_name::scaling_frame))
-      reading.gcode_modes.end_unfollowed(function.tenths());
-    reading.gcode_modes.unfollowed.push_back({.function = function.tenths(),
-                                              .line = line.source.line,
-                                              .meaning = std::string(function.meaning),
-                                              .frame = block.frame});
+      reading.gcode.coordinates.end_unfollowed(function.tenths());
+    reading.gcode.coordinates.unfollowed.push_back({.function = function.tenths(),
+                                                    .line = line.source.line,
+                                                    .meaning = std::string(function.meaning),
+                                                    .frame = block.frame});
   }
   take_modal_motion(reading, line, block);
   if (!block.has(unfollowed_end)) return;
   for (const auto& [end, mode] : ends_of_modes)
     if (std::ranges::find(block.ends, end) != block.ends.end())
-      reading.gcode_modes.end_unfollowed(mode);
+      reading.gcode.coordinates.end_unfollowed(mode);
 }
 
 bool copy_thread(Reading& reading, ProgramLine& line, BlockWords& block) {
-  const bool was_under_thread = !reading.gcode_modes.unfollowed.empty();
+  const bool was_under_thread = !reading.gcode.coordinates.unfollowed.empty();
   take_modal_motion(reading, line, block);
-  const bool under_thread = !reading.gcode_modes.unfollowed.empty();
+  const bool under_thread = !reading.gcode.coordinates.unfollowed.empty();
   if (was_under_thread != under_thread)
     reading.reads_plain_lines = !under_thread && reading.faults.empty() && !reading.called_motion &&
                                 !reading.called_dimension;
   const bool is_position = !block.has(dwell) && !block.of(zero_shift).is(92);
   if (!under_thread || !(block.has(single_move) || (block.axis && is_position))) return true;
   if (reading.contour_open() || block.selects()) {
-    const int number = reading.gcode_modes.unfollowed.back().function / 10;
+    const int number = reading.gcode.coordinates.unfollowed.back().function / 10;
     return reading.refuse(
         line, TextFault{.code = Code::nc_unsupported,
                         .begin = block.has(single_move) ? block.of(single_move).begin : *block.axis,
                         .detail = "G" + std::to_string(number) + ", " +
-                                  reading.gcode_modes.unfollowed.back().meaning +
+                                  reading.gcode.coordinates.unfollowed.back().meaning +
                                   " while TRC is active"});
   }
   block.copied = true;
@@ -159,19 +159,19 @@ void forget_what_ends_nothing(Reading& reading, BlockWords& block) {
   for (const int each : block.ends)
     if (ends_turn(each)) ended |= turn_of(each);
   if (block.has(frame) && ends_turn(block.of(frame).function->tenths())) {
-    if ((reading.gcode_modes.turned & ended) == 0) {
+    if ((reading.gcode.coordinates.turned & ended) == 0) {
       // The axes of G50.1 and G100 are those that are mirrored no longer; with T beside it G100 is
       // a tool change that goes there.
       block.copied |= block.axis && !block.tool_number && !block.of(frame).is(69);
       block.clear(frame);
     }
   } else if (block.has(frame)) {
-    reading.gcode_modes.turned |= turn_of(block.of(frame).function->tenths());
+    reading.gcode.coordinates.turned |= turn_of(block.of(frame).function->tenths());
   }
-  reading.gcode_modes.turned &= static_cast<std::uint8_t>(~ended);
-  if (block.of(frame).is(255, 0) && !reading.gcode_modes.dynamic_offset) block.clear(frame);
+  reading.gcode.coordinates.turned &= static_cast<std::uint8_t>(~ended);
+  if (block.of(frame).is(255, 0) && !reading.gcode.coordinates.dynamic_offset) block.clear(frame);
   if (block.of(frame).is(254, 0) || block.of(frame).is(255, 0))
-    reading.gcode_modes.dynamic_offset = block.of(frame).is(254);
+    reading.gcode.coordinates.dynamic_offset = block.of(frame).is(254);
 }
 
 void end_what_was_unfollowed(Reading& reading, BlockWords& block) {
@@ -179,12 +179,12 @@ void end_what_was_unfollowed(Reading& reading, BlockWords& block) {
   constexpr int polar = tenths_of(112);
   constexpr int mapping = tenths_of(107);
   constexpr int setup_error = tenths_of(54, 4);
-  if (block.of(zero_shift).is(113)) reading.gcode_modes.end_unfollowed(polar);
+  if (block.of(zero_shift).is(113)) reading.gcode.coordinates.end_unfollowed(polar);
   bool ends = false;
   if (block.changes_length)
     for (const int led :
          {tenths_of(43, 1), tenths_of(43, 4), tenths_of(43, 5), tenths_of(143), tenths_of(234)})
-      ends |= reading.gcode_modes.end_unfollowed(led);
+      ends |= reading.gcode.coordinates.end_unfollowed(led);
   if (block.has(unfollowed)) {
     const int begun = block.of(unfollowed).function->tenths();
     const bool by_zero = begun == cylinder && !block.move.tracking.empty() &&
@@ -194,7 +194,7 @@ void end_what_was_unfollowed(Reading& reading, BlockWords& block) {
     const bool alone = begun == mapping && !block.axis && !block.q_word && !block.center;
     const bool by_number = begun == setup_error && block.p_word && block.p_word->value == 0;
     if (by_zero || alone || by_number) {
-      ends |= reading.gcode_modes.end_unfollowed(begun);
+      ends |= reading.gcode.coordinates.end_unfollowed(begun);
       if (ends || !by_zero) block.clear(unfollowed);
     }
   }
