@@ -41,7 +41,7 @@ Selection selection_of(int g_number) {
 // Of a line that is copied: what it moves counts on the feed in force.
 bool may_move_at_the_feed(const Reading& reading, const BlockWords& block) {
   using enum GGroup;
-  if (!block.copied || block.homes || block.has(dwell) || block.has(frame) ||
+  if (!block.copied || block.isg.homes || block.has(dwell) || block.has(frame) ||
       block.has(zero_shift) || block.has(axis_technology) || block.has(tool_data))
     return false;
   if (block.has(single_move)) {
@@ -102,7 +102,7 @@ bool apply_modes(Reading& reading, const ProgramLine& line, const BlockWords& bl
       axes[axis] = (block.forget >> axis & 1) != 0;
     reading.state.forget_position(axes, line.source);
   }
-  if (block.sets_position) {
+  if (block.coordinates.sets_position) {
     std::array<std::optional<double>, 3> place = block.move.end;
     for (auto& coordinate : place)
       if (coordinate) *coordinate *= reading.length_unit();
@@ -122,33 +122,34 @@ bool apply_modes(Reading& reading, const ProgramLine& line, const BlockWords& bl
 bool apply_tool(Reading& reading, const ProgramLine& line, const BlockWords& block) {
   const Source& source = line.source;
   const auto at = [&](std::uint32_t begin) { return reading.place(line, begin), true; };
-  if (block.tool_radius && at(block.tool_radius->begin)) {
-    const double value = block.tool_radius->value * reading.length_unit();
-    if (!(block.radius_is_change ? reading.state.change_tool_radius(value, source)
-                                 : reading.state.set_tool_radius(value, source)))
+  if (block.tools.radius && at(block.tools.radius->begin)) {
+    const double value = block.tools.radius->value * reading.length_unit();
+    if (!(block.tools.radius_is_change ? reading.state.change_tool_radius(value, source)
+                                       : reading.state.set_tool_radius(value, source)))
       return false;
   }
-  if (block.allowance && at(block.allowance->begin) &&
-      !reading.state.set_allowance_of_program(block.allowance->value * reading.length_unit(),
+  if (block.tools.allowance && at(block.tools.allowance->begin) &&
+      !reading.state.set_allowance_of_program(block.tools.allowance->value * reading.length_unit(),
                                               source))
     return false;
-  if (block.tool_number)
-    reading.state.prepare_tool(static_cast<std::int64_t>(block.tool_number->value),
-                               reading.place_of_word(line, block.tool_number->begin));
-  if (block.loads_tool && at(0) && !reading.state.load_tool(source)) return false;
-  if (block.only_tool && at(*block.only_tool) &&
+  if (block.tools.t_word)
+    reading.state.prepare_tool(static_cast<std::int64_t>(block.tools.t_word->value),
+                               reading.place_of_word(line, block.tools.t_word->begin));
+  if (block.tools.loads && at(0) && !reading.state.load_tool(source)) return false;
+  if (block.tools.only && at(*block.tools.only) &&
       !reading.state.call_tool(
           ToolRow(reading.state.setup().mode.tool_radius,
                   reading.state.tool().wear_of(reading.gcode.tools.only_register.value_or(0))),
           source))
     return false;
-  const bool zero = block.tool && block.tool->value == 0 && reading.dialect.zero_is_a_radius &&
-                    !reading.state.tool().row_of_tool(0);
-  if (zero && at(block.tool->begin) && !reading.state.set_tool_radius(0, source)) return false;
-  return !block.tool || zero ||
-         (at(block.tool->begin) &&
-          reading.state.set_tool(static_cast<std::int64_t>(block.tool->value), source,
-                                 reading.place_of_word(line, block.tool->begin)));
+  const bool zero = block.tools.d_word && block.tools.d_word->value == 0 &&
+                    reading.dialect.zero_is_a_radius && !reading.state.tool().row_of_tool(0);
+  if (zero && at(block.tools.d_word->begin) && !reading.state.set_tool_radius(0, source))
+    return false;
+  return !block.tools.d_word || zero ||
+         (at(block.tools.d_word->begin) &&
+          reading.state.set_tool(static_cast<std::int64_t>(block.tools.d_word->value), source,
+                                 reading.place_of_word(line, block.tools.d_word->begin)));
 }
 
 // Modes and radius before the side, so that G41 begins with all of its block.
@@ -175,16 +176,17 @@ bool apply_trc(Reading& reading, const ProgramLine& line, const BlockWords& bloc
                                              : FeedAdaptation::off,
                                          source))
     return false;
-  if (block.options && at(block.command) && !reading.state.set_options(*block.options, source))
+  if (block.isg.options && at(block.isg.command) &&
+      !reading.state.set_options(*block.isg.options, source))
     return false;
-  if (block.tangfeed && at(block.command) &&
-      !reading.state.set_tangfeed_minimum(*block.tangfeed * reading.length_unit(), source))
+  if (block.isg.tangfeed && at(block.isg.command) &&
+      !reading.state.set_tangfeed_minimum(*block.isg.tangfeed * reading.length_unit(), source))
     return false;
   if (has(selection) &&
       !reading.state.set_selection(selection_of(block.of(selection).function->number), source))
     return false;
   // A smooth retraction runs along the contour before it ends TRC.
-  const bool ends = has(side) && block.deselects() && !block.leads_softly;
+  const bool ends = has(side) && block.deselects() && !block.soft.is_followed;
   if (has(tangential) && !reading.state.set_tangential(source)) return false;
   // The tool of such a block is no longer one of the contour: D0 takes it out of force.
   if (ends && at(block.of(side).begin) && !reading.state.select(Side::off, source)) return false;
@@ -220,7 +222,7 @@ bool apply_motion(Reading& reading, ProgramLine& line, BlockWords& block) {
   if (block.angle && !take_angle(reading, line, block)) return false;
   if (reading.gcode.tangent_arcs.in_force && block.axis && !take_tangent(reading, line, block))
     return false;
-  if (block.leads_softly)
+  if (block.soft.is_followed)
     return block.of(GGroup::soft_lead).function->number % 10 == 7
                ? approach_softly(reading, line, block)
                : depart_softly(reading, line, block);
@@ -234,7 +236,8 @@ bool apply_motion(Reading& reading, ProgramLine& line, BlockWords& block) {
   if (reading.state.contour_open() && !check_feed_of_contour(reading, line, block, begin))
     return false;
   if (reading.gcode.soft.approach) return begin_contour_of_approach(reading, line, block);
-  return block.turns ? move_in_full_turns(reading, line, block) : move(reading, line, block.move);
+  return block.arc.turns ? move_in_full_turns(reading, line, block)
+                         : move(reading, line, block.move);
 }
 
 // From inch to mm.
@@ -261,13 +264,13 @@ bool apply_block(Reading& reading, ProgramLine& line, BlockWords& block) {
   const auto pass = [&](WordRole role) {
     return !line.has(role) || pass_words(reading, line, role);
   };
-  block.motion_before = reading.motion;
-  block.feed_before = reading.feed;
+  block.soft.motion_before = reading.motion;
+  block.soft.feed_before = reading.feed;
   const bool goes_on = apply_modes(reading, line, block) && apply_trc(reading, line, block) &&
                        leave_contour_by_copy(reading, line, block) && pass(WordRole::technology) &&
                        apply_motion(reading, line, block) && pass(WordRole::stop);
   if (!goes_on) return false;
-  if (block.sets_position) {
+  if (block.coordinates.sets_position) {
     line.third_set = block.move.end[axes_of(reading.state.mode().plane).third];
     if (line.third_set) *line.third_set *= reading.length_unit();
   }

@@ -59,9 +59,10 @@ void copy_for_functions(Reading& reading, BlockWords& block, AxisBits named,
   if (leaves_across) found = {};
   copy_for(cycle, static_cast<AxisBits>(named | third), block, found);
   // Both controls: the axes named stand where the block says, the others where they stood.
-  block.sets_position = block.of(frame).is(92, 0) && block.axis && !reading.incremental &&
-                        !block.to_skip && !block.of(dimension).is(91);
-  copy_for(frame, block.sets_position ? AxisBits{0} : all_axes, block, found);
+  block.coordinates.sets_position = block.of(frame).is(92, 0) && block.axis &&
+                                    !reading.incremental && !block.to_skip &&
+                                    !block.of(dimension).is(91);
+  copy_for(frame, block.coordinates.sets_position ? AxisBits{0} : all_axes, block, found);
   const bool moves_zero_points =
       block.l_word && (block.l_word->value == 2 || block.l_word->value == 20);
   copy_for(tool_data, moves_zero_points ? all_axes : AxisBits{0}, block, found);
@@ -163,8 +164,8 @@ NotWhileActive find_what_is_copied(Reading& reading, BlockWords& block) {
   if (block.has(zero_shift) && !found.begin)
     found.begin = block.of(zero_shift).begin, found.meaning = "work coordinate system";
   // The contour would go on with the radius of the tool before.
-  if (block.changes_tool && reading.dialect.name != DialectName::isg && !found.begin)
-    found.begin = block.changes_tool, found.meaning = "a tool change";
+  if (block.tools.change && reading.dialect.name != DialectName::isg && !found.begin)
+    found.begin = block.tools.change, found.meaning = "a tool change";
   if (block.to_skip && block.has(side)) {
     found.begin = block.of(side).begin, found.meaning = "TRC in a block that may be skipped";
     found.code = Code::block_skip_undecided;

@@ -53,8 +53,8 @@ void end_modes_before(Reading& reading, const BlockWords& block) {
   // What a line that may be skipped ends may still hold.
   if ((motion_ends_cycle || block.has(cycle_end)) && !block.to_skip) reading.gcode.cycle = false;
   if (block.has(motion)) reading.gcode.tangent_arcs.in_force = false;
-  reading.gcode.tangent_arcs.in_force |= block.begins_tangent_arcs;
-  if (block.begins_tangent_arcs) reading.gcode.tangent_arcs.are_written = reading.trc_active();
+  reading.gcode.tangent_arcs.in_force |= block.arc.begins_tangents;
+  if (block.arc.begins_tangents) reading.gcode.tangent_arcs.are_written = reading.trc_active();
   reading.gcode.tooth_feed = block.tooth_feed.has_value() ||
                              (reading.gcode.tooth_feed && !(block.feed && !block.has(dwell)));
 }
@@ -66,7 +66,7 @@ void take_words_that_are_no_motion(ProgramLine& line, BlockWords& block) {
     take_for_technology(line, WordRole::feed);
   }
   const bool smooths = block.of(technology).is(5, 1);
-  if ((block.orients_spindle || smooths) && !block.axis && block.move.radius) {
+  if ((block.spindle.is_oriented || smooths) && !block.axis && block.move.radius) {
     block.move.radius.reset();
     block.center.reset();
     take_for_technology(line, WordRole::coordinate);
@@ -100,8 +100,8 @@ bool check_skipped_modes(Reading& reading, const ProgramLine& line, const BlockW
   };
   if (block.to_skip && (block.has(unit) || block.has(plane)))
     return undecided("a unit or a plane that may be skipped");
-  if (block.to_skip && (block.has(feed_adaptation) || block.masks || block.modal_rounding ||
-                        block.corner_feed || block.modal_corner_feed))
+  if (block.to_skip && (block.has(feed_adaptation) || block.masks || block.corners.modal_rounding ||
+                        block.corners.feed || block.corners.modal_feed))
     return undecided("feeds, corners or masking of a contour that may be skipped");
   const bool selects = block.selects();
   const bool in_contour = reading.contour_open() || selects;
@@ -189,8 +189,8 @@ void take_words_of_few_controls(BlockWords& block) {
   static constexpr GFunction scaling{.number = 72, .group = unfollowed, .meaning = "scaling"};
   static constexpr GFunction no_scaling{.number = 72, .group = unfollowed_end};
   const bool drills = block.center || block.l_word || block.p_word || block.q_word;
-  if (found.is(72) && !drills && (block.spindle_speed || block.axis)) {
-    const bool ends = !block.axis && block.spindle_speed->value == 1;
+  if (found.is(72) && !drills && (block.spindle.speed || block.axis)) {
+    const bool ends = !block.axis && block.spindle.speed->value == 1;
     const GFunction& function = ends ? no_scaling : scaling;
     block.set(function, found.begin);
     found = {};
@@ -199,20 +199,21 @@ void take_words_of_few_controls(BlockWords& block) {
 
 // T, M06 and M61.
 void take_tool_words(Reading& reading, const ProgramLine& line, BlockWords& block) {
-  if (block.tool_number) {
-    reading.gcode.tools.next = block.named_tool.value_or(register_number(block.tool_number->value));
-    reading.gcode.tools.next_place = reading.place_of_word(line, block.tool_number->begin);
+  if (block.tools.t_word) {
+    reading.gcode.tools.next =
+        block.tools.named.value_or(register_number(block.tools.t_word->value));
+    reading.gcode.tools.next_place = reading.place_of_word(line, block.tools.t_word->begin);
   }
-  reading.gcode.tools.named |= block.tool_number.has_value();
-  reading.gcode.tools.changed_by_m6 |= block.changes_tool.has_value();
-  if (block.changes_tool) {
+  reading.gcode.tools.named |= block.tools.t_word.has_value();
+  reading.gcode.tools.changed_by_m6 |= block.tools.change.has_value();
+  if (block.tools.change) {
     reading.gcode.tools.in_spindle = reading.gcode.tools.next;
     reading.gcode.tools.spindle_place = reading.gcode.tools.next_place;
     reading.gcode.tools.spindle_is_empty =
         reading.gcode.tools.named && reading.gcode.tools.next == 0;
     block.forget |= main_axis_bit(axes_of(reading.state.mode().plane).third);
   }
-  if (block.names_tool && block.q_word) {
+  if (block.tools.q_word_names_tool && block.q_word) {
     reading.gcode.tools.in_spindle = register_number(block.q_word->value);
     reading.gcode.tools.spindle_place = reading.place_of_word(line, block.q_word->begin);
     reading.gcode.tools.spindle_is_empty = reading.gcode.tools.in_spindle == 0;
@@ -238,9 +239,9 @@ void take_turns_of_arc(const Reading& reading, ProgramLine& line, BlockWords& bl
   if (!block.axis && !block.center) return;
   const MotionKind kind = kind_of(reading, block);
   if (kind != MotionKind::clockwise && kind != MotionKind::counter_clockwise) return;
-  block.turns = {.value = block.p_word->value - 1, .begin = block.p_word->begin};
+  block.arc.turns = {.value = block.p_word->value - 1, .begin = block.p_word->begin};
   for (WordRange& word : line.words)
-    if (word.begin == block.turns->begin) word.role = WordRole::coordinate;
+    if (word.begin == block.arc.turns->begin) word.role = WordRole::coordinate;
 }
 
 // What the words make of the coordinates from here on.
@@ -267,9 +268,9 @@ bool complete_gcode_block(Reading& reading, ProgramLine& line, BlockWords& block
     return false;
   // T01T02M06 of Mazak: the first tool is changed, the second one fetched meanwhile. Radii come
   // from D, so nothing hangs on which of them a control loads.
-  if (block.later_tool && !block.changes_tool)
+  if (block.tools.later_t_word && !block.tools.change)
     return reading.refuse(line, TextFault{.code = Code::nc_word_twice,
-                                          .begin = block.later_tool->begin,
+                                          .begin = block.tools.later_t_word->begin,
                                           .detail = "T without M06"});
   if (!watch_tool(reading, line, block) || !check_kept_modes(reading, line, block)) return false;
   take_tool_words(reading, line, block);

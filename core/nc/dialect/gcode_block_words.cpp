@@ -176,12 +176,13 @@ bool read_gcode_function(Reading& reading, const GcodeWord& word, ProgramLine& l
                        group == side ? Code::compensation_side_twice : Code::nc_group_twice);
   // The one that its line says more of: the speed limit of G50, the axes of G50.1.
   if (group == unfollowed_end || group == frame)
-    block.ends.push_back(static_cast<std::int16_t>(function->tenths()));
+    block.coordinates.ends.push_back(static_cast<std::int16_t>(function->tenths()));
   if (!both_end || seen.is(15) || seen.is(69)) seen = {.function = function, .begin = word.begin};
-  block.changes_length |=
+  block.coordinates.changes_length |=
       function->tenth == 0 &&
       (function->number == 43 || function->number == 44 || function->number == 49);
-  if (function->number == 96) reading.gcode.seen.lathe = block.constant_speed = true;
+  if (function->number == 96)
+    reading.gcode.seen.lathe = block.spindle.constant_cutting_speed = true;
   // Where there is nothing to end, G40 is a line of the program like any other.
   const bool ends_nothing = group == side && function->number == 40 && !reading.contour_open();
   if (reading.dialect.name == DialectName::fanuc && function->tenths() == tenths_of(11))
@@ -222,8 +223,8 @@ bool read_comma_word(Reading& reading, const GcodeWord& word, ProgramLine& line,
     return refuse_word(reading, line, word, Code::nc_unsupported, "which LinuxCNC does not have");
   const bool angle = word.letter == 'A';
   if (word.letter == 'R' || word.letter == 'C') {
-    if (block.corner) return refuse_word(reading, line, word, Code::nc_word_twice);
-    block.corner = word.begin;
+    if (block.corners.begin) return refuse_word(reading, line, word, Code::nc_word_twice);
+    block.corners.begin = word.begin;
     block.move.corner = {.form = word.letter == 'R' ? CornerCut::Form::round : CornerCut::Form::leg,
                          .size = word.value};
     see_whole(reading, word, WholeWord::corner, block);
@@ -276,12 +277,13 @@ bool read_gcode_center(Reading& reading, const GcodeWord& word, ProgramLine& lin
 // T of FANUC may have the number of an offset behind a point, and stand twice.
 bool read_gcode_tool(Reading& reading, const GcodeWord& word, ProgramLine& line,
                      BlockWords& block) {
-  if (block.later_tool || (block.tool_number && reading.dialect.name != DialectName::fanuc))
+  if (block.tools.later_t_word ||
+      (block.tools.t_word && reading.dialect.name != DialectName::fanuc))
     return refuse_word(reading, line, word, Code::nc_word_twice);
   if (!is_number_of_tool(std::floor(word.value)))
     return refuse_word(reading, line, word, Code::nc_number);
-  (block.tool_number ? block.later_tool : block.tool_number) = {.value = std::floor(word.value),
-                                                                .begin = word.begin};
+  (block.tools.t_word ? block.tools.later_t_word : block.tools.t_word) = {
+      .value = std::floor(word.value), .begin = word.begin};
   reading.gcode.seen.lathe |= is_turning_tool(line.word({.begin = word.begin, .end = word.end}));
   add(line, word, WordRole::technology);
   return true;
@@ -298,12 +300,12 @@ bool read_gcode_machine_function(Reading& reading, const GcodeWord& word, Progra
   if (linuxcnc && m == 73)
     return refuse_word(reading, line, word, Code::nc_unsupported,
                        "modes as they were in front of a subprogram");
-  block.names_tool |= linuxcnc && m == 61;
+  block.tools.q_word_names_tool |= linuxcnc && m == 61;
   const bool ends = m == 2 || m == 30 || m == 99;
   line.ends_program |= ends;
-  if (m == 6) block.changes_tool = word.begin;
-  block.orients_spindle |= m == 19;
-  block.loads_tool |= m == 6;
+  if (m == 6) block.tools.change = word.begin;
+  block.spindle.is_oriented |= m == 19;
+  block.tools.loads |= m == 6;
   add(line, word, ends || m == 0 || m == 1 ? WordRole::stop : WordRole::technology);
   return true;
 }
@@ -330,9 +332,9 @@ bool read_gcode_address(Reading& reading, const GcodeWord& word, ProgramLine& li
       add(line, word, WordRole::feed);
       return true;
     case 'D':
-      if (block.tool) return twice();
+      if (block.tools.d_word) return twice();
       if (word.value >= first_named_tool) return refuse_word(reading, line, word, Code::nc_number);
-      block.tool = value;
+      block.tools.d_word = value;
       break;
     case 'T':
       return read_gcode_tool(reading, word, line, block);
@@ -351,7 +353,7 @@ bool read_gcode_address(Reading& reading, const GcodeWord& word, ProgramLine& li
       block.h_word = value;
       break;
     case 'S':
-      block.spindle_speed = value;
+      block.spindle.speed = value;
       break;
     default:  // E
       break;

@@ -31,7 +31,7 @@ bool take_fagor_words(Reading& reading, ProgramLine& line, BlockWords& block) {
                   .detail = number == 37 ? "G37 R, a tangential entry: program its line and arc"
                                          : "G38 R, a tangential exit: program its arc and line"});
   }
-  block.corner = found.begin;
+  block.corners.begin = found.begin;
   block.move.corner = {.form = number == 36 ? CornerCut::Form::round : CornerCut::Form::leg,
                        .size = *block.move.radius};
   block.move.radius.reset();
@@ -53,13 +53,14 @@ bool take_fagor_words(Reading& reading, ProgramLine& line, BlockWords& block) {
 bool take_modal_rounding(Reading& reading, ProgramLine& line, BlockWords& block) {
   const bool selects = block.selects();
   const bool ends = block.deselects() && reading.trc_active();
-  if (block.modal_rounding) {
-    reading.gcode.corners.modal_rounding = block.modal_rounding->value * reading.length_unit();
+  if (block.corners.modal_rounding) {
+    reading.gcode.corners.modal_rounding =
+        block.corners.modal_rounding->value * reading.length_unit();
     if (reading.trc_active() || selects)
       for (WordRange& word : line.words)
-        if (word.begin == block.modal_rounding->begin) word.role = WordRole::trc;
+        if (word.begin == block.corners.modal_rounding->begin) word.role = WordRole::trc;
   }
-  const bool from_outside = selects && !reading.trc_active() && !block.modal_rounding;
+  const bool from_outside = selects && !reading.trc_active() && !block.corners.modal_rounding;
   if (reading.gcode.corners.modal_rounding != 0 && (from_outside || ends))
     return reading.refuse(
         line, TextFault{.code = Code::nc_unsupported,
@@ -67,7 +68,7 @@ bool take_modal_rounding(Reading& reading, ProgramLine& line, BlockWords& block)
                         .detail = "RNDM= beyond the contour: set it behind G41, G42, and "
                                   "to 0 in front of G40"});
   if (reading.gcode.corners.modal_rounding != 0 && reading.trc_active() && !selects &&
-      (block.axis || block.center) && !block.corner && !block.copied)
+      (block.axis || block.center) && !block.corners.begin && !block.copied)
     block.move.corner = {.form = CornerCut::Form::round,
                          .size = reading.gcode.corners.modal_rounding / reading.length_unit(),
                          .modal = true};
@@ -75,18 +76,18 @@ bool take_modal_rounding(Reading& reading, ProgramLine& line, BlockWords& block)
 }
 
 bool take_corner_feed(Reading& reading, ProgramLine& line, BlockWords& block) {
-  if (block.modal_corner_feed)
-    reading.gcode.corners.feed = block.modal_corner_feed->value * reading.feed_unit(reading.inch);
+  if (block.corners.modal_feed)
+    reading.gcode.corners.feed = block.corners.modal_feed->value * reading.feed_unit(reading.inch);
   if (!block.move.corner || !reading.trc_active()) return true;
-  const bool is_said = block.corner_feed && block.corner_feed->value > 0;
-  block.move.corner_feed = is_said ? block.corner_feed->value * reading.feed_unit(reading.inch)
+  const bool is_said = block.corners.feed && block.corners.feed->value > 0;
+  block.move.corner_feed = is_said ? block.corners.feed->value * reading.feed_unit(reading.inch)
                                    : reading.gcode.corners.feed;
   for (WordRange& word : line.words)
-    if (block.corner_feed && word.begin == block.corner_feed->begin) word.role = WordRole::trc;
+    if (block.corners.feed && word.begin == block.corners.feed->begin) word.role = WordRole::trc;
   if (block.move.corner_feed == 0 || reading.feed_mode == 94) return true;
   return reading.refuse(line, TextFault{.code = Code::nc_unsupported,
-                                        .begin = block.corner_feed ? block.corner_feed->begin
-                                                                   : line.words.front().begin,
+                                        .begin = block.corners.feed ? block.corners.feed->begin
+                                                                    : line.words.front().begin,
                                         .detail = "FRC= or FRCM=, no feed per minute"});
 }
 
@@ -98,10 +99,10 @@ bool take_corner(Reading& reading, ProgramLine& line, BlockWords& block) {
     return reading.refuse_at(reading.gcode.corners.open, Code::nc_unsupported,
                              "a rounding or a chamfer in front of the motion that selects TRC");
   if (moves) reading.gcode.corners.open = {};
-  if (!block.corner) return true;
+  if (!block.corners.begin) return true;
   if (!reading.contour_open() && !block.has(side)) {
     if (moves && block.move.corner->size != 0)
-      reading.gcode.corners.open = reading.place_of_word(line, *block.corner);
+      reading.gcode.corners.open = reading.place_of_word(line, *block.corners.begin);
     block.move.corner.reset();
     return true;
   }
@@ -109,12 +110,12 @@ bool take_corner(Reading& reading, ProgramLine& line, BlockWords& block) {
   if (!nothing_else || !(block.move.corner->size >= 0))
     return reading.refuse(line,
                           TextFault{.code = Code::nc_unsupported,
-                                    .begin = *block.corner,
+                                    .begin = *block.corners.begin,
                                     .detail = "a rounding or a chamfer beside G40 … G42, or behind "
                                               "a motion that is none"});
   if (block.move.corner->size == 0) block.move.corner.reset();
   for (WordRange& word : line.words)
-    if (word.begin == *block.corner) word.role = WordRole::trc;
+    if (word.begin == *block.corners.begin) word.role = WordRole::trc;
   return true;
 }
 

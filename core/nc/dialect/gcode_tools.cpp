@@ -71,19 +71,20 @@ bool check_what_may_be_skipped(Reading& reading, const ProgramLine& line, const 
   const std::uint32_t skipped = block.to_skip ? line.source.line : 0;
   const bool sinumerik = reading.dialect.name == DialectName::sinumerik;
   const bool names_tool =
-      block.tool_number || block.named_tool || block.loads_tool || block.names_tool;
-  const bool gives_radius =
-      (block.has(tool_data) && block.move.radius) || block.allowance || !block.edge_radii.empty();
+      block.tools.t_word || block.tools.named || block.tools.loads || block.tools.q_word_names_tool;
+  const bool gives_radius = (block.has(tool_data) && block.move.radius) || block.tools.allowance ||
+                            !block.tools.edge_radii.empty();
   const bool leads = block.has(selection) || block.has(transition);
-  if (block.tool_number || block.named_tool) reading.gcode.skipped.next_tool = skipped;
+  if (block.tools.t_word || block.tools.named) reading.gcode.skipped.next_tool = skipped;
   // An edge of Sinumerik is one of the tool.
-  if (names_tool || (block.tool && (skipped > 0 || !sinumerik)))
+  if (names_tool || (block.tools.d_word && (skipped > 0 || !sinumerik)))
     reading.gcode.skipped.tool =
-        skipped == 0 && block.loads_tool ? reading.gcode.skipped.next_tool : skipped;
+        skipped == 0 && block.tools.loads ? reading.gcode.skipped.next_tool : skipped;
   if (gives_radius) reading.gcode.skipped.tool_data = skipped;
   if (leads) reading.gcode.skipped.approach = skipped;
   // Of other dialects a T word changes nothing in a contour.
-  const bool changes_contour = block.tool || gives_radius || leads || (sinumerik && names_tool);
+  const bool changes_contour =
+      block.tools.d_word || gives_radius || leads || (sinumerik && names_tool);
   if (skipped > 0 && changes_contour && reading.trc_active())
     return reading.refuse(line, TextFault{.code = Code::block_skip_undecided,
                                           .begin = line.words.front().begin,
@@ -137,10 +138,10 @@ bool check_words_beside_contour(Reading& reading, const ProgramLine& line,
   // The corner in front of it still has the feed before.
   if (block.tooth_feed && reading.trc_active())
     return unsupported(*block.tooth_feed, "FZ=, no feed per minute, while TRC is active");
-  const bool takes_p = block.orients_spindle || block.has(dwell) || block.has(zero_shift) ||
+  const bool takes_p = block.spindle.is_oriented || block.has(dwell) || block.has(zero_shift) ||
                        block.has(tool_data) || block.l_word || has_function_with_p(line);
   if (reading.dialect.name == DialectName::fanuc && selects && block.p_word && !takes_p)
-    return unsupported(block.p_word->begin, block.tool || block.h_word
+    return unsupported(block.p_word->begin, block.tools.d_word || block.h_word
                                                 ? "P, which no function of the line takes"
                                                 : "P beside G41, G42, a radius or a diameter");
   if (reading.dialect.name != DialectName::linuxcnc) return true;
@@ -161,34 +162,35 @@ std::optional<ToolSaid> take_tool_of_selection(Reading& reading, ProgramLine& li
   ToolSaid said = ToolSaid::by_d;
   // Older controls have one table for lengths and radii, with H words for both. Without G41 beside
   // it H would change the length.
-  if (reading.dialect.name == DialectName::fanuc && !block.tool && block.h_word &&
+  if (reading.dialect.name == DialectName::fanuc && !block.tools.d_word && block.h_word &&
       !has_length_offset(line)) {
-    block.tool = block.h_word;
+    block.tools.d_word = block.h_word;
     said = ToolSaid::by_h;
   }
   const bool gives_diameter = block.of(side).function->tenth != 0;
-  if (gives_diameter && !block.tool) {
+  if (gives_diameter && !block.tools.d_word) {
     refuse_selection(reading, line, block, Code::nc_number, "G41.1, G42.1 without D, the diameter");
     return std::nullopt;
   }
   if (gives_diameter) {
-    block.tool_radius = {.value = block.tool->value / 2, .begin = block.tool->begin};
-    block.tool.reset();
+    block.tools.radius = {.value = block.tools.d_word->value / 2,
+                          .begin = block.tools.d_word->begin};
+    block.tools.d_word.reset();
     return said;
   }
   // D0 of LinuxCNC is the tool in the spindle, unless the table has a tool 0.
-  const bool is_spindle_by_number = reading.dialect.name == DialectName::linuxcnc && block.tool &&
-                                    block.tool->value == 0 &&
+  const bool is_spindle_by_number = reading.dialect.name == DialectName::linuxcnc &&
+                                    block.tools.d_word && block.tools.d_word->value == 0 &&
                                     !reading.state.setup().tools.contains(0);
   if (is_spindle_by_number) {
     for (WordRange& word : line.words)
       if (upper(line.text[word.begin]) == 'D') word.role = WordRole::trc;
-    block.tool.reset();
+    block.tools.d_word.reset();
   }
-  if (reading.dialect.tool_of_spindle && !block.tool &&
+  if (reading.dialect.tool_of_spindle && !block.tools.d_word &&
       (reading.gcode.tools.in_spindle != 0 || reading.gcode.tools.spindle_is_empty)) {
-    block.tool = {.value = static_cast<double>(reading.gcode.tools.in_spindle),
-                  .begin = block.of(side).begin};
+    block.tools.d_word = {.value = static_cast<double>(reading.gcode.tools.in_spindle),
+                          .begin = block.of(side).begin};
     said = ToolSaid::by_spindle;
   }
   return said;
@@ -214,13 +216,13 @@ bool refuse_second_edge(Reading& reading, std::int64_t row) {
 bool check_tool_of_table(Reading& reading, const ProgramLine& line, BlockWords& block,
                          ToolSaid said) {
   const bool matters = reading.trc_active() || block.selects();
-  const std::int64_t number = register_number(block.tool->value);
+  const std::int64_t number = register_number(block.tools.d_word->value);
   reading.gcode.tools.missing.reset();
-  if (!is_whole(block.tool->value)) {
+  if (!is_whole(block.tools.d_word->value)) {
     const bool linuxcnc = reading.dialect.name == DialectName::linuxcnc;
     return reading.refuse(
         line, TextFault{.code = Code::nc_number,
-                        .begin = block.tool->begin,
+                        .begin = block.tools.d_word->begin,
                         .detail = linuxcnc ? "D of G41, G42 is the number of a tool: "
                                              "G41.1, G42.1 take a diameter"
                                            : "D of G41, G42 is the number of a register, "
@@ -231,8 +233,8 @@ bool check_tool_of_table(Reading& reading, const ProgramLine& line, BlockWords& 
   if (!matters) {
     // H and D stand side by side in many programs: it matters only where G41 has no D of its own.
     reading.gcode.tools.missing = number;
-    reading.gcode.tools.edge_place = reading.place_of_word(line, block.tool->begin);
-    block.tool.reset();
+    reading.gcode.tools.edge_place = reading.place_of_word(line, block.tools.d_word->begin);
+    block.tools.d_word.reset();
     return true;
   }
   const Code of_missing = reading.gives_radii() ? Code::tool_unknown : Code::no_tool_radius;
@@ -242,7 +244,7 @@ bool check_tool_of_table(Reading& reading, const ProgramLine& line, BlockWords& 
   if (reading.dialect.name == DialectName::sinumerik && reading.gcode.tools.only_register)
     return refuse_second_edge(reading, number);
   return reading.refuse(line, TextFault{.code = of_missing,
-                                        .begin = block.tool->begin,
+                                        .begin = block.tools.d_word->begin,
                                         .detail = "D" + std::to_string(tool_of_row(number))});
 }
 
@@ -262,14 +264,15 @@ bool take_only_spindle_tool(Reading& reading) {
 bool choose_tool_of_edge(Reading& reading, ProgramLine& line, BlockWords& block) {
   GcodeModes::Tools& tools = reading.gcode.tools;
   // A tool change chooses the first one; where M6 changes tools, T alone makes one ready (D-56).
-  const bool changes = block.changes_tool || (block.tool_number && !tools.changed_by_m6);
-  const bool keeps_edge = block.changes_tool && !block.tool_number && tools.edge_is_of_next;
-  if (block.tool || (changes && !keeps_edge)) {
-    tools.edge = block.tool ? block.tool->value : 1;
-    tools.edge_place = block.tool ? reading.place_of_word(line, block.tool->begin) : WordPlace{};
+  const bool changes = block.tools.change || (block.tools.t_word && !tools.changed_by_m6);
+  const bool keeps_edge = block.tools.change && !block.tools.t_word && tools.edge_is_of_next;
+  if (block.tools.d_word || (changes && !keeps_edge)) {
+    tools.edge = block.tools.d_word ? block.tools.d_word->value : 1;
+    tools.edge_place =
+        block.tools.d_word ? reading.place_of_word(line, block.tools.d_word->begin) : WordPlace{};
   }
-  if (block.tool_number) tools.edge_is_of_next = block.tool.has_value();
-  const std::optional<BlockWords::Value> edge_word = std::exchange(block.tool, {});
+  if (block.tools.t_word) tools.edge_is_of_next = block.tools.d_word.has_value();
+  const std::optional<BlockWords::Value> edge_word = std::exchange(block.tools.d_word, {});
   const bool selects = block.selects();
   const bool goes_on = reading.trc_active() && !block.has(side);
   if (!selects && !(goes_on && (edge_word || changes))) return true;
@@ -277,7 +280,7 @@ bool choose_tool_of_edge(Reading& reading, ProgramLine& line, BlockWords& block)
                               : edge_word ? edge_word->begin
                                           : line.words.front().begin;
   if (tools.edge == 0) {
-    block.tool = {.value = 0, .begin = begin};
+    block.tools.d_word = {.value = 0, .begin = begin};
     return true;
   }
   const std::int64_t number = tools.changed_by_m6 ? tools.in_spindle : tools.next;
@@ -307,8 +310,9 @@ bool choose_tool_of_edge(Reading& reading, ProgramLine& line, BlockWords& block)
   }
   const bool numbered = number > 0;
   if (numbered || reading.has_one_radius())
-    block.tool = {.value = static_cast<double>(numbered ? row : row_of_edge(unnamed_tool, edge)),
-                  .begin = begin};
+    block.tools.d_word = {
+        .value = static_cast<double>(numbered ? row : row_of_edge(unnamed_tool, edge)),
+        .begin = begin};
   return true;
 }
 
@@ -338,21 +342,22 @@ bool check_gcode_selection(Reading& reading, ProgramLine& line, BlockWords& bloc
     return false;
   if (!check_turning(reading, line, block) || !check_words_beside_contour(reading, line, block))
     return false;
-  if (block.constant_speed) block.tool.reset();
+  if (block.spindle.constant_cutting_speed) block.tools.d_word.reset();
   const std::optional<ToolSaid> said =
       selects ? take_tool_of_selection(reading, line, block) : ToolSaid::by_d;
   if (!said) return false;
   const Code of_missing = reading.gives_radii() ? Code::tool_unknown : Code::no_tool_radius;
-  if (selects && !block.tool && !block.tool_radius && reading.gcode.tools.missing)
+  if (selects && !block.tools.d_word && !block.tools.radius && reading.gcode.tools.missing)
     return take_only_register(reading, line, block, *reading.gcode.tools.missing) ||
            reading.refuse_at(reading.gcode.tools.edge_place, of_missing,
                              "D" + std::to_string(*reading.gcode.tools.missing));
-  if (!block.tool && !block.tool_radius) return !selects || take_only_spindle_tool(reading);
+  if (!block.tools.d_word && !block.tools.radius)
+    return !selects || take_only_spindle_tool(reading);
   if ((selects || reading.trc_active()) && reading.dialect.name != DialectName::sinumerik)
     for (WordRange& word : line.words)
       if (upper(line.text[word.begin]) == (said == ToolSaid::by_h ? 'H' : 'D'))
         word.role = WordRole::trc;
-  return !block.tool || check_tool_of_table(reading, line, block, *said);
+  return !block.tools.d_word || check_tool_of_table(reading, line, block, *said);
 }
 
 std::optional<double> spindle_diameter(const Reading& reading) {
@@ -369,8 +374,8 @@ bool take_only_register(Reading& reading, const ProgramLine& line, BlockWords& b
   if (!reading.has_one_radius() || reading.gcode.tools.only_register.value_or(number) != number)
     return false;
   reading.gcode.tools.only_register = number;
-  block.only_tool = block.tool ? block.tool->begin : line.words.front().begin;
-  block.tool.reset();
+  block.tools.only = block.tools.d_word ? block.tools.d_word->begin : line.words.front().begin;
+  block.tools.d_word.reset();
   return true;
 }
 
@@ -397,7 +402,7 @@ bool read_edge_data(Reading& reading, const NamedWord& word, ProgramLine& line, 
   const bool inch = reading.feed_in_mm ? reading.state.setup().inch : reading.inch;
   const double value = word.value * (inch ? mm_per_inch : 1);
   if (word.name == "$TC_DP6") {
-    block.edge_radii.push_back({.row = *row, .radius = value, .begin = word.begin});
+    block.tools.edge_radii.push_back({.row = *row, .radius = value, .begin = word.begin});
     return true;
   }
   const auto known = reading.state.tool().row_of_tool(*row);
@@ -409,7 +414,7 @@ bool read_edge_data(Reading& reading, const NamedWord& word, ProgramLine& line, 
 }
 
 bool take_tool_data(Reading& reading, ProgramLine& line, BlockWords& block) {
-  for (const auto& edge : block.edge_radii) {
+  for (const auto& edge : block.tools.edge_radii) {
     reading.place(line, edge.begin);
     if (reading.faults.empty() && !reading.state.define_tool(edge.row, edge.radius, line.source))
       return false;

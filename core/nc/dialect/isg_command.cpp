@@ -146,21 +146,21 @@ bool read_command(Reading& reading, const Word& word, ProgramLine& line, BlockWo
   const std::string_view command = line.word({.begin = word.begin, .end = word.end});
   const std::string name = command_name(command);
   reading.isg_word_seen |= !name.empty() && name != " ";
-  block.command = word.begin;
-  block.has_command = true;
+  block.isg.command = word.begin;
+  block.isg.has_command = true;
   const auto wrong = [&](TextFault fault) {
     fault.begin += word.begin;
     return reading.refuse(line, fault);
   };
   if (name.starts_with("TRC ")) {
-    block.options = reading.state.mode().options;
-    if (auto fault = read_trc_command(command, *block.options)) return wrong(std::move(*fault));
+    block.isg.options = reading.state.mode().options;
+    if (auto fault = read_trc_command(command, *block.isg.options)) return wrong(std::move(*fault));
     add(line, word, WordRole::trc);
     return true;
   }
   if (name.starts_with("TANGFEED ") || name == "SET TANGFEED") {
-    block.tangfeed = 0;
-    if (auto fault = read_tangfeed_command(command, *block.tangfeed))
+    block.isg.tangfeed = 0;
+    if (auto fault = read_tangfeed_command(command, *block.isg.tangfeed))
       return wrong(std::move(*fault));
     add(line, word, WordRole::trc);
     return true;

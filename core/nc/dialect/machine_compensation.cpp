@@ -20,14 +20,14 @@ bool take_cycle_with_register(Reading& reading, ProgramLine& line, BlockWords& b
   const bool selects = block.selects();
   const bool compensates = cycle.is(12) || cycle.is(13) || cycle.is(150);
   if (!compensates || reading.contour_open()) {
-    if (!block.tool) return true;
+    if (!block.tools.d_word) return true;
     reading.gcode.last_register.comes_out = !selects && !reading.trc_active();
-    reading.gcode.last_register.place = reading.place_of_word(line, block.tool->begin);
-    reading.gcode.last_register.number = block.tool->value;
+    reading.gcode.last_register.place = reading.place_of_word(line, block.tools.d_word->begin);
+    reading.gcode.last_register.number = block.tools.d_word->value;
     return true;
   }
   const std::string name = "G" + std::to_string(cycle.function->number);
-  if (!block.tool && !reading.gcode.last_register.comes_out)
+  if (!block.tools.d_word && !reading.gcode.last_register.comes_out)
     return reading.refuse(
         line,
         TextFault{.code = Code::nc_unsupported,
@@ -35,9 +35,9 @@ bool take_cycle_with_register(Reading& reading, ProgramLine& line, BlockWords& b
                   .detail = name + " without D behind D" +
                             std::to_string(register_number(*reading.gcode.last_register.number)) +
                             " " + place_of(reading.gcode.last_register.place.source)});
-  const std::uint32_t begin = block.tool ? block.tool->begin : cycle.begin;
-  if (block.tool) {
-    reading.gcode.last_register.number = block.tool->value;
+  const std::uint32_t begin = block.tools.d_word ? block.tools.d_word->begin : cycle.begin;
+  if (block.tools.d_word) {
+    reading.gcode.last_register.number = block.tools.d_word->value;
     reading.gcode.last_register.comes_out = true;
   }
   if (cycle.is(150)) {
@@ -47,7 +47,7 @@ bool take_cycle_with_register(Reading& reading, ProgramLine& line, BlockWords& b
     take_for_technology(line, WordRole::trc);
   }
   if (reading.gcode.last_register.number == 0 || !reading.faults.empty()) return true;
-  const bool is_said = block.tool || reading.gcode.last_register.number.value_or(0) > 0;
+  const bool is_said = block.tools.d_word || reading.gcode.last_register.number.value_or(0) > 0;
   Diagnostic warned = diagnostic(
       Code::machine_compensates, line.source,
       is_said ? name + " D" + std::to_string(register_number(*reading.gcode.last_register.number))

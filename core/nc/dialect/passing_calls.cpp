@@ -175,9 +175,9 @@ bool read_passing_line(Reading& reading, ProgramLine& line, BlockWords& block) {
       calls_alone || (!reading.reads_flat && calls_by_function(words, reading.isg_word_seen));
   const auto tool = tool_data_of(words);
   if (tool)
-    block.edge_radii.push_back({.row = tool->first,
-                                .radius = tool->second * reading.length_unit(),
-                                .begin = static_cast<std::uint32_t>(begin)});
+    block.tools.edge_radii.push_back({.row = tool->first,
+                                      .radius = tool->second * reading.length_unit(),
+                                      .begin = static_cast<std::uint32_t>(begin)});
   const bool passes = (calls || tool || assigns_variable(words)) &&
                       first_byte_that_is_no_text(text) == std::string_view::npos;
   if (!passes) {
@@ -214,8 +214,8 @@ bool read_call_behind_words(Reading& reading, std::uint32_t begin, ProgramLine& 
   const bool dimension_was_known = !reading.called_dimension;
   const bool had_unknown_call = reading.gcode.calls.unknown.has_value();
   forget_what_a_call_may_change(reading, line, block, text.substr(begin, end - begin));
-  if (block.tool_number && dimension_was_known) reading.called_dimension = false;
-  if (block.tool_number && !had_unknown_call) reading.gcode.calls.unknown.reset();
+  if (block.tools.t_word && dimension_was_known) reading.called_dimension = false;
+  if (block.tools.t_word && !had_unknown_call) reading.gcode.calls.unknown.reset();
   return true;
 }
 
@@ -316,19 +316,21 @@ bool restate_modes(Reading& reading, ProgramLine& line, BlockWords& block) {
 
 bool watch_tool(Reading& reading, const ProgramLine& line, const BlockWords& block) {
   // D of Sinumerik is an edge of whatever tool there is.
-  const bool names_radius = block.tool && reading.dialect.name != DialectName::sinumerik;
-  reading.gcode.calls.tool_said |= block.tool_number || block.loads_tool || block.names_tool ||
-                                   names_radius || block.tool_radius;
-  if (block.tool_number || block.tool || block.loads_tool || block.names_tool) {
+  const bool names_radius = block.tools.d_word && reading.dialect.name != DialectName::sinumerik;
+  reading.gcode.calls.tool_said |= block.tools.t_word || block.tools.loads ||
+                                   block.tools.q_word_names_tool || names_radius ||
+                                   block.tools.radius;
+  if (block.tools.t_word || block.tools.d_word || block.tools.loads ||
+      block.tools.q_word_names_tool) {
     reading.gcode.calls.only_radius_said = reading.gcode.calls.radius_doubtful = false;
-  } else if (block.tool_radius && reading.dialect.name == DialectName::isg) {
+  } else if (block.tools.radius && reading.dialect.name == DialectName::isg) {
     reading.gcode.calls.only_radius_said = true;
     reading.gcode.calls.radius_doubtful = false;
   }
-  if (reading.dialect.name == DialectName::isg && block.tool_number) {
-    reading.gcode.tools.next = register_number(block.tool_number->value);
-    reading.gcode.tools.next_place = reading.place_of_word(line, block.tool_number->begin);
-    reading.gcode.calls.awaited_by_tool = !block.changes_tool;
+  if (reading.dialect.name == DialectName::isg && block.tools.t_word) {
+    reading.gcode.tools.next = register_number(block.tools.t_word->value);
+    reading.gcode.tools.next_place = reading.place_of_word(line, block.tools.t_word->begin);
+    reading.gcode.calls.awaited_by_tool = !block.tools.change;
   }
   const bool selects = block.selects();
   if (!selects || reading.trc_active()) return true;

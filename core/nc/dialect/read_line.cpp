@@ -146,7 +146,7 @@ bool read_words_of_dialect(Reading& reading, ProgramLine& line, BlockWords& bloc
 void copy_plunge_from_nowhere(const Reading& reading, ProgramLine& line, BlockWords& block) {
   using enum GGroup;
   const std::size_t third = axes_of(reading.state.programmed_plane()).third;
-  const auto reference = block.end_reference[third];  // IC(…)
+  const auto reference = block.references.end[third];  // IC(…)
   const bool incremental = reference != 0         ? reference < 0
                            : block.has(dimension) ? block.of(dimension).is(91)
                                                   : reading.incremental;

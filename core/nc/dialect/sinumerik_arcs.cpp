@@ -20,12 +20,12 @@ using enum GGroup;
 bool take_sweep(Reading& reading, ProgramLine& line, BlockWords& block) {
   const PlaneAxes axes = axes_of(reading.state.mode().plane);
   MoveRequest& move = block.move;
-  const double sweep = *block.sweep * std::numbers::pi / 180;
+  const double sweep = *block.arc.sweep * std::numbers::pi / 180;
   const Point start =
       to_plane(reading.state.mode().plane, reading.state.position()) / reading.length_unit();
   const bool has_center = move.center[axes.first] || move.center[axes.second];
   const bool has_end = move.end[axes.first] || move.end[axes.second];
-  if (!(*block.sweep > 0 && *block.sweep < 360))
+  if (!(*block.arc.sweep > 0 && *block.arc.sweep < 360))
     return reading.refuse(line, TextFault{.code = Code::nc_number,
                                           .begin = *block.center,
                                           .detail = "AR=, more than 0 and below 360"});
@@ -61,15 +61,16 @@ bool take_point_between(Reading& reading, ProgramLine& line, BlockWords& block) 
                                           .begin = block.axis.value_or(0),
                                           .detail = std::string("CIP, ").append(why)});
   };
-  if (block.through[axes.third] || !block.through[axes.first] || !block.through[axes.second])
+  if (block.arc.through[axes.third] || !block.arc.through[axes.first] ||
+      !block.arc.through[axes.second])
     return wrong("whose point between names the two axes of the plane");
   const Point start =
       to_plane(reading.state.mode().plane, reading.state.position()) / reading.length_unit();
   const auto on = [&](const std::optional<double>& value, double from) {
     return value ? *value + (reading.incremental ? from : 0) : from;
   };
-  const Point between(on(block.through[axes.first]->value, start.x()),
-                      on(block.through[axes.second]->value, start.y()));
+  const Point between(on(block.arc.through[axes.first]->value, start.x()),
+                      on(block.arc.through[axes.second]->value, start.y()));
   const Point end(on(move.end[axes.first], start.x()), on(move.end[axes.second], start.y()));
   const Vector a = between - start;
   const Vector b = end - start;
@@ -87,14 +88,14 @@ bool take_point_between(Reading& reading, ProgramLine& line, BlockWords& block) 
 
 bool read_polar_word(Reading& reading, const NamedWord& word, ProgramLine& line,
                      BlockWords& block) {
-  auto& target = word.name == "AP" ? block.polar_angle : block.polar_radius;
+  auto& target = word.name == "AP" ? block.polar.angle : block.polar.radius;
   if (target)
     return reading.refuse(line, TextFault{.code = Code::nc_word_twice,
                                           .begin = word.begin,
                                           .detail = std::string(word.name)});
   target = {.value = word.value, .begin = word.begin};
   if (word.reference == NamedWord::Reference::incremental)
-    (word.name == "AP" ? block.increments_angle : block.increments_radius) = true;
+    (word.name == "AP" ? block.polar.increments_angle : block.polar.increments_radius) = true;
   add(line, word, WordRole::coordinate);
   return true;
 }
@@ -115,7 +116,7 @@ void take_pole(Reading& reading, const BlockWords& block) {
   if (clears && (reading.gcode.polar.pole != Point(0, 0) || sets)) reading.gcode.polar.pole.reset();
   if (clears || !sets) return;
   Point base = Point::Zero();
-  bool known = x && y && !block.polar_angle && !block.polar_radius;
+  bool known = x && y && !block.polar.angle && !block.polar.radius;
   if (number == 110) {
     base = to_plane(reading.state.mode().plane, reading.state.position()) / reading.length_unit();
     known &= reading.state.is_known(axes.first) && reading.state.is_known(axes.second) &&
@@ -134,18 +135,18 @@ bool resolve_polar_words(Reading& reading, ProgramLine& line, BlockWords& block)
   const PlaneAxes axes = axes_of(reading.state.mode().plane);
   auto& x = block.move.end[axes.first];
   auto& y = block.move.end[axes.second];
-  const bool is_polar = block.polar_angle || block.polar_radius;
+  const bool is_polar = block.polar.angle || block.polar.radius;
   if (!is_polar && (x || y)) {
     polar.angle.reset();
     polar.radius.reset();
   }
   if (!is_polar) return true;
-  const std::uint32_t begin = std::min(block.polar_angle ? block.polar_angle->begin : ~0U,
-                                       block.polar_radius ? block.polar_radius->begin : ~0U);
+  const std::uint32_t begin = std::min(block.polar.angle ? block.polar.angle->begin : ~0U,
+                                       block.polar.radius ? block.polar.radius->begin : ~0U);
   const bool selects = block.selects();
-  const bool both = block.polar_angle && block.polar_radius;
+  const bool both = block.polar.angle && block.polar.radius;
   // A line that is copied would count on a word that the written program has no longer.
-  const bool counts_on = !both || block.increments_angle || block.increments_radius;
+  const bool counts_on = !both || block.polar.increments_angle || block.polar.increments_radius;
   if (polar.rewritten && counts_on && !reading.contour_open() && !selects)
     return reading.refuse(line,
                           TextFault{.code = Code::nc_unsupported,
@@ -159,8 +160,8 @@ bool resolve_polar_words(Reading& reading, ProgramLine& line, BlockWords& block)
     if (word && (!increment || value)) value = word->value + (increment ? *value : 0);
     return !word || !increment || value;
   };
-  const bool angle_known = take(block.polar_angle, block.increments_angle, polar.angle);
-  const bool radius_known = take(block.polar_radius, block.increments_radius, polar.radius);
+  const bool angle_known = take(block.polar.angle, block.polar.increments_angle, polar.angle);
+  const bool radius_known = take(block.polar.radius, block.polar.increments_radius, polar.radius);
   const MotionKind kind =
       block.has(motion) ? motion_of_function(block.of(motion).function->number) : reading.motion;
   const bool circle = kind == MotionKind::clockwise || kind == MotionKind::counter_clockwise;
@@ -199,19 +200,19 @@ bool resolve_references(Reading& reading, ProgramLine& line, BlockWords& block) 
                                           .detail = std::string(1, static_cast<char>('X' + axis))});
   };
   for (std::size_t axis = 0; axis < move.end.size(); ++axis) {
-    const bool to_increment = block.end_reference[axis] > 0 && reading.incremental;
-    const bool to_absolute = block.end_reference[axis] < 0 && !reading.incremental;
+    const bool to_increment = block.references.end[axis] > 0 && reading.incremental;
+    const bool to_absolute = block.references.end[axis] < 0 && !reading.incremental;
     if (!move.end[axis] || (!to_increment && !to_absolute)) continue;
     if (!reading.state.is_known(axis)) return refuse_unknown(axis);
     *move.end[axis] += (to_increment ? -1 : 1) * start[axis] / unit;
   }
   for (std::size_t axis = 0; axis < move.center.size(); ++axis) {
-    if (!move.center[axis] || block.center_reference[axis] <= 0) continue;
+    if (!move.center[axis] || block.references.center[axis] <= 0) continue;
     if (!reading.state.is_known(axis)) return refuse_unknown(axis);
     *move.center[axis] -= start[axis] / unit;
   }
-  return (!block.sweep || take_sweep(reading, line, block)) &&
-         (!block.is_through || take_point_between(reading, line, block));
+  return (!block.arc.sweep || take_sweep(reading, line, block)) &&
+         (!block.arc.is_through || take_point_between(reading, line, block));
 }
 
 bool take_tangent(Reading& reading, ProgramLine& line, BlockWords& block) {

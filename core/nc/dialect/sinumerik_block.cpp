@@ -54,15 +54,15 @@ bool check_index(Reading& reading, const NamedWord& word, const ProgramLine& lin
 bool read_tool_name(Reading& reading, const NamedWord& word, ProgramLine& line, BlockWords& block) {
   if (word.letter != 'T')
     return refuse_word(reading, line, as_gcode(word), Code::nc_syntax, "a text");
-  if (block.tool_number) return refuse_word(reading, line, as_gcode(word), Code::nc_word_twice);
+  if (block.tools.t_word) return refuse_word(reading, line, as_gcode(word), Code::nc_word_twice);
   const std::int64_t number = number_of_tool_named(word.name, reading.state.tool());
   if (number > 0) {
     reading.gcode.tools.name.clear();
-    block.tool_number = {.value = static_cast<double>(number), .begin = word.begin};
+    block.tools.t_word = {.value = static_cast<double>(number), .begin = word.begin};
   } else {
     reading.gcode.tools.name = word.name;
-    block.tool_number = {.value = -1, .begin = word.begin};
-    block.named_tool = reading.state.tool().tool_named(word.name);
+    block.tools.t_word = {.value = -1, .begin = word.begin};
+    block.tools.named = reading.state.tool().tool_named(word.name);
   }
   add(line, word, WordRole::technology);
   return true;
@@ -112,9 +112,9 @@ bool take_reference(Reading& reading, const NamedWord& word, const ProgramLine& 
   if (word.reference == NamedWord::Reference::modal) return true;
   const bool incremental = word.reference == NamedWord::Reference::incremental;
   if (word.letter >= 'X' && word.letter <= 'Z') {
-    block.end_reference[static_cast<std::size_t>(word.letter - 'X')] = incremental ? -1 : 1;
+    block.references.end[static_cast<std::size_t>(word.letter - 'X')] = incremental ? -1 : 1;
   } else if (is_center_letter(word.letter)) {
-    block.center_reference[static_cast<std::size_t>(word.letter - 'I')] = incremental ? -1 : 1;
+    block.references.center[static_cast<std::size_t>(word.letter - 'I')] = incremental ? -1 : 1;
   } else if (incremental || reading.incremental) {
     return refuse_word(reading, line, as_gcode(word), Code::nc_unsupported,
                        "AC or IC of a further axis");
@@ -130,8 +130,8 @@ bool read_named_address(Reading& reading, const NamedWord& word, ProgramLine& li
   if (letter == 'T') reading.gcode.tools.name.clear();
   if (letter == 'L' || letter == 'E') return read_call_by_letter(reading, word, line, block);
   if (is_center_letter(letter) && word.index == 1) {  // the point between of CIP
-    block.through[static_cast<std::size_t>(letter - 'I')] = {.value = word.value,
-                                                             .begin = word.begin};
+    block.arc.through[static_cast<std::size_t>(letter - 'I')] = {.value = word.value,
+                                                                 .begin = word.begin};
     add(line, word, WordRole::coordinate);
     return true;
   }

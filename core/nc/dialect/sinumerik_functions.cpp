@@ -43,7 +43,7 @@ bool read_known_name(Reading& reading, SinumerikMeaning meaning, const NamedWord
       return stands_for(absolute ? by_name::absolute_frame : by_name::frame);
     }
     case SinumerikMeaning::unfollowed:
-      block.adds_to_frame = word.name == "ASCALE";
+      block.coordinates.adds_to_frame = word.name == "ASCALE";
       return stands_for(word.name.ends_with("SCALE") ? by_name::scale : by_name::transformation);
     case SinumerikMeaning::spline:
       return stands_for(by_name::spline);
@@ -89,12 +89,12 @@ bool read_name(Reading& reading, const NamedWord& word, ProgramLine& line, Block
   const std::string& name = word.name;
   if (name == "CIP") {
     block.set(*reading.dialect.function(2), word.begin);
-    block.is_through = true;
+    block.arc.is_through = true;
     add(line, word, WordRole::motion);
     return true;
   }
   if (name == "CT") {
-    block.begins_tangent_arcs = true;
+    block.arc.begins_tangents = true;
     add(line, word, WordRole::motion);
     return true;
   }

@@ -38,28 +38,28 @@ bool check_soft_lead(Reading& reading, ProgramLine& line, const BlockWords& bloc
     return reading.refuse(line, TextFault{.code = Code::block_skip_undecided,
                                           .begin = lead.begin,
                                           .detail = name + " in a block that may be skipped"});
-  if (block.center || block.corner)
+  if (block.center || block.corners.begin)
     return wrong(lead.begin, " beside words of an arc, a rounding or a chamfer");
   if (reading.feed_mode != 94 || block.has(feed_mode))
     return wrong(lead.begin, " beside or behind G93, G95: only feeds per minute are followed");
-  if (block.soft_return)
-    return wrong(*block.soft_return,
+  if (block.soft.way_back)
+    return wrong(*block.soft.way_back,
                  " with DISRP=, the plane it returns to: program that height "
                  "in blocks of its own");
   const bool straight = lead.function->number < 200;
-  if (!block.soft_length || (!straight && !(block.soft_length->value > 0)))
-    return wrong(block.soft_length ? block.soft_length->begin : lead.begin,
+  if (!block.soft.length || (!straight && !(block.soft.length->value > 0)))
+    return wrong(block.soft.length ? block.soft.length->begin : lead.begin,
                  straight ? " without DISR=, its length" : " without DISR=, its radius, above 0");
-  if (block.soft_feed && !reading.state.is_feed(block.soft_feed->value))
-    return wrong(block.soft_feed->begin, " with FAD= that is no feed");
-  if (block.soft_clearance && !block.clearance_is_absolute && block.soft_clearance->value < 0)
-    return wrong(block.soft_clearance->begin, " with DISCL= below 0");
+  if (block.soft.feed && !reading.state.is_feed(block.soft.feed->value))
+    return wrong(block.soft.feed->begin, " with FAD= that is no feed");
+  if (block.soft.clearance && !block.soft.clearance_is_absolute && block.soft.clearance->value < 0)
+    return wrong(block.soft.clearance->begin, " with DISCL= below 0");
   return true;
 }
 
 Lead soft_lead_of(const Reading& reading, const BlockWords& block) {
   const int number = block.of(soft_lead).function->number;
-  const double length = block.soft_length->value * reading.length_unit();
+  const double length = block.soft.length->value * reading.length_unit();
   if (number < 200) return {.form = Lead::Form::tangent, .length = length, .from_edge = true};
   const bool left = reading.state.mode().side == Side::left;
   const bool other_side = (reading.gcode.soft.direction == 141 && !left) ||
@@ -72,9 +72,9 @@ Lead soft_lead_of(const Reading& reading, const BlockWords& block) {
 
 // The part of DISCL= in a block that leads to or from a contour.
 std::optional<SoftClearance> clearance_of(const Reading& reading, const BlockWords& block) {
-  if (!block.soft_clearance) return {};
-  return SoftClearance{.distance = block.soft_clearance->value * reading.length_unit(),
-                       .absolute = block.clearance_is_absolute};
+  if (!block.soft.clearance) return {};
+  return SoftClearance{.distance = block.soft.clearance->value * reading.length_unit(),
+                       .absolute = block.soft.clearance_is_absolute};
 }
 
 // Where the third axis is by DISCL=: between `plane`, that of the contour, and `away`, from where
@@ -129,14 +129,15 @@ bool read_soft_word(Reading& reading, const NamedWord& word, ProgramLine& line, 
       !(clearance && word.reference == NamedWord::Reference::absolute))
     return refused(Code::nc_unsupported, "a reference that it cannot have");
   if (word.name == "DISRP") {
-    block.soft_return = word.begin;
+    block.soft.way_back = word.begin;
   } else {
-    auto& target = clearance             ? block.soft_clearance
-                   : word.name == "DISR" ? block.soft_length
-                                         : block.soft_feed;
+    auto& target = clearance             ? block.soft.clearance
+                   : word.name == "DISR" ? block.soft.length
+                                         : block.soft.feed;
     if (target) return refused(Code::nc_word_twice, "a second time");
     target = {.value = word.value, .begin = word.begin};
-    if (clearance) block.clearance_is_absolute = word.reference == NamedWord::Reference::absolute;
+    if (clearance)
+      block.soft.clearance_is_absolute = word.reference == NamedWord::Reference::absolute;
   }
   line.words.push_back({.begin = word.begin, .end = word.end, .role = WordRole::technology});
   return true;
@@ -149,7 +150,7 @@ bool take_soft_lead(Reading& reading, ProgramLine& line, BlockWords& block) {
   const BlockWords::Function& lead = block.of(soft_lead);
   const bool selects = block.selects();
   if (!block.has(soft_lead)) {
-    for (const auto& word : {block.soft_length, block.soft_clearance, block.soft_feed})
+    for (const auto& word : {block.soft.length, block.soft.clearance, block.soft.feed})
       if (word && (selects || reading.contour_open()))
         return reading.refuse(
             line, TextFault{.code = Code::nc_unsupported,
@@ -163,8 +164,8 @@ bool take_soft_lead(Reading& reading, ProgramLine& line, BlockWords& block) {
     return true;
   }
   const bool approaches = is_approach(lead.function->number);
-  block.leads_softly = approaches ? selects || reading.trc_active() : reading.trc_active();
-  if (!block.leads_softly && !reading.contour_open()) {
+  block.soft.is_followed = approaches ? selects || reading.trc_active() : reading.trc_active();
+  if (!block.soft.is_followed && !reading.contour_open()) {
     // Only the control knows where it ends: its contour is not compensated here.
     block.functions[static_cast<std::size_t>(single_move)] = lead;
     return true;
@@ -172,7 +173,7 @@ bool take_soft_lead(Reading& reading, ProgramLine& line, BlockWords& block) {
   if (!check_soft_lead(reading, line, block)) return false;
   for (WordRange& word : line.words)
     for (const auto& mine : {std::optional(BlockWords::Value{.begin = lead.begin}),
-                             block.soft_length, block.soft_clearance, block.soft_feed})
+                             block.soft.length, block.soft.clearance, block.soft.feed})
       if (mine && word.begin == mine->begin) word.role = WordRole::trc;
   return true;
 }
@@ -186,9 +187,9 @@ bool approach_softly(Reading& reading, ProgramLine& line, BlockWords& block) {
   SoftApproach approach{.lead = soft_lead_of(reading, block),
                         .clearance = clearance_of(reading, block),
                         .along_the_lead = reading.gcode.soft.in_space,
-                        .rapid = block.motion_before == MotionKind::rapid,
-                        .feed_before = block.feed_before};
-  if (block.soft_feed) approach.feed = block.soft_feed->value * reading.feed_unit(reading.inch);
+                        .rapid = block.soft.motion_before == MotionKind::rapid,
+                        .feed_before = block.soft.feed_before};
+  if (block.soft.feed) approach.feed = block.soft.feed->value * reading.feed_unit(reading.inch);
   std::array<std::optional<double>, 3> end{};
   if (!find_soft_end(reading, line, block, end)) return false;
   const PlaneAxes axes = axes_of(reading.state.mode().plane);
@@ -212,7 +213,7 @@ bool begin_contour_of_approach(Reading& reading, ProgramLine& line, BlockWords& 
   const bool circle =
       reading.motion == MotionKind::clockwise || reading.motion == MotionKind::counter_clockwise;
   const bool corner = block.move.corner && !block.move.corner->modal;
-  if ((circle && !block.leads_softly) || block.center || corner || !block.move.tracking.empty())
+  if ((circle && !block.soft.is_followed) || block.center || corner || !block.move.tracking.empty())
     return wrong("in an arc, beside a corner or a further axis");
   MoveRequest request{.source = line.source, .kind = MotionKind::linear, .feed = reading.feed};
   if (!find_soft_end(reading, line, block, request.end)) return false;
@@ -249,16 +250,16 @@ bool depart_softly(Reading& reading, ProgramLine& line, BlockWords& block) {
     return wrong(block.of(soft_lead).begin, "G143 without an end in the plane: G140, G141 or G142");
   const auto clearance = clearance_of(reading, block);
   if (clearance && in_plane && !end[axes.third])
-    return wrong(block.soft_clearance->begin, "DISCL= without the height it retracts to");
+    return wrong(block.soft.clearance->begin, "DISCL= without the height it retracts to");
   const double plane = reading.state.position()[axes.third];
   // Without a height of its own the retraction ends where DISCL= says.
   const auto quick = height_of(clearance, plane, end[axes.third].value_or(HUGE_VAL));
-  if (!quick) return refuse_clearance(reading, line, block.soft_clearance->begin);
-  const double slow = block.feed_before;
-  const double infeed = block.soft_feed ? block.soft_feed->value * reading.feed_unit(reading.inch)
-                                        : block.feed_before;
+  if (!quick) return refuse_clearance(reading, line, block.soft.clearance->begin);
+  const double slow = block.soft.feed_before;
+  const double infeed = block.soft.feed ? block.soft.feed->value * reading.feed_unit(reading.inch)
+                                        : block.soft.feed_before;
   MoveRequest step{.source = line.source, .kind = MotionKind::linear, .feed = slow};
-  if (reading.gcode.soft.in_space && block.soft_feed) step.feed = infeed;
+  if (reading.gcode.soft.in_space && block.soft.feed) step.feed = infeed;
   // Which way the arc bends may depend on where the tool goes.
   step.end[axes.first] = end[axes.first];
   step.end[axes.second] = end[axes.second];

@@ -31,7 +31,7 @@ AxisBits main_axis_of(std::string_view assignment) {
 
 bool read_form_of_arc(Reading& reading, const NamedWord& word, ProgramLine& line,
                       BlockWords& block) {
-  auto& target = word.name == "CR" ? block.move.radius : block.sweep;
+  auto& target = word.name == "CR" ? block.move.radius : block.arc.sweep;
   if (target)
     return refuse_word(reading, line, as_gcode(word), Code::nc_word_twice, "a second time");
   target = word.value;
@@ -43,14 +43,14 @@ bool read_form_of_arc(Reading& reading, const NamedWord& word, ProgramLine& line
 // RND=, CHF= and CHR= shape one corner, RNDM= all that follow.
 bool read_corner(Reading& reading, const NamedWord& word, ProgramLine& line, BlockWords& block) {
   if (word.name == "RNDM") {
-    if (block.modal_rounding || word.value < 0)
+    if (block.corners.modal_rounding || word.value < 0)
       return refuse_word(reading, line, as_gcode(word), Code::nc_number, "once, 0 or more");
-    block.modal_rounding = {.value = word.value, .begin = word.begin};
+    block.corners.modal_rounding = {.value = word.value, .begin = word.begin};
   } else {
-    if (block.corner)
+    if (block.corners.begin)
       return refuse_word(reading, line, as_gcode(word), Code::nc_word_twice,
                          "a second rounding or chamfer");
-    block.corner = word.begin;
+    block.corners.begin = word.begin;
     block.move.corner = {.form = word.name == "RND"   ? CornerCut::Form::round
                                  : word.name == "CHR" ? CornerCut::Form::leg
                                                       : CornerCut::Form::width,
@@ -72,9 +72,9 @@ bool read_angle_or_turns(Reading& reading, const NamedWord& word, ProgramLine& l
     return true;
   }
   if (turns && reading.contour_open()) {
-    if (block.turns)
+    if (block.arc.turns)
       return refuse_word(reading, line, as_gcode(word), Code::nc_word_twice, "a second TURN=");
-    block.turns = {.value = word.value, .begin = word.begin};
+    block.arc.turns = {.value = word.value, .begin = word.begin};
     add(line, word, WordRole::coordinate);
     return true;
   }
@@ -92,7 +92,7 @@ bool pass_assignment(Reading& reading, const NamedWord& word, ProgramLine& line,
   };
   const bool is_corner_word = is_sinumerik_corner_word(word.name);
   if (is_corner_word) {
-    auto& feed = is("FRC") ? block.corner_feed : block.modal_corner_feed;
+    auto& feed = is("FRC") ? block.corners.feed : block.corners.modal_feed;
     if (feed || word.value < 0)
       return refuse_word(reading, line, as_gcode(word), Code::nc_number, "once, 0 or more");
     feed = {.value = word.value, .begin = word.begin};
@@ -130,9 +130,9 @@ bool read_assignment(Reading& reading, const NamedWord& word, ProgramLine& line,
   if (is("RND") || is("CHF") || is("CHR") || is("RNDM"))
     return read_corner(reading, word, line, block);
   if (is("OFFN")) {
-    if (block.allowance)
+    if (block.tools.allowance)
       return refuse_word(reading, line, as_gcode(word), Code::nc_word_twice, "a second OFFN");
-    block.allowance = {.value = word.value, .begin = word.begin};
+    block.tools.allowance = {.value = word.value, .begin = word.begin};
     add(line, word, WordRole::trc);
     return true;
   }
@@ -148,8 +148,8 @@ bool read_assignment(Reading& reading, const NamedWord& word, ProgramLine& line,
     // Of one that is built on others, or of a part of it, nobody knows what it held.
     const std::size_t sign = std::min(value.find('='), value.size());
     const bool is_whole = value.find(',') > sign && value.find('$', sign) == std::string::npos;
-    block.frame = without_blanks_behind(std::string_view(value).substr(0, sign));
-    if (!is_whole && !scales) block.frame.clear();
+    block.coordinates.frame = without_blanks_behind(std::string_view(value).substr(0, sign));
+    if (!is_whole && !scales) block.coordinates.frame.clear();
     return read_as(scales ? by_name::scaling_frame : by_name::frame, word, line, block);
   }
   if (is("$TC_DP6") || is("$TC_DP15")) return read_edge_data(reading, word, line, block);

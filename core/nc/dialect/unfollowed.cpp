@@ -70,7 +70,7 @@ bool ends_turn(int tenths) {
 
 bool ends_what_is_unfollowed(const Reading& reading, const BlockWords& block) {
   return std::ranges::any_of(ends_of_modes, [&](const std::pair<int, int>& each) {
-    return std::ranges::find(block.ends, each.first) != block.ends.end() &&
+    return std::ranges::find(block.coordinates.ends, each.first) != block.coordinates.ends.end() &&
            reading.gcode.coordinates.is_unfollowed(each.second);
   });
 }
@@ -100,13 +100,14 @@ void take_modal_motion(Reading& reading, const ProgramLine& line, const BlockWor
 
 void take_what_is_unfollowed(Reading& reading, const ProgramLine& line, BlockWords& block) {
   const bool scales = block.of(unfollowed).is(by_name::scale);
-  if (block.of(frame).is(by_name::absolute_frame) || (scales && !block.adds_to_frame)) {
+  if (block.of(frame).is(by_name::absolute_frame) || (scales && !block.coordinates.adds_to_frame)) {
     reading.gcode.coordinates.end_unfollowed(scale_tenths);
     end_scaling_frames(reading, programmable_frame);
   }
-  if (!block.frame.empty()) end_scaling_frames(reading, block.frame);
-  if (block.frame == programmable_frame) reading.gcode.coordinates.end_unfollowed(scale_tenths);
-  if (scales && !block.axis && !block.adds_to_frame) {
+  if (!block.coordinates.frame.empty()) end_scaling_frames(reading, block.coordinates.frame);
+  if (block.coordinates.frame == programmable_frame)
+    reading.gcode.coordinates.end_unfollowed(scale_tenths);
+  if (scales && !block.axis && !block.coordinates.adds_to_frame) {
     block.forget |= all_axes;
     block.clear(unfollowed);
   }
@@ -118,12 +119,12 @@ void take_what_is_unfollowed(Reading& reading, const ProgramLine& line, BlockWor
     reading.gcode.coordinates.unfollowed.push_back({.function = function.tenths(),
                                                     .line = line.source.line,
                                                     .meaning = std::string(function.meaning),
-                                                    .frame = block.frame});
+                                                    .frame = block.coordinates.frame});
   }
   take_modal_motion(reading, line, block);
   if (!block.has(unfollowed_end)) return;
   for (const auto& [end, mode] : ends_of_modes)
-    if (std::ranges::find(block.ends, end) != block.ends.end())
+    if (std::ranges::find(block.coordinates.ends, end) != block.coordinates.ends.end())
       reading.gcode.coordinates.end_unfollowed(mode);
 }
 
@@ -156,13 +157,13 @@ void forget_what_ends_nothing(Reading& reading, BlockWords& block) {
   if (block.has(unfollowed_end) && !ends_what_is_unfollowed(reading, block))
     block.clear(unfollowed_end);
   std::uint8_t ended = 0;
-  for (const int each : block.ends)
+  for (const int each : block.coordinates.ends)
     if (ends_turn(each)) ended |= turn_of(each);
   if (block.has(frame) && ends_turn(block.of(frame).function->tenths())) {
     if ((reading.gcode.coordinates.turned & ended) == 0) {
       // The axes of G50.1 and G100 are those that are mirrored no longer; with T beside it G100 is
       // a tool change that goes there.
-      block.copied |= block.axis && !block.tool_number && !block.of(frame).is(69);
+      block.copied |= block.axis && !block.tools.t_word && !block.of(frame).is(69);
       block.clear(frame);
     }
   } else if (block.has(frame)) {
@@ -181,7 +182,7 @@ void end_what_was_unfollowed(Reading& reading, BlockWords& block) {
   constexpr int setup_error = tenths_of(54, 4);
   if (block.of(zero_shift).is(113)) reading.gcode.coordinates.end_unfollowed(polar);
   bool ends = false;
-  if (block.changes_length)
+  if (block.coordinates.changes_length)
     for (const int led :
          {tenths_of(43, 1), tenths_of(43, 4), tenths_of(43, 5), tenths_of(143), tenths_of(234)})
       ends |= reading.gcode.coordinates.end_unfollowed(led);
