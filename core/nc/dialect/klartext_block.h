@@ -111,6 +111,8 @@ struct KlartextBlock {
   [[nodiscard]] bool is_corner() const {
     return statement == KlartextStatement::rounding || statement == KlartextStatement::chamfer;
   }
+  // RL, RR
+  [[nodiscard]] bool selects() const { return side && *side != Side::off; }
   // For messages: CR, APPR PLT, M.
   [[nodiscard]] std::string title() const {
     std::string title(name.empty() ? "M" : name);

@@ -137,7 +137,7 @@ bool check_words_of_form(Reading& reading, const ProgramLine& line, const Klarte
       return refuse_klartext(
           reading, line, block.begin,
           reading.state.setup().tracking_axes[axis] + " beside " + block.title());
-  const bool selects = block.side && *block.side != Side::off;
+  const bool selects = block.selects();
   if (selects && (block.is(center) || corner))
     return refuse_klartext(reading, line, block.side_begin,
                            word_at(line, block.side_begin) + " beside " + block.title());
@@ -146,32 +146,30 @@ bool check_words_of_form(Reading& reading, const ProgramLine& line, const Klarte
   return true;
 }
 
-}  // namespace
-
-bool check_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block) {
-  const auto wrong = [&](std::string detail, Code code) {
-    return refuse_klartext(reading, line, block.begin, block.title() + std::move(detail), code);
-  };
-  if (block.feed_lacks_number) return wrong(" with F alone", Code::nc_number);
+bool check_feed_of_klartext(Reading& reading, const ProgramLine& line, const KlartextBlock& block) {
+  if (block.feed_lacks_number)
+    return refuse_klartext(reading, line, block.begin, block.title() + " with F alone",
+                           Code::nc_number);
   if (block.feed && !reading.state.is_feed(block.feed->value * klartext_feed_unit(reading)))
     return refuse_klartext(
         reading, line, block.feed->begin,
         word_at(line, block.feed->begin) + ", more than 0 and at most 1000000000 mm/min",
         Code::nc_number);
-  const bool active = reading.trc_active();
-  const bool selects = block.side && *block.side != Side::off;
-  const bool moves = block.is_motion() || block.is_lead() || block.is_corner();
   const auto adapts_feed = [&] {
     return block.adapts_feed.value_or(reading.state.mode().feed_adaptation) != FeedAdaptation::off;
   };
-  if (block.open_feed && active && adapts_feed())
+  if (block.open_feed && reading.trc_active() && adapts_feed())
     return refuse_klartext(
         reading, line, *block.open_feed,
         word_at(line, *block.open_feed) + ", no feed per minute, while TRC is active");
-  if (block.to_skip && (block.masks || block.adapts_feed))
-    return refuse_klartext(reading, line, block.begin,
-                           "feeds or masking of a contour that may be skipped",
-                           Code::block_skip_undecided);
+  return true;
+}
+
+// What keeps the block from being followed, if its words have not said so.
+void find_obstacle(const Reading& reading, KlartextBlock& block) {
+  using Why = KlartextObstacle::Why;
+  const std::uint32_t led = reading.klartext_modes.unfollowed;
+  const bool moves = block.is_motion() || block.is_lead() || block.is_corner();
   // `/ L M8` moves nothing.
   const auto moves_nothing = [&] {
     return block.is(KlartextStatement::straight) && !block.names_axes() && !block.side &&
@@ -179,23 +177,32 @@ bool check_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block) {
   };
   if (block.to_skip && (moves || block.is(KlartextStatement::center)) && !block.unfollowed &&
       !moves_nothing())
-    block.leave_unfollowed(KlartextObstacle::Why::may_be_skipped);
-  if (reading.klartext_modes.unfollowed != 0 && moves && !block.unfollowed) {
-    const bool other_radius = (reading.klartext_modes.unfollowed &
-                               (KlartextLead::correction | KlartextLead::tool_data)) != 0;
-    block.leave_unfollowed(other_radius ? KlartextObstacle::Why::changed_radius
-                                        : KlartextObstacle::Why::changed_coordinates);
+    block.leave_unfollowed(Why::may_be_skipped);
+  if (led != 0 && moves && !block.unfollowed) {
+    const bool other_radius = (led & (KlartextLead::correction | KlartextLead::tool_data)) != 0;
+    block.leave_unfollowed(other_radius ? Why::changed_radius : Why::changed_coordinates);
   }
-  if (selects && !block.unfollowed) block.unfollowed = block.not_in_contour;
+  if (block.selects() && !block.unfollowed) block.unfollowed = block.not_in_contour;
   if (!block.is(KlartextStatement::straight)) leave_plane_by_arc(reading, block);
+}
+
+}  // namespace
+
+bool check_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block) {
+  if (!check_feed_of_klartext(reading, line, block)) return false;
+  if (block.to_skip && (block.masks || block.adapts_feed))
+    return refuse_klartext(reading, line, block.begin,
+                           "feeds or masking of a contour that may be skipped",
+                           Code::block_skip_undecided);
+  find_obstacle(reading, block);
+  if (!block.unfollowed) return true;
+  const bool selects = block.selects();
   // R0 beside M91 ends TRC first.
-  const bool in_contour = (active && block.side != Side::off) || selects;
+  if (!selects && (!reading.trc_active() || block.side == Side::off)) return true;
   // RL under scaling or M128 has been told: what follows hangs on that.
-  const bool led = reading.klartext_modes.unfollowed != 0 && block.unfollowed &&
-                   block.unfollowed->begin == block.begin;
-  if (block.unfollowed && in_contour && led && !selects && !reading.faults.empty()) return false;
-  if (block.unfollowed && in_contour) return refuse_unfollowed(reading, line, block);
-  return true;
+  const bool led = reading.klartext_modes.unfollowed != 0 && block.unfollowed->begin == block.begin;
+  if (led && !selects && !reading.faults.empty()) return false;
+  return refuse_unfollowed(reading, line, block);
 }
 
 bool check_words_together(Reading& reading, const ProgramLine& line, const KlartextBlock& block) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 
 #include "core/geometry/turn.h"
@@ -12,6 +11,7 @@
 #include "core/nc/dialect/klartext_arcs.h"
 #include "core/nc/dialect/klartext_block.h"
 #include "core/nc/dialect/klartext_checks.h"
+#include "core/nc/dialect/klartext_polar.h"
 #include "core/nc/dialect/klartext_statements.h"
 #include "core/nc/dialect/klartext_tools.h"
 #include "core/nc/dialect/left_contour.h"
@@ -21,8 +21,6 @@
 
 namespace trc {
 namespace {
-
-constexpr double radians = std::numbers::pi / 180;
 
 // Of an arc by its radius: half its sweep beside the chord.
 Vector tangent_behind_arc(double radius, const Vector& chord, double turn) {
@@ -63,88 +61,6 @@ bool apply_klartext_modes(Reading& reading, ProgramLine& line, KlartextBlock& bl
   return reading.state.deselect(line.source) && (!ends || block.masks || mask(false));
 }
 
-// CC X Z of a tool along Z: what turns about it is copied.
-bool take_pole_across(Reading& reading, ProgramLine& line, const KlartextBlock& block) {
-  if (reading.contour_open())
-    return refuse_klartext(reading, line, block.begin, "CC across the plane");
-  AxisBits named = 0;
-  for (std::size_t axis = 0; axis < block.end.size(); ++axis)
-    if (block.end[axis]) named |= main_axis_bit(axis);
-  reading.klartext_modes.pole_across = (named & (named - 1)) != 0 ? named : all_axes;
-  reading.klartext_modes.pole.reset();
-  line.klartext->loses_pole = true;
-  return true;
-}
-
-// CC: the pole, also where it is told from where the tool stands.
-bool take_klartext_pole(Reading& reading, ProgramLine& line, KlartextBlock& block) {
-  const PlaneAxes axes = axes_of(reading.state.mode().plane);
-  if (!block.tracking.empty())
-    return refuse_klartext(reading, line, block.begin, "CC with an axis that turns");
-  reading.klartext_modes.pole_across = 0;
-  if (block.end[axes.third]) return take_pole_across(reading, line, block);
-  const bool alone = !block.end[axes.first] && !block.end[axes.second];
-  const std::optional<Point> old = reading.klartext_modes.pole;
-  Point pole = old.value_or(Point::Zero());
-  bool known = true;
-  for (const auto& [axis, coordinate] :
-       {std::pair{axes.first, &pole.x()}, std::pair{axes.second, &pole.y()}}) {
-    const auto& word = block.end[axis];
-    const bool from_tool = alone || (word && word->increment);
-    known =
-        known && (from_tool ? reading.state.is_known(axis) : word.has_value() || old.has_value());
-    const double base = from_tool ? reading.state.position()[axis] : 0;
-    if (word || alone) *coordinate = base + (word ? word->value * reading.length_unit() : 0);
-  }
-  reading.klartext_modes.pole = known ? std::optional(pole) : std::nullopt;
-  line.klartext->sets_pole = known;
-  line.klartext->loses_pole = !known;
-  return true;
-}
-
-bool find_polar_end(Reading& reading, ProgramLine& line, KlartextBlock& block, const Point& start,
-                    Point& end) {
-  KlartextLine& says = *line.klartext;
-  const auto wrong = [&](const char* why, Code code = Code::nc_unsupported) {
-    return refuse_klartext(reading, line, block.begin, block.title() + why, code);
-  };
-  if (!reading.klartext_modes.pole) return wrong(" without CC, or behind what moves it");
-  const PlaneAxes axes = axes_of(reading.state.mode().plane);
-  const auto stands_at_known_place = [&] {
-    return reading.state.is_known(axes.first) && reading.state.is_known(axes.second);
-  };
-  constexpr const char* unknown_start = ", from a place that is not known";
-  constexpr Code unknown = Code::position_unknown;
-  const Vector arm = start - *reading.klartext_modes.pole;
-  const bool circle = block.is(KlartextStatement::polar_circle);
-  says.needs_pole = true;
-  double radius = arm.norm();
-  if (!circle) {
-    says.sets_polar_radius = block.polar_radius.has_value();
-    const bool counts_on = !block.polar_radius || block.polar_radius->increment;
-    says.needs_polar_radius = counts_on && reading.klartext_modes.polar_radius;
-    // IPR without a PR before it counts from where the tool stands.
-    const bool from_tool = counts_on && block.polar_radius && !reading.klartext_modes.polar_radius;
-    says.counts_from_start |= from_tool;
-    if (counts_on && !says.needs_polar_radius && !from_tool) return wrong(" without PR");
-    if (from_tool && !stands_at_known_place()) return wrong(unknown_start, unknown);
-    radius = (says.needs_polar_radius ? *reading.klartext_modes.polar_radius
-              : from_tool             ? arm.norm()
-                                      : 0) +
-             (block.polar_radius ? block.polar_radius->value * reading.length_unit() : 0);
-    reading.klartext_modes.polar_radius = radius;
-  }
-  const bool from_start = !block.polar_angle || block.polar_angle->increment;
-  says.counts_from_start |= from_start || circle;
-  if ((from_start || circle) && !stands_at_known_place()) return wrong(unknown_start, unknown);
-  if ((from_start || circle) && arm.norm() < 1e-6) return wrong(", from the pole itself");
-  const double begin = std::atan2(arm.y(), arm.x());
-  const double angle =
-      (from_start ? begin : 0) + (block.polar_angle ? block.polar_angle->value * radians : 0);
-  end = *reading.klartext_modes.pole + radius * Vector(std::cos(angle), std::sin(angle));
-  return true;
-}
-
 // APPR and DEP.
 bool lead_in_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block) {
   const PlaneAxes axes = axes_of(reading.state.mode().plane);
@@ -177,7 +93,7 @@ bool lead_in_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block)
   Lead lead = block.lead;
   if (block.length) lead.length = block.length->value * unit;
   if (block.radius) lead.radius = block.radius->value * unit;
-  if (block.center_angle) lead.angle = block.center_angle->value * radians;
+  if (block.center_angle) lead.angle = block.center_angle->value * radians_per_degree;
   if (lead.angle > full_turn - 1e-12) lead.angle = full_turn;
   line.is_motion = true;
   reading.klartext_modes.tangent.reset();
@@ -328,7 +244,7 @@ void forget_what_copied_block_moves(Reading& reading, ProgramLine& line, const K
 bool apply_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block) {
   line.klartext.emplace();
   const bool is_lead = block.is_lead();
-  const bool selects = block.side && *block.side != Side::off;
+  const bool selects = block.selects();
   const bool corner = block.is_corner();
   const bool beside_corner = corner || reading.klartext_modes.open_corner.source.line > 0;
   if (beside_corner && !check_corner_before(reading, line, block, selects)) return false;
