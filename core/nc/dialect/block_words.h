@@ -28,9 +28,6 @@ namespace trc {
 // Where G41 or G42 stands in a line that is not read, outside of comments; npos: nowhere.
 [[nodiscard]] std::size_t place_of_side(std::string_view text);
 
-// "5" of T="5", where no tool of the table has that name: the tool of that number. 0: it is none.
-[[nodiscard]] std::int64_t number_of_tool_named(std::string_view name, const ToolInForce& tools);
-
 // The bits of BlockWords::whole; I J K and tracking axes have one for each word.
 struct WholeWord {
   static constexpr unsigned axis = 0;

@@ -17,6 +17,7 @@
 #include "core/nc/dialect/reading.h"
 #include "core/nc/dialect/sinumerik_arcs.h"
 #include "core/nc/dialect/sinumerik_leads.h"
+#include "core/nc/dialect/tool_data.h"
 #include "core/nc/dialect/unfollowed.h"
 #include "core/nc/dialect/whole_numbers.h"
 #include "core/nc/text/characters.h"

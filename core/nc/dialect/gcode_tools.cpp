@@ -5,12 +5,10 @@
 #include <cmath>
 #include <optional>
 #include <string>
-#include <utility>
-#include <vector>
 
-#include "core/base/likely_meant.h"
 #include "core/nc/dialect/block_words.h"
 #include "core/nc/dialect/reading.h"
+#include "core/nc/dialect/sinumerik_tools.h"
 #include "core/nc/text/characters.h"
 
 // Which tool G41 and G42 have, and what a program says of tools: the dialects of Fanuc, LinuxCNC
@@ -20,11 +18,6 @@ namespace trc {
 namespace {
 
 using enum GGroup;
-
-// Of Sinumerik: a tool that has no number, in place of one; beyond what T may say.
-constexpr std::int64_t unnamed_tool = first_named_tool - 1;
-
-std::string quoted(const std::string& name) { return '"' + name + '"'; }
 
 bool has_length_offset(const ProgramLine& line) {
   return std::ranges::any_of(line.words, [&](const WordRange& range) {
@@ -48,23 +41,6 @@ bool has_function_with_p(const ProgramLine& line) {
 std::string name_of_function(std::int32_t tenths) {
   const std::string tenth = tenths % 10 == 0 ? "" : "." + std::to_string(tenths % 10);
   return "G" + std::to_string(tenths / 10) + tenth;
-}
-
-// Of $TC_DP6[1,1], as row_of_edge() has it.
-std::optional<std::int64_t> row_of_index(std::string_view name) {
-  std::array<double, 2> index{};
-  std::size_t at = name.find('[');
-  for (double& number : index) {
-    bool whole = false;
-    if (at >= name.size()) return {};
-    const std::string_view text = without_blanks_in_front(name.substr(at + 1));
-    const std::size_t length = read_number(text, number, whole);
-    if (length == 0 || !is_number_of_tool(number) || number < 1) return {};
-    at = name.find_first_not_of(" \t", name.size() - text.size() + length);
-    if (at == std::string_view::npos || name[at] != (&number == index.data() ? ',' : ']'))
-      return {};
-  }
-  return row_of_edge(static_cast<std::int64_t>(index[0]), static_cast<std::int64_t>(index[1]));
 }
 
 bool check_what_may_be_skipped(Reading& reading, const ProgramLine& line, const BlockWords& block) {
@@ -196,22 +172,6 @@ std::optional<ToolSaid> take_tool_of_selection(Reading& reading, ProgramLine& li
   return said;
 }
 
-// Of Sinumerik: another tool, or another edge of that tool; `row` as row_of_edge() has it.
-bool refuse_second_edge(Reading& reading, std::int64_t row) {
-  const WordPlace& tool = reading.gcode.tools.changed_by_m6 ? reading.gcode.tools.spindle_place
-                                                            : reading.gcode.tools.next_place;
-  const std::int64_t number = tool_of_row(row);
-  const std::string called = !reading.gcode.tools.name.empty() ? quoted(reading.gcode.tools.name)
-                             : number == unnamed_tool          ? ""
-                                                               : "T" + std::to_string(number);
-  const bool another_tool = number != tool_of_row(*reading.gcode.tools.only_register);
-  if (another_tool && !called.empty()) return reading.refuse_at(tool, Code::tool_unknown, called);
-  const std::string edge = "D" + std::to_string(edge_of_row(row));
-  return reading.refuse_at(
-      reading.gcode.tools.edge_place.source.line > 0 ? reading.gcode.tools.edge_place : tool,
-      Code::tool_unknown, called.empty() ? edge : edge + " of " + called);
-}
-
 // Whether the table has the tool of the line, or the radius of the setup stands for it.
 bool check_tool_of_table(Reading& reading, const ProgramLine& line, BlockWords& block,
                          ToolSaid said) {
@@ -260,72 +220,7 @@ bool take_only_spindle_tool(Reading& reading) {
                                            "T" + std::to_string(tool));
 }
 
-// Sinumerik: T is the tool, D its edge; D0 is none.
-bool choose_tool_of_edge(Reading& reading, ProgramLine& line, BlockWords& block) {
-  GcodeModes::Tools& tools = reading.gcode.tools;
-  // A tool change chooses the first one; where M6 changes tools, T alone makes one ready (D-56).
-  const bool changes = block.tools.change || (block.tools.t_word && !tools.changed_by_m6);
-  const bool keeps_edge = block.tools.change && !block.tools.t_word && tools.edge_is_of_next;
-  if (block.tools.d_word || (changes && !keeps_edge)) {
-    tools.edge = block.tools.d_word ? block.tools.d_word->value : 1;
-    tools.edge_place =
-        block.tools.d_word ? reading.place_of_word(line, block.tools.d_word->begin) : WordPlace{};
-  }
-  if (block.tools.t_word) tools.edge_is_of_next = block.tools.d_word.has_value();
-  const std::optional<BlockWords::Value> edge_word = std::exchange(block.tools.d_word, {});
-  const bool selects = block.selects();
-  const bool goes_on = reading.trc_active() && !block.has(side);
-  if (!selects && !(goes_on && (edge_word || changes))) return true;
-  const std::uint32_t begin = selects     ? block.of(side).begin
-                              : edge_word ? edge_word->begin
-                                          : line.words.front().begin;
-  if (tools.edge == 0) {
-    block.tools.d_word = {.value = 0, .begin = begin};
-    return true;
-  }
-  const std::int64_t number = tools.changed_by_m6 ? tools.in_spindle : tools.next;
-  const WordPlace& tool = tools.changed_by_m6 ? tools.spindle_place : tools.next_place;
-  const auto unknown = [&](std::string detail) {
-    return reading.refuse_at(tool, Code::tool_unknown, std::move(detail));
-  };
-  const bool table = !reading.state.setup().tools.empty();
-  const std::int64_t edge = register_number(tools.edge);
-  const std::int64_t row = row_of_edge(number, edge);
-  if (table && number == no_tool_number) return unknown(name_not_in_table(reading, tools.name));
-  const bool is_plain = edge == 1 && tools.name.empty();
-  const std::string called = tools.name.empty() ? "T" + std::to_string(number) : quoted(tools.name);
-  if (table && !is_plain && !reading.state.tool().has_tool(row))
-    return reading.refuse_at(edge == 1 ? tool : tools.edge_place, Code::tool_unknown,
-                             "D" + std::to_string(edge) + " of " + called);
-  if (table && number > 0 && !reading.state.tool().has_tool(row)) return unknown(called);
-  if (table && number == 0 && !tools.named && reading.state.tool().row_of_tool(row) == std::nullopt)
-    return reading.refuse(
-        line, TextFault{.code = Code::nc_unsupported,
-                        .begin = begin,
-                        .detail = "D" + std::to_string(edge) + " without T, which tool it is of"});
-  if (number == no_tool_number) {
-    // The radius of the setup stands for the one tool that the program selects with.
-    if (tools.only_name.empty()) tools.only_name = tools.name;
-    if (tools.only_name != tools.name) return unknown(quoted(tools.name));
-  }
-  const bool numbered = number > 0;
-  if (numbered || reading.has_one_radius())
-    block.tools.d_word = {
-        .value = static_cast<double>(numbered ? row : row_of_edge(unnamed_tool, edge)),
-        .begin = begin};
-  return true;
-}
-
 }  // namespace
-
-// D-116
-std::int64_t number_of_tool_named(std::string_view name, const ToolInForce& tools) {
-  constexpr std::size_t most_digits = 9;
-  const bool is_number = !name.empty() && name.size() <= most_digits && name.front() != '0' &&
-                         std::ranges::all_of(name, is_digit);
-  if (!is_number || tools.tool_named(name) != no_tool_number) return 0;
-  return std::stoll(std::string(name));
-}
 
 bool check_gcode_selection(Reading& reading, ProgramLine& line, BlockWords& block) {
   const bool selects = block.selects();
@@ -377,82 +272,6 @@ bool take_only_register(Reading& reading, const ProgramLine& line, BlockWords& b
   block.tools.only = block.tools.d_word ? block.tools.d_word->begin : line.words.front().begin;
   block.tools.d_word.reset();
   return true;
-}
-
-std::string name_not_in_table(const Reading& reading, const std::string& name) {
-  std::vector<std::string> names;
-  for (const auto& [known, tool] : reading.state.setup().tool_names) names.push_back(known);
-  const auto meant = likely_meant(in_upper_case(name), names);
-  return quoted(name) + (meant ? ", the table has " + quoted(*meant) : "");
-}
-
-bool read_edge_data(Reading& reading, const NamedWord& word, ProgramLine& line, BlockWords& block) {
-  const std::string_view text = line.word({.begin = word.begin, .end = word.end});
-  add(line, word, WordRole::technology);
-  const std::string_view name = text.substr(0, text.find(']') + 1);
-  const auto refused = [&](std::string_view why) {
-    return reading.refuse(line, TextFault{.code = Code::nc_unsupported,
-                                          .begin = word.begin,
-                                          .detail = std::string(name).append(", ").append(why)});
-  };
-  const auto row = row_of_index(name);
-  if (!row) return refused("whose tool and edge are no numbers");
-  if (reading.trc_active()) return refused("data of a tool while TRC is active");
-  // Under G70 and G71 such data are in the unit of the machine.
-  const bool inch = reading.feed_in_mm ? reading.state.setup().inch : reading.inch;
-  const double value = word.value * (inch ? mm_per_inch : 1);
-  if (word.name == "$TC_DP6") {
-    block.tools.edge_radii.push_back({.row = *row, .radius = value, .begin = word.begin});
-    return true;
-  }
-  const auto known = reading.state.tool().row_of_tool(*row);
-  constexpr double alike = 1e-9;
-  const double wear = known                                 ? known->wear
-                      : reading.state.setup().tools.empty() ? reading.state.setup().wear
-                                                            : 0;
-  return std::abs(value - wear) <= alike || refused("another wear than the setup gives that tool");
-}
-
-bool take_tool_data(Reading& reading, ProgramLine& line, BlockWords& block) {
-  for (const auto& edge : block.tools.edge_radii) {
-    reading.place(line, edge.begin);
-    if (reading.faults.empty() && !reading.state.define_tool(edge.row, edge.radius, line.source))
-      return false;
-  }
-  // Controls with one table for lengths and radii have no L word.
-  if (!block.has(tool_data) || (!block.l_word && !block.p_word)) return true;
-  const std::optional<std::int64_t> data = block.l_word ? whole_number(block.l_word->value) : 12;
-  const bool linuxcnc = reading.dialect.name == DialectName::linuxcnc;
-  const bool radius_data =
-      linuxcnc ? data == 1 || data == 10 || data == 11 : data == 12 || data == 13;
-  if (!radius_data || !block.move.radius) return true;
-  const bool adds = block.has(dimension) ? block.of(dimension).is(91) : reading.incremental;
-  const bool is_wear = !linuxcnc && data == 13;
-  const auto refused = [&](std::string_view why) {
-    return reading.refuse(
-        line, TextFault{.code = Code::nc_unsupported,
-                        .begin = block.of(tool_data).begin,
-                        .detail = "G10 L" + std::to_string(*data).append(", ").append(why)});
-  };
-  if (adds && is_wear && *block.move.radius == 0) return true;
-  if ((linuxcnc && data != 1) || !block.p_word || adds) return refused("a sum of a tool radius");
-  if (!reading.faults.empty()) return true;
-  const bool inch =
-      block.has(unit) ? reading.counts_in_inch(*block.of(unit).function) : reading.inch;
-  const std::int64_t number = register_number(block.p_word->value);
-  const double value = *block.move.radius * (inch ? mm_per_inch : 1);
-  if (is_wear) {
-    // What the setup says of the wear it has been told; a program that sets it back to 0 does not.
-    const double wear = reading.state.tool().wear_of(number);
-    constexpr double alike = 1e-9;
-    if (wear != 0 && value == 0 && !reading.state.tool().gives_wear(number)) return true;
-    if (wear != 0 && std::abs(wear - value) > alike && !reading.state.tool().gives_wear(number))
-      return refused("another wear than the setup gives that tool");
-    reading.state.define_wear(number, value);
-    return true;
-  }
-  reading.place(line, block.of(tool_data).begin);
-  return reading.state.define_tool(number, value, line.source);
 }
 
 }  // namespace trc

@@ -10,6 +10,7 @@
 #include "core/nc/dialect/pass_words.h"
 #include "core/nc/dialect/passing_calls.h"
 #include "core/nc/dialect/reading.h"
+#include "core/nc/dialect/tool_data.h"
 #include "core/nc/dialect/trc_command.h"
 #include "core/nc/dialect/unfollowed.h"
 #include "core/nc/text/characters.h"

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "core/nc/dialect/block_words.h"
-#include "core/nc/dialect/gcode_tools.h"
 #include "core/nc/dialect/heidenhain.h"
 #include "core/nc/dialect/klartext_block.h"
 #include "core/nc/dialect/klartext_formula.h"
@@ -18,6 +17,7 @@
 #include "core/nc/dialect/klartext_statements.h"
 #include "core/nc/dialect/passing_calls.h"
 #include "core/nc/dialect/reading.h"
+#include "core/nc/dialect/tool_data.h"
 #include "core/nc/text/characters.h"
 #include "core/nc/text/klartext_tool_words.h"
 

@@ -13,6 +13,7 @@
 #include "core/nc/dialect/sinumerik_names.h"
 #include "core/nc/dialect/sinumerik_values.h"
 #include "core/nc/dialect/sinumerik_words.h"
+#include "core/nc/dialect/tool_data.h"
 #include "core/nc/text/characters.h"
 #include "core/nc/text/named_words.h"
 

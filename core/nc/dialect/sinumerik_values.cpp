@@ -4,7 +4,6 @@
 
 #include "core/nc/dialect/block_words.h"
 #include "core/nc/dialect/gcode_block_words.h"
-#include "core/nc/dialect/gcode_tools.h"
 #include "core/nc/dialect/named_functions.h"
 #include "core/nc/dialect/reading.h"
 #include "core/nc/dialect/sinumerik_arcs.h"
@@ -12,6 +11,7 @@
 #include "core/nc/dialect/sinumerik_leads.h"
 #include "core/nc/dialect/sinumerik_names.h"
 #include "core/nc/dialect/sinumerik_words.h"
+#include "core/nc/dialect/tool_data.h"
 #include "core/nc/text/characters.h"
 #include "core/nc/text/named_words.h"
 
