@@ -24,8 +24,7 @@ std::string read_one(const std::string& name, const std::string& value, v1::Prog
   if (!is_utf8(value)) return name + ": is no UTF-8";
   if (name == "dialect") {
     const auto dialect = dialect_spelled(value);
-    if (!dialect)
-      return "dialect: \"" + value + "\" is not possible; it takes " + dialects();
+    if (!dialect) return "dialect: \"" + value + "\" is not possible; it takes " + dialects();
     setup.set_dialect(wire::to_proto(*dialect));
     return {};
   }

@@ -131,8 +131,7 @@ bool RelevantBlocks::leave_selection(PathBlock& block, const TrcMode& next) {
 bool RelevantBlocks::classify(PathBlock& block) {
   const TrcMode& mode = block.mode();
   if (mode.active() && block.programmed.mode != last_mode_) {
-    if (const char* pair = excluded_pair(mode))
-      return refuse(Code::not_available, block, pair);
+    if (const char* pair = excluded_pair(mode)) return refuse(Code::not_available, block, pair);
   }
   if (!mode.active()) return end_selection(block);
   return last_.active ? continue_selection(block) : begin_selection(block);
