@@ -239,7 +239,6 @@ Table dialects_of() {
   Table table{{{"Function"}}};
   std::map<int, std::map<DialectName, const GFunction*>> functions;
   for (const Dialect& dialect : all_dialects()) {
-    if (!dialect.available) continue;
     table.rows.front().push_back(std::string(dialect.spelling));
     for (const GFunction& function : dialect.functions)
       functions[function.tenths()][dialect.name] = &function;
@@ -247,7 +246,6 @@ Table dialects_of() {
   for (const auto& [tenths, known] : functions) {
     Row row{name_of(*known.begin()->second)};
     for (const Dialect& dialect : all_dialects()) {
-      if (!dialect.available) continue;
       const auto found = known.find(dialect.name);
       row.push_back(found == known.end() ? std::string()
                                          : std::string(found->second->meaning) + ": " +

@@ -59,8 +59,7 @@ bool says_a_radius(const ProgramOptions& options) {
 // How the text is read.
 void add_reading_options(CLI::App& command, ProgramOptions& options) {
   std::vector<std::string> dialects;
-  for (const Dialect& dialect : all_dialects())
-    if (dialect.available) dialects.emplace_back(dialect.spelling);
+  for (const Dialect& dialect : all_dialects()) dialects.emplace_back(dialect.spelling);
   command.add_option("--dialect", options.dialect, "Language of the program; isg without it")
       ->transform(CLI::IsMember(dialects, CLI::ignore_case));
   command

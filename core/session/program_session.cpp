@@ -29,9 +29,6 @@ struct ProgramSession::Parts {
         lines(setup.session.program,
               setup.nc_text ? LinesToWriter::Form::nc_text : LinesToWriter::Form::blocks, path,
               reader) {
-    if (const Dialect& dialect = dialect_of(setup.session.program.dialect); !dialect.available)
-      path.stop(diagnostic(Code::not_available, {},
-                           std::string("the dialect ").append(dialect.spelling)));
     const int decimals = setup.session.program.decimals;
     if (decimals >= 0 && decimals < most_decimals) return;
     Diagnostic invalid = diagnostic(Code::field_invalid, {}, "decimals");

@@ -13,11 +13,6 @@ namespace trc::survey {
 Reader text_reader(std::string_view text, const ReaderLimits& limits,
                    Checkpoint::Interrupt interrupt) {
   return [text, limits, interrupt = std::move(interrupt)](ProgramState& state, Diagnostics& log) {
-    if (const Dialect& dialect = dialect_of(state.setup().dialect); !dialect.available) {
-      log.report(diagnostic(Code::not_available, {},
-                            std::string("the dialect ").append(dialect.spelling)));
-      return;
-    }
     // It is asked between them whether anybody waits still.
     constexpr std::size_t bytes_per_piece = 16 * 1024;
     ProgramReader program(limits, state, log, interrupt);

@@ -24,8 +24,7 @@ std::string read_one(const std::string& name, const std::string& value, v1::Prog
   if (!is_utf8(value)) return name + ": is no UTF-8";
   if (name == "dialect") {
     const auto dialect = dialect_spelled(value);
-    if (!dialect || !dialect_of(*dialect).available)
-      return "dialect: \"" + value + "\" is not possible; it takes " + dialects();
+    if (!dialect) return "dialect: \"" + value + "\" is not possible; it takes " + dialects();
     setup.set_dialect(wire::to_proto(*dialect));
     return {};
   }
@@ -77,7 +76,6 @@ v1::PathSetup* path_setup_of(google::protobuf::Message& message) {
 std::string dialects() {
   std::string words;
   for (const Dialect& dialect : all_dialects()) {
-    if (!dialect.available) continue;
     if (!words.empty()) words += ", ";
     words += dialect.spelling;
   }

@@ -110,8 +110,7 @@ void describe(const Config& config, v1::GetServerInfoResponse& response) {
     row.set_initial(function.initial);
     row.set_meaning(std::string(function.meaning));
   }
-  for (const Dialect& dialect : all_dialects())
-    if (dialect.available) response.add_dialects(wire::to_proto(dialect.name));
+  for (const Dialect& dialect : all_dialects()) response.add_dialects(wire::to_proto(dialect.name));
   for (const CodeRow& code : code_table()) {
     v1::DiagnosticRow& row = *response.add_diagnostics();
     row.set_code(static_cast<std::int32_t>(code.code));

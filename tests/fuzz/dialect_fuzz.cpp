@@ -41,7 +41,6 @@ Given given_by(std::string_view text, const ProgramSessionSetup& setup, std::siz
 void check(std::string_view text, bool nc_text, std::size_t piece) {
   const TimeBound bound;
   for (const Dialect& dialect : all_dialects()) {
-    if (!dialect.available) continue;
     ProgramSessionSetup setup{.nc_text = nc_text};
     ProgramSetup& program = setup.session.program;
     program.dialect = dialect.name;

@@ -7,6 +7,7 @@
 #include "core/nc/dialect/copied_block.h"
 #include "core/nc/dialect/full_turns.h"
 #include "core/nc/dialect/kept_modes.h"
+#include "core/nc/dialect/named_functions.h"
 #include "core/nc/dialect/reading.h"
 #include "core/nc/dialect/sinumerik_arcs.h"
 #include "core/nc/dialect/sinumerik_leads.h"
@@ -37,13 +38,10 @@ Selection selection_of(int g_number) {
   }
 }
 
-constexpr std::array<MotionKind, 4> motions{MotionKind::rapid, MotionKind::linear,
-                                            MotionKind::clockwise, MotionKind::counter_clockwise};
-
 // Of a line that is copied: what it moves counts on the feed in force.
 bool may_move_at_the_feed(const Reading& reading, const BlockWords& block) {
   using enum GGroup;
-  if (!block.copied || block.homes || block.has(dwell) || block.has(frame) ||
+  if (!block.copied || block.isg.homes || block.has(dwell) || block.has(frame) ||
       block.has(zero_shift) || block.has(axis_technology) || block.has(tool_data))
     return false;
   if (block.has(single_move)) {
@@ -54,7 +52,7 @@ bool may_move_at_the_feed(const Reading& reading, const BlockWords& block) {
     return std::ranges::find(always_rapid, number) == always_rapid.end() &&
            !(moves_as_g00_says && reading.motion == MotionKind::rapid);
   }
-  if (block.has(cycle) || reading.code_modes.cycle) return true;
+  if (block.has(cycle) || reading.gcode.cycle) return true;
   return (block.axis || block.center || block.unfollowed_word) &&
          reading.motion != MotionKind::rapid;
 }
@@ -71,7 +69,7 @@ void forget_position(Reading& reading, const ProgramLine& line, const BlockWords
 bool apply_modes(Reading& reading, const ProgramLine& line, const BlockWords& block) {
   using enum GGroup;
   if (block.has(motion)) {
-    reading.motion = motions[static_cast<std::size_t>(block.of(motion).function->number)];
+    reading.motion = motion_of_function(block.of(motion).function->number);
     reading.motion_given = true;
   }
   if (block.has(unit)) {
@@ -86,14 +84,14 @@ bool apply_modes(Reading& reading, const ProgramLine& line, const BlockWords& bl
   }
   if (block.has(feed_mode)) {
     reading.feed_mode = block.of(feed_mode).function->number;
-    reading.code_modes.feed_mode_line = line.source.line;
+    reading.gcode.feed_mode_line = line.source.line;
   }
   if (block.feed) reading.feed = block.feed->value * reading.feed_unit(reading.inch);
   // A feed per tooth, which blocks have no number for.
   if (block.tooth_feed) reading.feed = 0;
   if (block.has(circle_center)) {
     const GFunction& function = *block.of(circle_center).function;
-    reading.absolute_center = function.number == 161 || function.tenths() == 901;
+    reading.absolute_center = function.number == 161 || function.tenths() == tenths_of(90, 1);
     reading.state.set_absolute_center(reading.absolute_center);
   }
   if (block.has(circle_check)) reading.state.set_circle_correction(block.of(circle_check).is(165));
@@ -104,7 +102,7 @@ bool apply_modes(Reading& reading, const ProgramLine& line, const BlockWords& bl
       axes[axis] = (block.forget >> axis & 1) != 0;
     reading.state.forget_position(axes, line.source);
   }
-  if (block.sets_position) {
+  if (block.coordinates.sets_position) {
     std::array<std::optional<double>, 3> place = block.move.end;
     for (auto& coordinate : place)
       if (coordinate) *coordinate *= reading.length_unit();
@@ -124,33 +122,34 @@ bool apply_modes(Reading& reading, const ProgramLine& line, const BlockWords& bl
 bool apply_tool(Reading& reading, const ProgramLine& line, const BlockWords& block) {
   const Source& source = line.source;
   const auto at = [&](std::uint32_t begin) { return reading.place(line, begin), true; };
-  if (block.tool_radius && at(block.tool_radius->begin)) {
-    const double value = block.tool_radius->value * reading.length_unit();
-    if (!(block.radius_is_change ? reading.state.change_tool_radius(value, source)
-                                 : reading.state.set_tool_radius(value, source)))
+  if (block.tools.radius && at(block.tools.radius->begin)) {
+    const double value = block.tools.radius->value * reading.length_unit();
+    if (!(block.tools.radius_is_change ? reading.state.change_tool_radius(value, source)
+                                       : reading.state.set_tool_radius(value, source)))
       return false;
   }
-  if (block.allowance && at(block.allowance->begin) &&
-      !reading.state.set_allowance_of_program(block.allowance->value * reading.length_unit(),
+  if (block.tools.allowance && at(block.tools.allowance->begin) &&
+      !reading.state.set_allowance_of_program(block.tools.allowance->value * reading.length_unit(),
                                               source))
     return false;
-  if (block.tool_number)
-    reading.state.prepare_tool(static_cast<std::int64_t>(block.tool_number->value),
-                               reading.place_of_word(line, block.tool_number->begin));
-  if (block.loads_tool && at(0) && !reading.state.load_tool(source)) return false;
-  if (block.only_tool && at(*block.only_tool) &&
+  if (block.tools.t_word)
+    reading.state.prepare_tool(static_cast<std::int64_t>(block.tools.t_word->value),
+                               reading.place_of_word(line, block.tools.t_word->begin));
+  if (block.tools.loads && at(0) && !reading.state.load_tool(source)) return false;
+  if (block.tools.only && at(*block.tools.only) &&
       !reading.state.call_tool(
           ToolRow(reading.state.setup().mode.tool_radius,
-                  reading.state.tool().wear_of(reading.code_modes.only_register.value_or(0))),
+                  reading.state.tool().wear_of(reading.gcode.tools.only_register.value_or(0))),
           source))
     return false;
-  const bool zero = block.tool && block.tool->value == 0 && reading.dialect.zero_is_a_radius &&
-                    !reading.state.tool().row_of_tool(0);
-  if (zero && at(block.tool->begin) && !reading.state.set_tool_radius(0, source)) return false;
-  return !block.tool || zero ||
-         (at(block.tool->begin) &&
-          reading.state.set_tool(static_cast<std::int64_t>(block.tool->value), source,
-                                 reading.place_of_word(line, block.tool->begin)));
+  const bool zero = block.tools.d_word && block.tools.d_word->value == 0 &&
+                    reading.dialect.zero_is_a_radius && !reading.state.tool().row_of_tool(0);
+  if (zero && at(block.tools.d_word->begin) && !reading.state.set_tool_radius(0, source))
+    return false;
+  return !block.tools.d_word || zero ||
+         (at(block.tools.d_word->begin) &&
+          reading.state.set_tool(static_cast<std::int64_t>(block.tools.d_word->value), source,
+                                 reading.place_of_word(line, block.tools.d_word->begin)));
 }
 
 // Modes and radius before the side, so that G41 begins with all of its block.
@@ -172,46 +171,47 @@ bool apply_trc(Reading& reading, const ProgramLine& line, const BlockWords& bloc
   if (block.masks && at(0) && !leave_out_bottlenecks(reading, *block.masks, source)) return false;
   if (has(feed_adaptation) &&
       !reading.state.set_feed_adaptation(block.of(feed_adaptation).is(11) ? FeedAdaptation::on
-                                         : block.of(feed_adaptation).is(feed_at_inside)
+                                         : block.of(feed_adaptation).is(by_name::feed_at_inside)
                                              ? FeedAdaptation::inside
                                              : FeedAdaptation::off,
                                          source))
     return false;
-  if (block.options && at(block.command) && !reading.state.set_options(*block.options, source))
+  if (block.isg.options && at(block.isg.command) &&
+      !reading.state.set_options(*block.isg.options, source))
     return false;
-  if (block.tangfeed && at(block.command) &&
-      !reading.state.set_tangfeed_minimum(*block.tangfeed * reading.length_unit(), source))
+  if (block.isg.tangfeed && at(block.isg.command) &&
+      !reading.state.set_tangfeed_minimum(*block.isg.tangfeed * reading.length_unit(), source))
     return false;
   if (has(selection) &&
       !reading.state.set_selection(selection_of(block.of(selection).function->number), source))
     return false;
   // A smooth retraction runs along the contour before it ends TRC.
-  const bool ends = has(side) && block.of(side).is(40) && !block.leads_softly;
+  const bool ends = has(side) && block.deselects() && !block.soft.is_followed;
   if (has(tangential) && !reading.state.set_tangential(source)) return false;
   // The tool of such a block is no longer one of the contour: D0 takes it out of force.
   if (ends && at(block.of(side).begin) && !reading.state.select(Side::off, source)) return false;
   if (!apply_tool(reading, line, block)) return false;
-  if (!has(side) || block.of(side).is(40)) return true;
+  if (!has(side) || block.deselects()) return true;
   return reading.state.select(side_of(block.of(side).function->number), source);
 }
 
 // Feeds that blocks have no number for cannot be adapted; on lines nothing is.
 bool check_feed_of_contour(Reading& reading, const ProgramLine& line, const BlockWords& block,
                            std::uint32_t begin) {
-  if (reading.feed_mode == 94 && !reading.code_modes.tooth_feed) return true;
+  if (reading.feed_mode == 94 && !reading.gcode.tooth_feed) return true;
   const bool isg = reading.dialect.name == DialectName::isg;
   const bool straight = reading.motion == MotionKind::linear || reading.motion == MotionKind::rapid;
   const bool line_alone = !isg && straight && !block.move.corner;
   const bool adapted = reading.state.mode().feed_adaptation != FeedAdaptation::off && !line_alone;
   if (reading.feed_mode != 93 && !adapted) return true;
   const std::string feed =
-      reading.code_modes.tooth_feed ? "FZ=" : "G" + std::to_string(reading.feed_mode);
+      reading.gcode.tooth_feed ? "FZ=" : "G" + std::to_string(reading.feed_mode);
   return reading.refuse(
       line, TextFault{.code = Code::nc_unsupported,
                       .begin = begin,
                       .detail = adapted ? feed + " with the feed at the contour (G11, CFC)"
                                         : feed + ", the time of a block, in force since line " +
-                                              std::to_string(reading.code_modes.feed_mode_line)});
+                                              std::to_string(reading.gcode.feed_mode_line)});
 }
 
 bool apply_motion(Reading& reading, ProgramLine& line, BlockWords& block) {
@@ -220,9 +220,9 @@ bool apply_motion(Reading& reading, ProgramLine& line, BlockWords& block) {
       !resolve_references(reading, line, block))
     return false;
   if (block.angle && !take_angle(reading, line, block)) return false;
-  if (reading.code_modes.tangent_arcs && block.axis && !take_tangent(reading, line, block))
+  if (reading.gcode.tangent_arcs.in_force && block.axis && !take_tangent(reading, line, block))
     return false;
-  if (block.leads_softly)
+  if (block.soft.is_followed)
     return block.of(GGroup::soft_lead).function->number % 10 == 7
                ? approach_softly(reading, line, block)
                : depart_softly(reading, line, block);
@@ -235,8 +235,9 @@ bool apply_motion(Reading& reading, ProgramLine& line, BlockWords& block) {
     return reading.refuse(line, TextFault{.code = Code::motion_unknown, .begin = begin});
   if (reading.state.contour_open() && !check_feed_of_contour(reading, line, block, begin))
     return false;
-  if (reading.code_modes.soft_approach) return begin_contour_of_approach(reading, line, block);
-  return block.turns ? move_in_full_turns(reading, line, block) : move(reading, line, block.move);
+  if (reading.gcode.soft.approach) return begin_contour_of_approach(reading, line, block);
+  return block.arc.turns ? move_in_full_turns(reading, line, block)
+                         : move(reading, line, block.move);
 }
 
 // From inch to mm.
@@ -263,13 +264,13 @@ bool apply_block(Reading& reading, ProgramLine& line, BlockWords& block) {
   const auto pass = [&](WordRole role) {
     return !line.has(role) || pass_words(reading, line, role);
   };
-  block.motion_before = reading.motion;
-  block.feed_before = reading.feed;
+  block.soft.motion_before = reading.motion;
+  block.soft.feed_before = reading.feed;
   const bool goes_on = apply_modes(reading, line, block) && apply_trc(reading, line, block) &&
                        leave_contour_by_copy(reading, line, block) && pass(WordRole::technology) &&
                        apply_motion(reading, line, block) && pass(WordRole::stop);
   if (!goes_on) return false;
-  if (block.sets_position) {
+  if (block.coordinates.sets_position) {
     line.third_set = block.move.end[axes_of(reading.state.mode().plane).third];
     if (line.third_set) *line.third_set *= reading.length_unit();
   }
@@ -307,7 +308,7 @@ bool move(Reading& reading, ProgramLine& line, MoveRequest& request) {
   line.is_motion = true;
   const PlaneAxes axes = axes_of(reading.state.mode().plane);
   if (request.end[axes.first] || request.end[axes.second])
-    reading.code_modes.leaves_contour = reading.state.contour_open();
+    reading.gcode.tangent_arcs.leave_contour = reading.state.contour_open();
   return leads_on_an_arc ? reading.state.approach_on_arc(request) : reading.state.move(request);
 }
 

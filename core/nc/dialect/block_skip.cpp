@@ -9,15 +9,6 @@
 namespace trc {
 namespace {
 
-std::size_t behind_blanks(std::string_view line, std::size_t at) {
-  while (at < line.size()) {
-    const std::size_t blank = blank_at_start(line.substr(at));
-    if (blank == 0) break;
-    at += blank;
-  }
-  return at;
-}
-
 std::size_t behind_digits(std::string_view line, std::size_t at) {
   return std::min(line.find_first_not_of("0123456789", at), line.size());
 }

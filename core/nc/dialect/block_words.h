@@ -13,9 +13,12 @@
 
 namespace trc {
 
-// -1 where it is none.
-[[nodiscard]] inline std::int64_t whole_number(double value) {
-  return is_whole(value) ? static_cast<std::int64_t>(value) : -1;
+[[nodiscard]] inline std::optional<std::int64_t> whole_number(double value) {
+  return is_whole(value) ? std::optional(static_cast<std::int64_t>(value)) : std::nullopt;
+}
+// The tool, edge or register that a word names; `no_tool_number` where its value names none.
+[[nodiscard]] inline std::int64_t register_number(double value) {
+  return whole_number(value).value_or(no_tool_number);
 }
 // Of a D or T word.
 [[nodiscard]] inline bool is_number_of_tool(double value) {
@@ -24,23 +27,6 @@ namespace trc {
 
 // Where G41 or G42 stands in a line that is not read, outside of comments; npos: nowhere.
 [[nodiscard]] std::size_t place_of_side(std::string_view text);
-
-// "5" of T="5", where no tool of the table has that name: the tool of that number. 0: it is none.
-[[nodiscard]] std::int64_t number_of_tool_named(std::string_view name, const ToolInForce& tools);
-
-// CFIN of Sinumerik, among the numbers of the feed adaptation.
-inline constexpr int feed_at_inside = 1008;
-
-// TRANS, ROT and MIRROR of Sinumerik, which end what has been said of the frame before, SCALE too.
-inline constexpr int absolute_frame = 1009;
-
-// BSPLINE, POLY and the like, in force up to the next motion function; CUT3DC and the like
-// (D-73).
-inline constexpr int spline_interpolation = 1011;
-inline constexpr int compensation_in_space = 1012;
-
-// $P_PFRAME=CSCALE(…) and the like, which nothing is known to end.
-inline constexpr int scaling_frame = 1013;
 
 // The bits of BlockWords::whole; I J K and tracking axes have one for each word.
 struct WholeWord {
@@ -59,9 +45,15 @@ struct BlockWords {
     const GFunction* function = nullptr;
     std::uint32_t begin = 0;
 
+    // Whatever stands behind its point.
     [[nodiscard]] bool is(int number) const {
       return function != nullptr && function->number == number;
     }
+    // G51.1 is (51, 1).
+    [[nodiscard]] bool is(int number, int tenth) const {
+      return function != nullptr && function->tenths() == tenths_of(number, tenth);
+    }
+    [[nodiscard]] bool is(const GFunction& other) const { return is(other.number, other.tenth); }
   };
   struct Value {
     double value = 0;
@@ -74,96 +66,142 @@ struct BlockWords {
   [[nodiscard]] bool has(GGroup group) const { return of(group).function != nullptr; }
   void set(const GFunction& function, std::uint32_t begin) {
     if (function.group == GGroup::unfollowed_end || function.group == GGroup::frame)
-      ends.push_back(static_cast<std::int16_t>(function.tenths()));
+      coordinates.ends.push_back(static_cast<std::int16_t>(function.tenths()));
     functions[static_cast<std::size_t>(function.group)] = {.function = &function, .begin = begin};
   }
   void clear(GGroup group) { functions[static_cast<std::size_t>(group)] = {}; }
+  // X Y Z of the line.
+  [[nodiscard]] AxisBits named_axes() const {
+    AxisBits named = 0;
+    for (std::size_t main = 0; main < move.end.size(); ++main)
+      if (move.end[main]) named |= main_axis_bit(main);
+    return named;
+  }
+  // G41, G42
+  [[nodiscard]] bool selects() const { return has(GGroup::side) && !deselects(); }
+  // G40
+  [[nodiscard]] bool deselects() const { return of(GGroup::side).is(40); }
+
+  // Which tool the line names, and what it says of the radius.
+  struct Tools {
+    // $TC_DP6[t,d]= of Sinumerik, V.G.WZ[t].R of ISG: its row_of_edge() and its radius, mm.
+    struct EdgeRadius {
+      std::int64_t row = 0;
+      double radius = 0;
+      std::uint32_t begin = 0;
+    };
+
+    std::optional<Value> d_word{};
+    std::optional<std::uint32_t> only{};  // the radius of the setup is its: D, G41
+    std::optional<Value> t_word{};
+    std::optional<std::int64_t> named{};    // of T="NAME"
+    std::optional<Value> later_t_word{};    // of FANUC: fetched behind the change by M06
+    std::optional<std::uint32_t> change{};  // M06
+    bool loads = false;                     // M06
+    bool q_word_names_tool = false;         // M61 of LinuxCNC: the tool in the spindle
+    std::optional<Value> radius{};          // V.G.WZ_AKT.R
+    bool radius_is_change = false;          // it is what that one grows by
+    std::optional<Value> allowance{};       // OFFN
+    std::vector<EdgeRadius> edge_radii{};
+  };
+  // What the words make of coordinates.
+  struct Coordinates {
+    // In tenths; of a line with several of them `functions` has one: G15 G50, G69 G50.1.
+    std::vector<std::int16_t> ends{};
+    bool adds_to_frame = false;   // ASCALE
+    std::string frame{};          // of Sinumerik: which one the line sets as a whole, $P_UIFR[1]
+    bool changes_length = false;  // G43, G44, G49
+    bool sets_position = false;   // G92: the axis words say where the machine stands
+  };
+  // # commands and other words that ISG alone has.
+  struct Isg {
+    std::optional<TrcOptions> options{};  // #TRC
+    std::optional<double> tangfeed{};     // #TANGFEED
+    std::optional<std::uint32_t> number_alone{};
+    std::optional<std::uint32_t> passed_function{};  // a G function of ProgramSetup::pass_words
+    std::uint32_t command = 0;                       // where a # command stands
+    bool has_command = false;
+    bool has_spindle = false;
+    bool homes = false;  // G74
+  };
+  struct Spindle {
+    std::optional<Value> speed{};         // S; of Fagor's G72 a factor
+    bool is_oriented = false;             // M19: R is an angle
+    bool constant_cutting_speed = false;  // G96: D of LinuxCNC is the fastest turn
+  };
+  // Roundings and chamfers.
+  struct Corners {
+    std::optional<std::uint32_t> begin{};   // ,R ,C RND= CHF= CHR=, G36 G39 with R
+    std::optional<Value> modal_rounding{};  // RNDM=
+    std::optional<Value> feed{};            // FRC=
+    std::optional<Value> modal_feed{};      // FRCM=
+  };
+  // Of Sinumerik: 1 for AC(), -1 for IC(), 0 as G90 and G91 say.
+  struct References {
+    std::array<std::int8_t, 3> end{};
+    std::array<std::int8_t, 3> center{};
+  };
+  // Of Sinumerik, beside centre and radius.
+  struct Arcs {
+    std::optional<double> sweep{};                  // AR=, degrees
+    std::optional<Value> turns{};                   // TURN=, P - 1 of LinuxCNC: further ones
+    std::array<std::optional<Value>, 3> through{};  // I1= J1= K1=
+    bool is_through = false;                        // CIP
+    bool begins_tangents = false;                   // CT
+  };
+  // Of Sinumerik.
+  struct Polar {
+    std::optional<Value> angle{};    // AP=, degrees
+    std::optional<Value> radius{};   // RP=
+    bool increments_angle = false;   // AP=IC()
+    bool increments_radius = false;  // RP=IC()
+  };
+  // Beside G147 … G348.
+  struct SoftLead {
+    std::optional<Value> length{};     // DISR=, the radius of an arc
+    std::optional<Value> clearance{};  // DISCL=
+    bool clearance_is_absolute = false;
+    std::optional<Value> feed{};              // FAD=
+    std::optional<std::uint32_t> way_back{};  // DISRP=
+    bool is_followed = false;
+    MotionKind motion_before = MotionKind::rapid;
+    double feed_before = 0;
+  };
 
   std::array<Function, g_group_count> functions{};
-  // In tenths; of a line with several of them `functions` has one: G15 G50, G69 G50.1.
-  std::vector<std::int16_t> ends{};
-  bool adds_to_frame = false;  // ASCALE
-  std::string frame{};         // of Sinumerik: which one the line sets as a whole, $P_UIFR[1]
-  MoveRequest move{};          // in the unit of the program
+  MoveRequest move{};                     // in the unit of the program
   std::optional<std::uint32_t> axis{};    // where the first axis word stands
   std::optional<std::uint32_t> center{};  // the first I J K R
+  std::uint64_t whole = 0;  // coordinates without a decimal point: a bit each, as WholeWord has it
+  std::optional<Value> angle{};  // ANG= and ,A in a contour, degrees
   std::optional<Value> feed{};
-  std::optional<Value> tool{};               // D
-  std::optional<std::uint32_t> only_tool{};  // the radius of the setup is its: D, G41
-  std::optional<Value> tool_number{};        // T
-  std::optional<std::int64_t> named_tool{};  // of T="NAME"
-  std::optional<Value> later_tool{};    // a second T of FANUC: fetched behind the change by M06
-  bool loads_tool = false;              // M06
-  std::optional<Value> tool_radius{};   // V.G.WZ_AKT.R
-  std::optional<Value> allowance{};     // OFFN
-  bool radius_is_change = false;        // it is what that one grows by
-  std::optional<TrcOptions> options{};  // #TRC
-  std::optional<double> tangfeed{};     // #TANGFEED
-  std::optional<std::uint32_t> number_alone{};
-  std::optional<std::uint32_t> passed_function{};  // a G function of ProgramSetup::pass_words
-  std::uint32_t command = 0;                       // where a # command stands
-  bool has_command = false;
-  bool has_spindle = false;
-  std::optional<Value> spindle_speed{};       // S; of Fagor's G72 a factor
   std::optional<std::uint32_t> own_feed{};    // FB=
   std::optional<std::uint32_t> tooth_feed{};  // FZ=
-  std::uint32_t words = 0;                    // without N and comments
+  std::optional<Value> l_word{};
+  std::optional<Value> p_word{};
+  std::optional<Value> q_word{};
+  std::optional<Value> h_word{};
+  Tools tools{};
+  Coordinates coordinates{};
+  Isg isg{};
+  Spindle spindle{};
+  Corners corners{};
+  References references{};
+  Arcs arc{};
+  Polar polar{};
+  SoftLead soft{};
+  std::uint32_t words = 0;  // without N and comments
+  bool to_skip = false;     // `/` in front
   // The line is copied as it stands; the axes of `forget` go where only the control knows.
   bool copied = false;
-  bool side_of_machine = false;    // G41 or G42 beside a cycle that compensates by itself
-  bool homes = false;              // G74 of ISG
-  bool calls_the_machine = false;  // NAME(…) of Sinumerik, which the program does not have
   AxisBits forget = 0;
-  std::optional<Value> tool_data{};         // L of G10
-  std::optional<Value> tool_data_number{};  // P of G10
-  // $TC_DP6[t,d]= of Sinumerik: its row_of_edge() and its radius, mm.
-  struct EdgeRadius {
-    std::int64_t row = 0;
-    double radius = 0;
-    std::uint32_t begin = 0;
-  };
-  std::vector<EdgeRadius> edge_radii{};
-  std::optional<std::uint32_t> changes_tool{};  // M06
-  std::uint64_t whole = 0;  // coordinates without a decimal point: a bit each, as WholeWord has it
-  bool orients_spindle = false;              // M19: R is an angle
-  bool changes_length = false;               // G43, G44, G49
-  bool constant_speed = false;               // G96: D of LinuxCNC is the fastest turn
-  bool to_skip = false;                      // `/` in front
-  std::optional<std::uint32_t> way_round{};  // C=DC(…)
-  std::optional<std::uint32_t> corner{};     // ,R ,C RND= CHF= CHR=, G36 G39 with R
-  std::optional<Value> modal_rounding{};     // RNDM=
-  std::optional<Value> corner_feed{};        // FRC=
-  std::optional<Value> modal_corner_feed{};  // FRCM=
-  std::optional<Value> angle{};              // ANG= and ,A in a contour, degrees
-  bool sets_position = false;                // G92: the axis words say where the machine stands
-  std::optional<Value> kept_modes{};         // M70 … M72 of LinuxCNC
-  bool names_tool = false;                   // M61 of LinuxCNC: Q is the tool in the spindle
-  std::optional<Value> quantity{};           // Q
-  std::optional<Value> offset{};             // H
-  // Of Sinumerik. References: 1 for AC(), -1 for IC(), 0 as G90 and G91 say.
-  std::array<std::int8_t, 3> end_reference{};
-  std::array<std::int8_t, 3> center_reference{};
-  std::optional<double> sweep{};                  // AR=, degrees
-  std::optional<Value> turns{};                   // TURN=, P - 1 of LinuxCNC: further ones
-  std::array<std::optional<Value>, 3> through{};  // I1= J1= K1=
-  std::optional<Value> polar_angle{};             // AP=, degrees
-  std::optional<Value> polar_radius{};            // RP=
-  bool increments_angle = false;                  // AP=IC()
-  bool increments_radius = false;                 // RP=IC()
-  bool is_through = false;                        // CIP
-  bool begins_tangent_arcs = false;               // CT
-  std::optional<bool> masks{};                    // CDON; CDOF and CDOF2
-  // Beside G147 … G348.
-  std::optional<Value> soft_length{};     // DISR=, the radius of an arc
-  std::optional<Value> soft_clearance{};  // DISCL=
-  bool clearance_is_absolute = false;
-  std::optional<Value> soft_feed{};              // FAD=
-  std::optional<std::uint32_t> soft_return{};    // DISRP=
-  bool leads_softly = false;                     // G147 … G348 are followed
-  MotionKind motion_before = MotionKind::rapid;  // of such a block
-  double feed_before = 0;
-  bool measures = false;                           // MEAS=, MEAW= of Sinumerik
   std::optional<std::uint32_t> unfollowed_word{};  // CT, TURN=, AP=, RP=, ,A, X=R1
+  std::optional<std::uint32_t> way_round{};        // C=DC(…)
+  bool measures = false;                           // MEAS=, MEAW= of Sinumerik
+  bool calls_the_machine = false;     // NAME(…) of Sinumerik, which the program does not have
+  bool side_of_machine = false;       // G41 or G42 beside a cycle that compensates by itself
+  std::optional<bool> masks{};        // CDON; CDOF and CDOF2
+  std::optional<Value> kept_modes{};  // M70 … M72 of LinuxCNC
 };
 
 }  // namespace trc

@@ -5,6 +5,8 @@
 #include <string>
 
 #include "core/nc/dialect/block_words.h"
+#include "core/nc/dialect/left_contour.h"
+#include "core/nc/dialect/named_functions.h"
 #include "core/nc/dialect/reading.h"
 #include "core/nc/text/characters.h"
 
@@ -45,23 +47,24 @@ void copy_for(GGroup group, AxisBits forget, BlockWords& block, NotWhileActive& 
 
 void copy_for_functions(Reading& reading, BlockWords& block, AxisBits named,
                         NotWhileActive& found) {
-  const auto third = static_cast<AxisBits>(1U << axes_of(reading.state.mode().plane).third);
+  const AxisBits third = main_axis_bit(axes_of(reading.state.mode().plane).third);
   // G28 Z and G53 Z: the tool stays beside the contour, and the next line may end TRC.
   const bool leaves_across = reading.dialect.name == DialectName::fanuc && named == third &&
                              !block.center && !block.to_skip &&
                              (block.of(single_move).is(28) || block.of(single_move).is(30) ||
                               block.of(single_move).is(53));
-  copy_for(single_move, named == 0 || block.of(single_move).is(1007) ? all_axes : named, block,
-           found);
+  copy_for(single_move,
+           named == 0 || block.of(single_move).is(by_name::only_machine_knows) ? all_axes : named,
+           block, found);
   if (leaves_across) found = {};
   copy_for(cycle, static_cast<AxisBits>(named | third), block, found);
   // Both controls: the axes named stand where the block says, the others where they stood.
-  block.sets_position = block.has(frame) && block.of(frame).function->tenths() == 920 &&
-                        block.axis && !reading.incremental && !block.to_skip &&
-                        !block.of(dimension).is(91);
-  copy_for(frame, block.sets_position ? AxisBits{0} : all_axes, block, found);
+  block.coordinates.sets_position = block.of(frame).is(92, 0) && block.axis &&
+                                    !reading.incremental && !block.to_skip &&
+                                    !block.of(dimension).is(91);
+  copy_for(frame, block.coordinates.sets_position ? AxisBits{0} : all_axes, block, found);
   const bool moves_zero_points =
-      block.tool_data && (block.tool_data->value == 2 || block.tool_data->value == 20);
+      block.l_word && (block.l_word->value == 2 || block.l_word->value == 20);
   copy_for(tool_data, moves_zero_points ? all_axes : AxisBits{0}, block, found);
   copy_for(unfollowed, all_axes, block, found);
   copy_for(unfollowed_end, all_axes, block, found);
@@ -71,15 +74,15 @@ void copy_for_functions(Reading& reading, BlockWords& block, AxisBits named,
 // on it (D-71).
 void follow_tool_offset(Reading& reading, BlockWords& block, AxisBits named,
                         NotWhileActive& found) {
-  const auto third = static_cast<AxisBits>(1U << axes_of(reading.state.mode().plane).third);
+  const AxisBits third = main_axis_bit(axes_of(reading.state.mode().plane).third);
   if (block.of(axis_technology).is(43) && (named & ~third) != 0) {
     block.forget |= static_cast<AxisBits>(named & ~third);
-    reading.code_modes.offset_axes |= static_cast<AxisBits>(named & ~third);
+    reading.gcode.coordinates.offset_axes |= static_cast<AxisBits>(named & ~third);
   }
   const bool ends_offset = block.of(technology).is(49) || block.of(technology).is(43);
-  if (!ends_offset || reading.code_modes.offset_axes == 0) return;
-  block.forget |= reading.code_modes.offset_axes;
-  reading.code_modes.offset_axes = 0;
+  if (!ends_offset || reading.gcode.coordinates.offset_axes == 0) return;
+  block.forget |= reading.gcode.coordinates.offset_axes;
+  reading.gcode.coordinates.offset_axes = 0;
   if (!found.begin)
     found.begin = block.of(technology).begin, found.meaning = "a tool offset in the plane";
 }
@@ -98,15 +101,15 @@ void copy_motion(const char* why, AxisBits forget, BlockWords& block, NotWhileAc
 // What began the cycle, or changed the coordinates, has been told where TRC is active.
 void copy_under_modes(Reading& reading, BlockWords& block, AxisBits named, NotWhileActive& found) {
   const bool told = !block.copied || block.has(unfollowed_end);
-  const auto third = static_cast<AxisBits>(1U << axes_of(reading.state.mode().plane).third);
-  if (reading.code_modes.cycle)
+  const AxisBits third = main_axis_bit(axes_of(reading.state.mode().plane).third);
+  if (reading.gcode.cycle)
     copy_motion("a position of a drilling cycle", static_cast<AxisBits>(named | third), block,
                 found);
   if (reading.machine_follows)
     copy_motion("a motion under G66 of a macro that only the machine has", all_axes, block, found);
   const bool moves_as_named =
-      std::ranges::all_of(reading.code_modes.unfollowed, &UnfollowedMode::is_motion);
-  if (!reading.code_modes.unfollowed.empty())
+      std::ranges::all_of(reading.gcode.coordinates.unfollowed, &UnfollowedMode::is_motion);
+  if (!reading.gcode.coordinates.unfollowed.empty())
     copy_motion("a position that is not followed", moves_as_named ? named : all_axes, block, found);
   found.hangs_on_what_was_told = told && block.copied;
 }
@@ -114,8 +117,7 @@ void copy_under_modes(Reading& reading, BlockWords& block, AxisBits named, NotWh
 // Its other axis still stands beside the contour, or where only the control knows.
 bool leaves_from_lost_place(const Reading& reading, const BlockWords& block) {
   const bool incremental = block.has(dimension) ? block.of(dimension).is(91) : reading.incremental;
-  const bool stands_beside =
-      reading.contour_open() && (!reading.trc_active() || block.of(side).is(40));
+  const bool stands_beside = reading.contour_open() && (!reading.trc_active() || block.deselects());
   const PlaneAxes axes = axes_of(reading.state.mode().plane);
   const bool is_whole = block.move.end[axes.first] && block.move.end[axes.second];
   return stands_beside && (reading.state.retract_is_lost() || block.has(zero_shift)) &&
@@ -137,10 +139,11 @@ void copy_for_words_of_line(Reading& reading, BlockWords& block, AxisBits named,
     copy_motion("CT, TURN=, AP=, RP=, ANG=, ,A or a variable", all_axes, block, found);
   // In a contour they have centres (take_tangent).
   const bool follows_tangent = reading.trc_active() && !block.has(side);
-  if (reading.code_modes.tangent_arcs && !follows_tangent) copy_motion("CT", named, block, found);
+  if (reading.gcode.tangent_arcs.in_force && !follows_tangent)
+    copy_motion("CT", named, block, found);
   if (leaves_from_lost_place(reading, block))
     copy_motion("a motion of one axis behind a deselection without motion", named, block, found);
-  if (reading.dialect.name == DialectName::fanuc && block.tool_data)
+  if (reading.dialect.name == DialectName::fanuc && block.l_word)
     copy_motion("a motion with L, which is repeated", all_axes, block, found);
   if (block.to_skip && !block.copied) {
     copy_motion("a motion that may be skipped", named, block, found);
@@ -152,9 +155,7 @@ void copy_for_words_of_line(Reading& reading, BlockWords& block, AxisBits named,
 // not stand there while TRC is active.
 NotWhileActive find_what_is_copied(Reading& reading, BlockWords& block) {
   NotWhileActive found;
-  AxisBits named = 0;
-  for (std::size_t axis = 0; axis < block.move.end.size(); ++axis)
-    if (block.move.end[axis]) named |= static_cast<AxisBits>(1U << axis);
+  const AxisBits named = block.named_axes();
   copy_for_functions(reading, block, named, found);
   if (reading.dialect.name == DialectName::linuxcnc)
     follow_tool_offset(reading, block, named, found);
@@ -163,8 +164,8 @@ NotWhileActive find_what_is_copied(Reading& reading, BlockWords& block) {
   if (block.has(zero_shift) && !found.begin)
     found.begin = block.of(zero_shift).begin, found.meaning = "work coordinate system";
   // The contour would go on with the radius of the tool before.
-  if (block.changes_tool && reading.dialect.name != DialectName::isg && !found.begin)
-    found.begin = block.changes_tool, found.meaning = "a tool change";
+  if (block.tools.change && reading.dialect.name != DialectName::isg && !found.begin)
+    found.begin = block.tools.change, found.meaning = "a tool change";
   if (block.to_skip && block.has(side)) {
     found.begin = block.of(side).begin, found.meaning = "TRC in a block that may be skipped";
     found.code = Code::block_skip_undecided;
@@ -175,18 +176,18 @@ NotWhileActive find_what_is_copied(Reading& reading, BlockWords& block) {
 // What counts on the motion before it cannot be copied behind one that TRC moves, and what no
 // number says cannot be written anew.
 bool check_motion_before(Reading& reading, const ProgramLine& line, const BlockWords& block) {
-  const bool selects = block.has(side) && !block.of(side).is(40);
-  if (reading.code_modes.tangent_arcs && block.axis && reading.code_modes.leaves_contour &&
-      reading.faults.empty() && !reading.trc_active())
+  const bool selects = block.selects();
+  if (reading.gcode.tangent_arcs.in_force && block.axis &&
+      reading.gcode.tangent_arcs.leave_contour && reading.faults.empty() && !reading.trc_active())
     return reading.refuse(
         line, TextFault{.code = Code::nc_unsupported,
                         .begin = *block.axis,
                         .detail = "CT behind a motion of the contour: program its centre"});
-  if (reading.code_modes.tangent_arcs && block.axis && reading.trc_active() && block.has(side))
+  if (reading.gcode.tangent_arcs.in_force && block.axis && reading.trc_active() && block.has(side))
     return reading.refuse(line, TextFault{.code = Code::nc_unsupported,
                                           .begin = *block.axis,
                                           .detail = "CT while TRC is active"});
-  if (reading.code_modes.tangent_arcs && reading.code_modes.tangents_written && block.axis &&
+  if (reading.gcode.tangent_arcs.in_force && reading.gcode.tangent_arcs.are_written && block.axis &&
       !reading.trc_active())
     return reading.refuse(
         line, TextFault{.code = Code::nc_unsupported,
@@ -206,34 +207,21 @@ bool check_motion_before(Reading& reading, const ProgramLine& line, const BlockW
 
 }  // namespace
 
-bool leave_contour_by_copy(Reading& reading, ProgramLine& line, const BlockWords& block) {
+bool leave_contour_by_copy(Reading& reading, const ProgramLine& line, const BlockWords& block) {
   const bool drills_here = block.has(cycle) && reading.contour_open() && !reading.trc_active();
   if (!reading.state.retract_is_lost() && !drills_here) return true;
   const bool sets = block.has(frame) || block.has(dwell) || block.has(tool_data);
   const bool machine_place = block.has(single_move);
-  std::array<bool, 3> named{};
-  for (std::size_t axis = 0; axis < named.size(); ++axis)
-    named[axis] =
-        block.move.end[axis] && !sets && !block.to_skip && (!reading.incremental || machine_place);
-  if (block.copied) reading.state.have_left_contour(named);
-  const bool cuts = reading.code_modes.cycle || reading.motion != MotionKind::rapid;
   const bool goes = block.axis && !sets && !machine_place && !block.calls_the_machine;
-  if (!block.has(cycle) && !(goes && cuts)) return true;
-  return check_left_contour(reading, line, block.axis.value_or(0), named);
-}
-
-bool check_left_contour(Reading& reading, const ProgramLine& line, std::uint32_t begin,
-                        const std::array<bool, 3>& named) {
-  const auto& beside = reading.state.beside_contour();
-  const char* const ended =
-      reading.dialect.name == DialectName::heidenhain ? "R0 without motion" : "G40 without motion";
-  for (std::size_t axis = 0; axis < beside.size(); ++axis)
-    if (beside[axis] && !named[axis])
-      return reading.refuse(line, TextFault{.code = Code::position_unknown,
-                                            .begin = begin,
-                                            .detail = std::string(1, "XYZ"[axis]) +
-                                                      ", beside the contour since " + ended});
-  return true;
+  LineBesideContour says{
+      .copied = block.copied,
+      .cuts = block.has(cycle) ||
+              (goes && (reading.gcode.cycle || reading.motion != MotionKind::rapid)),
+      .begin = block.axis.value_or(0)};
+  for (std::size_t axis = 0; axis < says.named.size(); ++axis)
+    says.named[axis] =
+        block.move.end[axis] && !sets && !block.to_skip && (!reading.incremental || machine_place);
+  return leave_contour(reading, line, says);
 }
 
 void copy_helix_with_pitch(const Reading& reading, ProgramLine& line, BlockWords& block) {
@@ -250,19 +238,18 @@ void copy_helix_with_pitch(const Reading& reading, ProgramLine& line, BlockWords
       block.has(dwell) || block.move.radius || reading.dialect.name == DialectName::linuxcnc)
     return;
   block.copied = true;
-  for (std::size_t axis = 0; axis < block.move.end.size(); ++axis)
-    if (block.move.end[axis]) block.forget |= static_cast<AxisBits>(1U << axis);
+  block.forget |= block.named_axes();
   take_for_technology(line, WordRole::coordinate);
   take_for_technology(line, WordRole::trc);
 }
 
-bool copy_code_block(Reading& reading, ProgramLine& line, BlockWords& block) {
+bool copy_gcode_block(Reading& reading, ProgramLine& line, BlockWords& block) {
   if (block.axis && (block.of(axis_technology).is(5) || block.of(axis_technology).is(8)))
     return reading.refuse(line, TextFault{.code = Code::nc_unsupported,
                                           .begin = block.of(axis_technology).begin,
                                           .detail = "G5 or G8 with axis words"});
   const bool shifts_zero =
-      reading.code_modes.dynamic_offset &&
+      reading.gcode.coordinates.dynamic_offset &&
       std::ranges::any_of(block.move.tracking, [](const auto& value) { return value.has_value(); });
   if (shifts_zero && reading.trc_active())
     return reading.refuse(line,
@@ -273,8 +260,8 @@ bool copy_code_block(Reading& reading, ProgramLine& line, BlockWords& block) {
   if (!check_motion_before(reading, line, block)) return false;
   NotWhileActive found = find_what_is_copied(reading, block);
   // G40 beside G28 and the like ends TRC first.
-  const bool active = reading.trc_active() && !block.of(side).is(40);
-  const bool selects_here = block.has(side) && !block.of(side).is(40);
+  const bool active = reading.trc_active() && !block.deselects();
+  const bool selects_here = block.selects();
   const bool may_be_skipped =
       block.to_skip && block.has(side) && (selects_here || reading.contour_open());
   if (found.hangs_on_what_was_told && !reading.faults.empty() && !selects_here && active)
@@ -296,7 +283,7 @@ bool copy_code_block(Reading& reading, ProgramLine& line, BlockWords& block) {
   const bool says_place = block.has(axis_technology) || block.has(frame) || block.has(dwell) ||
                           block.has(tool_data) || block.has(zero_shift);
   if ((block.move.end[axes.first] || block.move.end[axes.second]) && !says_place)
-    reading.code_modes.leaves_contour = false;
+    reading.gcode.tangent_arcs.leave_contour = false;
   take_for_technology(line, WordRole::coordinate);
   take_for_technology(line, WordRole::trc);
   return true;

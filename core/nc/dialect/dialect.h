@@ -33,7 +33,6 @@ struct Dialect {
   bool zero_is_a_radius = false;
   // An arc may lead to the contour.
   bool arcs_to_the_contour = false;
-  bool available = true;
 
   // Puts in force what holds at the start of a program (D-62).
   void begin(TrcMode& mode) const;

@@ -31,9 +31,9 @@ bool move_in_full_turns(Reading& reading, ProgramLine& line, const BlockWords& b
   const MoveRequest& arc = block.move;
   const auto wrong = [&](Code code, const char* why) {
     return reading.refuse(line,
-                          TextFault{.code = code, .begin = block.turns->begin, .detail = why});
+                          TextFault{.code = code, .begin = block.arc.turns->begin, .detail = why});
   };
-  const double turns = block.turns->value;
+  const double turns = block.arc.turns->value;
   if (!is_whole(turns) || turns < 0 || turns > most_turns)
     return wrong(Code::nc_number, "turns, at most 1000");
   MoveRequest rest = arc;

@@ -45,6 +45,9 @@ enum class GGroup : std::uint8_t {
 };
 inline constexpr std::size_t g_group_count = static_cast<std::size_t>(GGroup::refused) + 1;
 
+// How functions with a number behind the point are compared: 541 of G54.1.
+[[nodiscard]] constexpr int tenths_of(int number, int tenth = 0) { return number * 10 + tenth; }
+
 struct GFunction {
   std::int16_t number = 0;
   GGroup group = GGroup::refused;
@@ -52,8 +55,7 @@ struct GFunction {
   bool initial = false;    // holds before the first line
   std::int16_t tenth = 0;  // of G54.1: 1
 
-  // 54.1 is 541.
-  [[nodiscard]] constexpr int tenths() const { return number * 10 + tenth; }
+  [[nodiscard]] constexpr int tenths() const { return tenths_of(number, tenth); }
 };
 
 // All functions known, in ascending order, those that are refused included.

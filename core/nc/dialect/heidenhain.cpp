@@ -124,9 +124,9 @@ bool read_statement(Reading& reading, ProgramLine& line, KlartextBlock& block, s
   const bool functions = statement.size() > 1 && statement[0] == 'M' &&
                          (is_digit(statement[1]) || statement[1] == ' ');
   if (begins_with_word(statement, "TOOL CALL"))
-    reading.code_modes.skipped_tool = block.to_skip ? line.source.line : 0;
+    reading.gcode.skipped.tool = block.to_skip ? line.source.line : 0;
   if (begins_with_word(statement, "TOOL DEF") && block.to_skip)
-    reading.code_modes.skipped_tool_data = line.source.line;
+    reading.gcode.skipped.tool_data = line.source.line;
   const bool along_one_axis = !reading.contour_open() && (motion == motions.end() || axis_alone) &&
                               moves_along_one_axis(statement);
   if ((motion == motions.end() || axis_alone) && !functions && !along_one_axis)

@@ -12,6 +12,11 @@ namespace trc {
 bool refuse_klartext(Reading& reading, const ProgramLine& line, std::size_t begin,
                      std::string detail, Code code = Code::nc_unsupported);
 
+// mm/min: programs in inch count F in tenths of an inch.
+[[nodiscard]] inline double klartext_feed_unit(const Reading& reading) {
+  return reading.inch ? mm_per_inch / 10 : 1;
+}
+
 // A block that is not plain (klartext_plain.h).
 bool read_klartext(Reading& reading, ProgramLine& line);
 

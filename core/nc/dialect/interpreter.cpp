@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/nc/dialect/code_tools.h"
+#include "core/nc/dialect/gcode_tools.h"
 #include "core/nc/dialect/klartext_block.h"
 #include "core/nc/dialect/read_line.h"
 #include "core/nc/dialect/reading.h"

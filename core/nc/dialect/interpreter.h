@@ -26,8 +26,9 @@ namespace trc {
 //   - The words of a block act together, whatever their order: modes, radius,
 //     G40 … G42, technology, motion, stop. A function excludes all others of its
 //     group in one block, itself included.
-//   - Values are plain decimal numbers. Variables, expressions, jumps and blocks
-//     to skip are refused, so are R and I J K outside circles: R is not modal here.
+//   - Values are plain decimal numbers. Variables, expressions and jumps are resolved before
+//     (nc/program); `/` as ProgramSetup::block_skip says. R and I J K outside circles are refused:
+//     R is not modal here.
 //   - While TRC is off calls of subprograms (L NAME), assignments to variables
 //     (V.P. = …), coordinate systems and the like pass as they stand. The position
 //     is unknown then; behind a call it is known again once G00 … G03 and G90 or

@@ -4,12 +4,13 @@
 #include <string>
 
 #include "core/nc/dialect/block_words.h"
-#include "core/nc/dialect/code_block.h"
-#include "core/nc/dialect/code_tools.h"
+#include "core/nc/dialect/gcode_block.h"
+#include "core/nc/dialect/gcode_tools.h"
 #include "core/nc/dialect/isg_command.h"
 #include "core/nc/dialect/pass_words.h"
 #include "core/nc/dialect/passing_calls.h"
 #include "core/nc/dialect/reading.h"
+#include "core/nc/dialect/tool_data.h"
 #include "core/nc/dialect/trc_command.h"
 #include "core/nc/dialect/unfollowed.h"
 #include "core/nc/text/characters.h"
@@ -79,7 +80,7 @@ bool read_g_function(Reading& reading, const Word& word, ProgramLine& line, Bloc
   const GFunction* function =
       word.has_argument || word.whole ? find_g_function(word.value) : nullptr;
   if (function == nullptr && passes_word(reading.state.setup(), line.text, word.begin)) {
-    block.passed_function = word.begin;
+    block.isg.passed_function = word.begin;
     add(line, word, WordRole::technology);
     return true;
   }
@@ -110,10 +111,10 @@ bool read_g_function(Reading& reading, const Word& word, ProgramLine& line, Bloc
     return reading.refuse(line, fault);
   }
   if (group == GGroup::zero_shift && reading.contour_open() &&
-      reading.code_modes.work_offset != function->tenths())
+      reading.gcode.coordinates.work_offset != function->tenths())
     return reading.refuse(line, word, Code::nc_unsupported, named(" while TRC is active"));
   constexpr int homing = 74;
-  block.homes |= function->number == homing;
+  block.isg.homes |= function->number == homing;
   const bool may_have_argument = group == GGroup::zero_shift || group == GGroup::technology ||
                                  group == GGroup::axis_technology;
   if (word.has_argument && !may_have_argument) return reading.refuse(line, word, Code::nc_syntax);
@@ -158,7 +159,7 @@ bool read_machine_function(Reading& reading, const Word& word, ProgramLine& line
   // M2=3 is one of the second spindle.
   const bool ends = !word.has_argument && (word.value == 2 || word.value == 30);
   line.ends_program |= ends;
-  block.loads_tool |= word.value == 6;
+  block.tools.loads |= word.value == 6;
   add(line, word,
       ends || word.value == 0 || word.value == 1 ? WordRole::stop : WordRole::technology);
   return true;
@@ -191,20 +192,21 @@ bool read_address(Reading& reading, const Word& word, ProgramLine& line, BlockWo
       add(line, word, WordRole::feed);
       return true;
     case 'D':
-      if (block.tool) return twice();
-      if (block.tool_radius) return reading.refuse(line, word, Code::radius_and_tool_word_together);
+      if (block.tools.d_word) return twice();
+      if (block.tools.radius)
+        return reading.refuse(line, word, Code::radius_and_tool_word_together);
       if (!is_number_of_tool(word.value)) return reading.refuse(line, word, Code::nc_number);
-      block.tool = {.value = word.value, .begin = word.begin};
+      block.tools.d_word = {.value = word.value, .begin = word.begin};
       add(line, word, WordRole::technology);
       return true;
     case 'T':
-      if (block.tool_number) return twice();
+      if (block.tools.t_word) return twice();
       if (!is_number_of_tool(word.value)) return reading.refuse(line, word, Code::nc_number);
-      block.tool_number = {.value = word.value, .begin = word.begin};
+      block.tools.t_word = {.value = word.value, .begin = word.begin};
       add(line, word, WordRole::technology);
       return true;
     case 'S':
-      if (!word.has_argument && std::exchange(block.has_spindle, true)) return twice();
+      if (!word.has_argument && std::exchange(block.isg.has_spindle, true)) return twice();
       add(line, word, WordRole::technology);
       return true;
     case 'H':
@@ -228,12 +230,12 @@ bool read_isg_words(Reading& reading, ProgramLine& line, BlockWords& block) {
     const Word word = reader.next();
     switch (word.kind) {
       case WordKind::end:
-        if (block.has_command && block.words > 1)
+        if (block.isg.has_command && block.words > 1)
           return reading.refuse(
-              line, TextFault{.begin = block.command, .detail = "# not alone in its block"});
-        if (block.number_alone && !block.has(GGroup::dwell))
-          return reading.refuse(
-              line, TextFault{.begin = *block.number_alone, .detail = "a number without letter"});
+              line, TextFault{.begin = block.isg.command, .detail = "# not alone in its block"});
+        if (block.isg.number_alone && !block.has(GGroup::dwell))
+          return reading.refuse(line, TextFault{.begin = *block.isg.number_alone,
+                                                .detail = "a number without letter"});
         return true;
       case WordKind::fault:
         return read_call_behind_words(reading, reader.fault().begin, line, block) ||
@@ -259,16 +261,17 @@ bool read_isg_words(Reading& reading, ProgramLine& line, BlockWords& block) {
           return false;
         break;
       case WordKind::number:
-        if (block.number_alone) return reading.refuse(line, word, Code::nc_syntax);
-        block.number_alone = word.begin;
+        if (block.isg.number_alone) return reading.refuse(line, word, Code::nc_syntax);
+        block.isg.number_alone = word.begin;
         add(line, word, WordRole::technology);
         break;
       case WordKind::variable:
-        if (block.tool) return reading.refuse(line, word, Code::radius_and_tool_word_together);
-        if (block.tool_radius) return reading.refuse(line, word, Code::nc_word_twice);
+        if (block.tools.d_word)
+          return reading.refuse(line, word, Code::radius_and_tool_word_together);
+        if (block.tools.radius) return reading.refuse(line, word, Code::nc_word_twice);
         reading.isg_word_seen = true;
-        block.tool_radius = {.value = word.value, .begin = word.begin};
-        block.radius_is_change = word.relative;
+        block.tools.radius = {.value = word.value, .begin = word.begin};
+        block.tools.radius_is_change = word.relative;
         add(line, word, WordRole::trc);
         break;
       case WordKind::command:
@@ -290,16 +293,17 @@ bool check_isg_block(Reading& reading, ProgramLine& line, BlockWords& block) {
             .detail =
                 std::string("G").append(std::to_string(function.function->number)).append(why)});
   };
-  if (block.passed_function && (block.axis || block.center))
-    return reading.refuse(
-        line,
-        TextFault{.code = Code::nc_unsupported,
-                  .begin = *block.passed_function,
-                  .detail = word_to_pass(line.text, *block.passed_function) + " with axis words"});
+  if (block.isg.passed_function && (block.axis || block.center))
+    return reading.refuse(line,
+                          TextFault{.code = Code::nc_unsupported,
+                                    .begin = *block.isg.passed_function,
+                                    .detail = word_to_pass(line.text, *block.isg.passed_function) +
+                                              " with axis words"});
   const bool main_axis_only = std::ranges::none_of(
       block.move.tracking, [](const auto& value) { return value.has_value(); });
   if (block.has(dwell)) {
-    const bool time = block.number_alone || block.has_spindle || (block.axis && main_axis_only);
+    const bool time =
+        block.isg.number_alone || block.isg.has_spindle || (block.axis && main_axis_only);
     if (block.words > 2 || (block.words == 2 && !time))
       return wrong(Code::nc_syntax, block.of(dwell), " is not alone with its time");
     if (block.words < 2) return wrong(Code::nc_number, block.of(dwell), " without a time");
@@ -324,10 +328,11 @@ bool check_isg_block(Reading& reading, ProgramLine& line, BlockWords& block) {
   if (!watch_tool(reading, line, block) || !restate_modes(reading, line, block) ||
       !note_unknown_call(reading, line, block))
     return false;
-  if (const std::int64_t number = block.tool ? whole_number(block.tool->value) : 0;
+  if (const std::int64_t number =
+          block.tools.d_word ? register_number(block.tools.d_word->value) : 0;
       !reading.state.tool().has_tool(number))
     take_only_register(reading, line, block, number);
-  if (block.homes) {  // where the axes stand then only the machine knows
+  if (block.isg.homes) {  // where the axes stand then only the machine knows
     block.copied = true;
     take_for_technology(line, WordRole::coordinate);
   }

@@ -146,21 +146,21 @@ bool read_command(Reading& reading, const Word& word, ProgramLine& line, BlockWo
   const std::string_view command = line.word({.begin = word.begin, .end = word.end});
   const std::string name = command_name(command);
   reading.isg_word_seen |= !name.empty() && name != " ";
-  block.command = word.begin;
-  block.has_command = true;
+  block.isg.command = word.begin;
+  block.isg.has_command = true;
   const auto wrong = [&](TextFault fault) {
     fault.begin += word.begin;
     return reading.refuse(line, fault);
   };
   if (name.starts_with("TRC ")) {
-    block.options = reading.state.mode().options;
-    if (auto fault = read_trc_command(command, *block.options)) return wrong(std::move(*fault));
+    block.isg.options = reading.state.mode().options;
+    if (auto fault = read_trc_command(command, *block.isg.options)) return wrong(std::move(*fault));
     add(line, word, WordRole::trc);
     return true;
   }
   if (name.starts_with("TANGFEED ") || name == "SET TANGFEED") {
-    block.tangfeed = 0;
-    if (auto fault = read_tangfeed_command(command, *block.tangfeed))
+    block.isg.tangfeed = 0;
+    if (auto fault = read_tangfeed_command(command, *block.isg.tangfeed))
       return wrong(std::move(*fault));
     add(line, word, WordRole::trc);
     return true;
@@ -175,7 +175,7 @@ bool read_command(Reading& reading, const Word& word, ProgramLine& line, BlockWo
     return wrong(
         {.begin = static_cast<std::uint32_t>(behind), .detail = "a word behind a # command"});
   if (name == "TIME " && !is_time(command)) return reading.refuse(line, word, Code::nc_number);
-  if (name == "DISABLE MODAL") reading.code_modes.modal_cycle.reset();
+  if (name == "DISABLE MODAL") reading.gcode.calls.modal_cycle.reset();
   const bool passes = name == "TIME " || name == "DISABLE MODAL" ||
                       begins_with_any(name, passing_commands) ||
                       passes_word(reading.state.setup(), command, 0);

@@ -28,43 +28,44 @@ bool check_kept_modes(Reading& reading, ProgramLine& line, const BlockWords& blo
   if (reading.contour_open()) return refused(" while TRC is active");
   if (block.words > 1) return refused(" beside other words: write it into a line of its own");
   if (block.to_skip) return refused(", modes that may be skipped");
-  if (block.kept_modes->value == bringing_back && !reading.code_modes.kept &&
-      reading.faults.empty())
+  if (block.kept_modes->value == bringing_back && !reading.gcode.kept && reading.faults.empty())
     return refused(", modes as they were at M70, which is not there");
   return true;
 }
 
 bool apply_kept_modes(Reading& reading, const ProgramLine& line, const BlockWords& block) {
   if (block.kept_modes->value == keeping) {
-    reading.code_modes.kept = KeptModes{
-        .inch = reading.inch,
-        .incremental = reading.incremental,
-        .absolute_center = reading.absolute_center,
-        .feed_mode = reading.feed_mode,
-        .feed = reading.feed,
-        .plane = reading.state.programmed_plane(),
-        .work_offset = reading.code_modes.offset_axes == 0 ? reading.code_modes.work_offset : 0};
+    reading.gcode.kept = KeptModes{.inch = reading.inch,
+                                   .incremental = reading.incremental,
+                                   .absolute_center = reading.absolute_center,
+                                   .feed_mode = reading.feed_mode,
+                                   .feed = reading.feed,
+                                   .plane = reading.state.programmed_plane(),
+                                   .work_offset = reading.gcode.coordinates.offset_axes == 0
+                                                      ? reading.gcode.coordinates.work_offset
+                                                      : 0};
     return true;
   }
   if (block.kept_modes->value != bringing_back) {
-    reading.code_modes.kept.reset();
+    reading.gcode.kept.reset();
     return true;
   }
-  const KeptModes& kept = *reading.code_modes.kept;
+  const KeptModes& kept = *reading.gcode.kept;
   reading.count_in(line, kept.inch);
   if (kept.incremental && !reading.incremental) reading.state.count_increments_since(line.source);
   reading.incremental = kept.incremental;
   reading.absolute_center = kept.absolute_center;
   reading.state.set_absolute_center(reading.absolute_center);
   reading.feed_mode = kept.feed_mode;
-  reading.code_modes.feed_mode_line = line.source.line;
+  reading.gcode.feed_mode_line = line.source.line;
   reading.feed = kept.feed;
   // The work offset comes back too, and the offset of the tool.
   constexpr std::array all{true, true, true};
-  const bool stays = kept.work_offset != 0 && kept.work_offset == reading.code_modes.work_offset &&
-                     reading.code_modes.offset_axes == 0;
+  const bool stays = kept.work_offset != 0 &&
+                     kept.work_offset == reading.gcode.coordinates.work_offset &&
+                     reading.gcode.coordinates.offset_axes == 0;
   if (!stays) reading.state.forget_position(all, line.source);
-  reading.code_modes.work_offset = kept.work_offset;
+  reading.gcode.coordinates.work_offset = kept.work_offset;
   reading.place(line, block.kept_modes->begin);
   return reading.state.set_plane(kept.plane, line.source);
 }

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/diagnostic.h"
 #include "core/nc/dialect/line_words.h"
 #include "core/nc/state/lead.h"
 
@@ -59,6 +60,33 @@ enum class KlartextStatement : std::uint8_t {
   departure,
 };
 
+// What keeps a block from being followed, or out of a contour, and the word that says so.
+struct KlartextObstacle {
+  enum class Why : std::uint8_t {
+    variable,
+    machine_coordinates,  // M91, M92
+    retract_along_tool,   // M140
+    cycle_call,           // M89, M99
+    corners_of_small_steps,
+    open_corners,
+    tip_is_led,  // M128, M144
+    feed_per_turn,
+    // These are said of the block, not of one word:
+    across_the_plane,  // an arc or a pole
+    may_be_skipped,
+    changed_radius,
+    changed_coordinates,
+  };
+
+  [[nodiscard]] Code code() const {
+    return why == Why::may_be_skipped ? Code::block_skip_undecided : Code::nc_unsupported;
+  }
+
+  Why why{};
+  std::uint32_t begin = 0;
+  std::uint32_t end = 0;
+};
+
 // What the words of a block that may move say, before any of it takes effect.
 struct KlartextBlock {
   struct Value {
@@ -68,6 +96,13 @@ struct KlartextBlock {
   };
 
   [[nodiscard]] bool is(KlartextStatement other) const { return statement == other; }
+  [[nodiscard]] bool has_variable() const {
+    return unfollowed && unfollowed->why == KlartextObstacle::Why::variable;
+  }
+  // Keeps the block as a whole from being followed.
+  void leave_unfollowed(KlartextObstacle::Why why) {
+    unfollowed = {.why = why, .begin = begin, .end = begin};
+  }
   // L, LP and the arcs.
   [[nodiscard]] bool is_motion() const {
     return statement != KlartextStatement::none && statement != KlartextStatement::center &&
@@ -76,6 +111,8 @@ struct KlartextBlock {
   [[nodiscard]] bool is_corner() const {
     return statement == KlartextStatement::rounding || statement == KlartextStatement::chamfer;
   }
+  // RL, RR
+  [[nodiscard]] bool selects() const { return side && *side != Side::off; }
   // For messages: CR, APPR PLT, M.
   [[nodiscard]] std::string title() const {
     std::string title(name.empty() ? "M" : name);
@@ -109,6 +146,7 @@ struct KlartextBlock {
   std::optional<Side> side{};           // RL RR R0
   std::uint32_t side_begin = 0;
   std::optional<Value> feed{};
+  bool feed_lacks_number = false;  // F stands alone: MAX or AUTO may follow
   bool rapid = false;
   bool called_feed = false;  // F AUTO
   Lead lead{};
@@ -129,13 +167,10 @@ struct KlartextBlock {
   std::optional<bool> masks{};                  // M120
   std::optional<FeedAdaptation> adapts_feed{};  // M109 M110 M111
   AxisBits leaves_on = 0;                       // an arc across the plane, which moves these
-  // What keeps the block from being followed: a parameter, M91 … It is copied while TRC is off.
-  std::optional<std::uint32_t> unfollowed{};
-  std::string unfollowed_why{};
+  // A parameter, M91 …: the block is copied while TRC is off.
+  std::optional<KlartextObstacle> unfollowed{};
   // M97 and others, which no block of a contour may have, nor the one with RL.
-  std::optional<std::uint32_t> not_in_contour{};
-  std::string why_not_in_contour{};
-  Code unfollowed_code = Code::nc_unsupported;
+  std::optional<KlartextObstacle> not_in_contour{};
 };
 
 // An arc that has its centre or its radius, not one that is tangential.

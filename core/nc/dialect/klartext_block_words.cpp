@@ -169,8 +169,7 @@ bool read_klartext_parameter(Reading& reading, const KlartextWord& word, Program
   else
     block.other_parameter = true;
   add(line, word, WordRole::coordinate);
-  block.unfollowed = word.begin;
-  block.unfollowed_why = text + ", a variable";
+  block.unfollowed = {.why = KlartextObstacle::Why::variable, .begin = word.begin, .end = word.end};
   return true;
 }
 
@@ -200,8 +199,9 @@ bool read_klartext_name(Reading& reading, const KlartextWord& word, ProgramLine&
       if (line.word(line.words.back()).size() != 1)
         return refuse_klartext(
             reading, line, word.begin, name,
-            block.feed->begin == ~0U ? Code::nc_unsupported : Code::nc_word_twice);
+            block.feed_lacks_number ? Code::nc_unsupported : Code::nc_word_twice);
       block.feed.reset();
+      block.feed_lacks_number = false;
       line.words.back().end = word.end;
       line.words.back().role = role;
     } else {
@@ -217,7 +217,7 @@ bool read_klartext_name(Reading& reading, const KlartextWord& word, ProgramLine&
     add(line, word, WordRole::trc);
     return true;
   }
-  if (name == "FMAX" || (name == "MAX" && block.feed && block.feed->begin == ~0U)) {
+  if (name == "FMAX" || (name == "MAX" && block.feed_lacks_number)) {
     block.rapid = true;
     return two_words(WordRole::motion);
   }
@@ -226,12 +226,13 @@ bool read_klartext_name(Reading& reading, const KlartextWord& word, ProgramLine&
     add(line, word, reading.contour_open() ? WordRole::trc : WordRole::mode);
     return true;
   }
-  if (name == "FAUTO" || (name == "AUTO" && block.feed && block.feed->begin == ~0U)) {
+  if (name == "FAUTO" || (name == "AUTO" && block.feed_lacks_number)) {
     block.called_feed = true;
     return two_words(WordRole::feed);
   }
   if (name == "F" && !block.feed) {  // F MAX, F AUTO
-    block.feed = {.begin = ~0U};
+    block.feed = {.begin = word.begin};
+    block.feed_lacks_number = true;
     add(line, word, WordRole::motion);
     return true;
   }

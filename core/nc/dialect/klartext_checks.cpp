@@ -17,6 +17,48 @@ std::string word_at(const ProgramLine& line, std::size_t begin) {
   return std::string(line.text.substr(begin, line.text.find_first_of(" \t\r\n;", begin) - begin));
 }
 
+// ", a variable" and the like, behind the word or the block that it is said of.
+std::string_view told(KlartextObstacle::Why why) {
+  using enum KlartextObstacle::Why;
+  switch (why) {
+    case variable:
+      return ", a variable";
+    case machine_coordinates:
+      return ", machine coordinates";
+    case retract_along_tool:
+      return ", a retract along the tool";
+    case cycle_call:
+      return ", a cycle call";
+    case corners_of_small_steps:
+      return ", corners of small steps";
+    case open_corners:
+      return ", open corners";
+    case tip_is_led:
+      return ", the tool tip is led";
+    case feed_per_turn:
+      return ", feed per turn";
+    case across_the_plane:
+      return ", an arc or a pole across the plane";
+    case may_be_skipped:
+      return ", a motion that may be skipped";
+    case changed_radius:
+      return ", with a radius that the program has changed";
+    case changed_coordinates:
+      return ", in coordinates that are scaled or led by the tool tip";
+  }
+  return {};
+}
+
+bool refuse_unfollowed(Reading& reading, const ProgramLine& line, const KlartextBlock& block) {
+  const KlartextObstacle& obstacle = *block.unfollowed;
+  const bool is_of_block = obstacle.begin == obstacle.end;
+  std::string detail(is_of_block ? block.title()
+                                 : line.word({.begin = obstacle.begin, .end = obstacle.end}));
+  detail += told(obstacle.why);
+  if (reading.trc_active()) detail += ", while TRC is active";
+  return refuse_klartext(reading, line, obstacle.begin, std::move(detail), obstacle.code());
+}
+
 // Arcs across the plane, as vertical leads are: only the control follows them (D-91).
 void leave_plane_by_arc(const Reading& reading, KlartextBlock& block) {
   using enum KlartextStatement;
@@ -27,11 +69,10 @@ void leave_plane_by_arc(const Reading& reading, KlartextBlock& block) {
   const bool end_across =
       (block.is(radius_arc) || block.is(tangent_arc)) && block.end[third].has_value();
   if (!(pole_across || end_across)) return;
-  block.unfollowed = block.begin;
-  block.unfollowed_why = block.title() + ", an arc or a pole across the plane";
+  block.leave_unfollowed(KlartextObstacle::Why::across_the_plane);
   if (pole_across) block.leaves_on = reading.klartext_modes.pole_across;
   for (std::size_t axis = 0; axis < block.end.size(); ++axis)
-    if (block.end[axis]) block.leaves_on |= static_cast<AxisBits>(1U << axis);
+    if (block.end[axis]) block.leaves_on |= main_axis_bit(axis);
 }
 
 // What the words must be together.
@@ -96,7 +137,7 @@ bool check_words_of_form(Reading& reading, const ProgramLine& line, const Klarte
       return refuse_klartext(
           reading, line, block.begin,
           reading.state.setup().tracking_axes[axis] + " beside " + block.title());
-  const bool selects = block.side && *block.side != Side::off;
+  const bool selects = block.selects();
   if (selects && (block.is(center) || corner))
     return refuse_klartext(reading, line, block.side_begin,
                            word_at(line, block.side_begin) + " beside " + block.title());
@@ -105,68 +146,63 @@ bool check_words_of_form(Reading& reading, const ProgramLine& line, const Klarte
   return true;
 }
 
-}  // namespace
-
-bool check_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block) {
-  const auto wrong = [&](std::string detail, Code code) {
-    return refuse_klartext(reading, line, block.begin, block.title() + std::move(detail), code);
-  };
-  if (block.feed && block.feed->begin == ~0U) return wrong(" with F alone", Code::nc_number);
-  const double unit = reading.inch ? mm_per_inch / 10 : 1;
-  if (block.feed && !reading.state.is_feed(block.feed->value * unit))
+bool check_feed_of_klartext(Reading& reading, const ProgramLine& line, const KlartextBlock& block) {
+  if (block.feed_lacks_number)
+    return refuse_klartext(reading, line, block.begin, block.title() + " with F alone",
+                           Code::nc_number);
+  if (block.feed && !reading.state.is_feed(block.feed->value * klartext_feed_unit(reading)))
     return refuse_klartext(
         reading, line, block.feed->begin,
         word_at(line, block.feed->begin) + ", more than 0 and at most 1000000000 mm/min",
         Code::nc_number);
-  const bool active = reading.trc_active();
-  const bool selects = block.side && *block.side != Side::off;
-  const bool moves = block.is_motion() || block.is_lead() || block.is_corner();
   const auto adapts_feed = [&] {
     return block.adapts_feed.value_or(reading.state.mode().feed_adaptation) != FeedAdaptation::off;
   };
-  if (block.open_feed && active && adapts_feed())
+  if (block.open_feed && reading.trc_active() && adapts_feed())
     return refuse_klartext(
         reading, line, *block.open_feed,
         word_at(line, *block.open_feed) + ", no feed per minute, while TRC is active");
-  if (block.to_skip && (block.masks || block.adapts_feed))
-    return refuse_klartext(reading, line, block.begin,
-                           "feeds or masking of a contour that may be skipped",
-                           Code::block_skip_undecided);
+  return true;
+}
+
+// What keeps the block from being followed, if its words have not said so.
+void find_obstacle(const Reading& reading, KlartextBlock& block) {
+  using Why = KlartextObstacle::Why;
+  const std::uint32_t led = reading.klartext_modes.unfollowed;
+  const bool moves = block.is_motion() || block.is_lead() || block.is_corner();
   // `/ L M8` moves nothing.
   const auto moves_nothing = [&] {
     return block.is(KlartextStatement::straight) && !block.names_axes() && !block.side &&
            !block.feed && !block.open_feed;
   };
   if (block.to_skip && (moves || block.is(KlartextStatement::center)) && !block.unfollowed &&
-      !moves_nothing()) {
-    block.unfollowed = block.begin;
-    block.unfollowed_why = block.title() + ", a motion that may be skipped";
-    block.unfollowed_code = Code::block_skip_undecided;
+      !moves_nothing())
+    block.leave_unfollowed(Why::may_be_skipped);
+  if (led != 0 && moves && !block.unfollowed) {
+    const bool other_radius = (led & (KlartextLead::correction | KlartextLead::tool_data)) != 0;
+    block.leave_unfollowed(other_radius ? Why::changed_radius : Why::changed_coordinates);
   }
-  if (reading.klartext_modes.unfollowed != 0 && moves && !block.unfollowed) {
-    block.unfollowed = block.begin;
-    const bool other_radius = (reading.klartext_modes.unfollowed &
-                               (KlartextLead::correction | KlartextLead::tool_data)) != 0;
-    block.unfollowed_why =
-        block.title() + (other_radius ? ", with a radius that the program has changed"
-                                      : ", in coordinates that are scaled or led by the "
-                                        "tool tip");
-  }
-  if (selects && block.not_in_contour && !block.unfollowed) {
-    block.unfollowed = block.not_in_contour;
-    block.unfollowed_why = std::move(block.why_not_in_contour);
-  }
+  if (block.selects() && !block.unfollowed) block.unfollowed = block.not_in_contour;
   if (!block.is(KlartextStatement::straight)) leave_plane_by_arc(reading, block);
+}
+
+}  // namespace
+
+bool check_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block) {
+  if (!check_feed_of_klartext(reading, line, block)) return false;
+  if (block.to_skip && (block.masks || block.adapts_feed))
+    return refuse_klartext(reading, line, block.begin,
+                           "feeds or masking of a contour that may be skipped",
+                           Code::block_skip_undecided);
+  find_obstacle(reading, block);
+  if (!block.unfollowed) return true;
+  const bool selects = block.selects();
   // R0 beside M91 ends TRC first.
-  const bool in_contour = (active && block.side != Side::off) || selects;
+  if (!selects && (!reading.trc_active() || block.side == Side::off)) return true;
   // RL under scaling or M128 has been told: what follows hangs on that.
-  const bool led = reading.klartext_modes.unfollowed != 0 && block.unfollowed == block.begin;
-  if (block.unfollowed && in_contour && led && !selects && !reading.faults.empty()) return false;
-  if (block.unfollowed && in_contour)
-    return refuse_klartext(reading, line, *block.unfollowed,
-                           block.unfollowed_why + (active ? ", while TRC is active" : ""),
-                           block.unfollowed_code);
-  return true;
+  const bool led = reading.klartext_modes.unfollowed != 0 && block.unfollowed->begin == block.begin;
+  if (led && !selects && !reading.faults.empty()) return false;
+  return refuse_unfollowed(reading, line, block);
 }
 
 bool check_words_together(Reading& reading, const ProgramLine& line, const KlartextBlock& block) {

@@ -1,6 +1,6 @@
 #include "core/nc/dialect/klartext_functions.h"
 
-#include <string_view>
+#include <optional>
 
 #include "core/nc/dialect/klartext_block.h"
 #include "core/nc/dialect/reading.h"
@@ -10,14 +10,16 @@
 namespace trc {
 namespace {
 
-// Why a block with this M function is not followed; empty: it is. `active`: while TRC is.
-std::string_view why_unfollowed(int m, bool active) {
+using Why = KlartextObstacle::Why;
+
+// Why a block with this M function is not followed, if it is not. `active`: while TRC is.
+std::optional<Why> why_unfollowed(int m, bool active) {
   switch (m) {
     case 91:
     case 92:
-      return ", machine coordinates";
+      return Why::machine_coordinates;
     case 140:
-      return ", a retract along the tool";
+      return Why::retract_along_tool;
     default:
       break;
   }
@@ -25,16 +27,16 @@ std::string_view why_unfollowed(int m, bool active) {
   switch (m) {
     case 89:
     case 99:
-      return ", a cycle call";
+      return Why::cycle_call;
     case 97:
-      return ", corners of small steps";
+      return Why::corners_of_small_steps;
     case 98:
-      return ", open corners";
+      return Why::open_corners;
     case 128:
     case 144:
-      return ", the tool tip is led";
+      return Why::tip_is_led;
     case 136:
-      return ", feed per turn";
+      return Why::feed_per_turn;
     default:
       return {};
   }
@@ -110,18 +112,11 @@ bool read_klartext_function(Reading& reading, const KlartextWord& word, ProgramL
   // Beyond what any control has it is a function of the machine like others that are not known.
   constexpr double most = 9999;
   const int m = word.value >= 0 && word.value <= most ? static_cast<int>(word.value) : -1;
-  const std::string_view why = why_unfollowed(m, reading.trc_active());
-  if (!why.empty() && !block.unfollowed) {
-    block.unfollowed_why = line.word({.begin = word.begin, .end = word.end});
-    block.unfollowed_why += why;
-    block.unfollowed = word.begin;
-  }
-  if (const std::string_view within = why_unfollowed(m, true);
-      !within.empty() && !block.not_in_contour) {
-    block.why_not_in_contour = line.word({.begin = word.begin, .end = word.end});
-    block.why_not_in_contour += within;
-    block.not_in_contour = word.begin;
-  }
+  const auto note = [&](std::optional<Why> why, std::optional<KlartextObstacle>& obstacle) {
+    if (why && !obstacle) obstacle = {.why = *why, .begin = word.begin, .end = word.end};
+  };
+  note(why_unfollowed(m, reading.trc_active()), block.unfollowed);
+  note(why_unfollowed(m, true), block.not_in_contour);
   line.ends_program |= m == 2 || m == 30;
   take_klartext_function(reading, m, block);
   add(line, word, role_of_function(m));

@@ -3,26 +3,24 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 
 #include "core/geometry/turn.h"
 #include "core/nc/dialect/apply_block.h"
-#include "core/nc/dialect/copied_block.h"
 #include "core/nc/dialect/heidenhain.h"
 #include "core/nc/dialect/klartext_arcs.h"
 #include "core/nc/dialect/klartext_block.h"
 #include "core/nc/dialect/klartext_checks.h"
+#include "core/nc/dialect/klartext_polar.h"
 #include "core/nc/dialect/klartext_statements.h"
 #include "core/nc/dialect/klartext_tools.h"
+#include "core/nc/dialect/left_contour.h"
 #include "core/nc/dialect/reading.h"
 
 // What a block of Klartext that may move does.
 
 namespace trc {
 namespace {
-
-constexpr double radians = std::numbers::pi / 180;
 
 // Of an arc by its radius: half its sweep beside the chord.
 Vector tangent_behind_arc(double radius, const Vector& chord, double turn) {
@@ -31,9 +29,9 @@ Vector tangent_behind_arc(double radius, const Vector& chord, double turn) {
   return cosine * chord + turn * sine * left_of(chord);
 }
 
-// Behind a retract that is lost, as for the dialects of G code: its other axis stands beside the
-// contour, or nobody knows where.
-bool leaves_from_lost_place(const Reading& reading, const KlartextBlock& block) {
+// Behind a retract that is lost: the other axis of the plane stands beside the contour, or nobody
+// knows where.
+bool leaves_with_one_axis(const Reading& reading, const KlartextBlock& block) {
   if (!block.is(KlartextStatement::straight) || block.unfollowed || reading.trc_active())
     return false;
   const PlaneAxes axes = axes_of(reading.state.mode().plane);
@@ -47,7 +45,7 @@ bool leaves_from_lost_place(const Reading& reading, const KlartextBlock& block) 
 bool apply_klartext_modes(Reading& reading, ProgramLine& line, KlartextBlock& block) {
   reading.klartext_modes.feed_before = reading.feed;
   if (block.feed && !block.is_corner())
-    reading.feed = block.feed->value * (reading.inch ? mm_per_inch / 10 : 1);
+    reading.feed = block.feed->value * klartext_feed_unit(reading);
   if (block.called_feed) reading.feed = reading.klartext_modes.called_feed;
   if (block.feed_per_turn || block.open_feed) reading.feed = 0;
   if (block.side || block.adapts_feed || block.masks)
@@ -61,88 +59,6 @@ bool apply_klartext_modes(Reading& reading, ProgramLine& line, KlartextBlock& bl
   if (*block.side != Side::off)
     return select_in_klartext(reading, line, *block.side, block.side_begin);
   return reading.state.deselect(line.source) && (!ends || block.masks || mask(false));
-}
-
-// CC X Z of a tool along Z: what turns about it is copied.
-bool take_pole_across(Reading& reading, ProgramLine& line, const KlartextBlock& block) {
-  if (reading.contour_open())
-    return refuse_klartext(reading, line, block.begin, "CC across the plane");
-  AxisBits named = 0;
-  for (std::size_t axis = 0; axis < block.end.size(); ++axis)
-    if (block.end[axis]) named |= static_cast<AxisBits>(1U << axis);
-  reading.klartext_modes.pole_across = (named & (named - 1)) != 0 ? named : all_axes;
-  reading.klartext_modes.pole.reset();
-  line.klartext->loses_pole = true;
-  return true;
-}
-
-// CC: the pole, also where it is told from where the tool stands.
-bool take_klartext_pole(Reading& reading, ProgramLine& line, KlartextBlock& block) {
-  const PlaneAxes axes = axes_of(reading.state.mode().plane);
-  if (!block.tracking.empty())
-    return refuse_klartext(reading, line, block.begin, "CC with an axis that turns");
-  reading.klartext_modes.pole_across = 0;
-  if (block.end[axes.third]) return take_pole_across(reading, line, block);
-  const bool alone = !block.end[axes.first] && !block.end[axes.second];
-  const std::optional<Point> old = reading.klartext_modes.pole;
-  Point pole = old.value_or(Point::Zero());
-  bool known = true;
-  for (const auto& [axis, coordinate] :
-       {std::pair{axes.first, &pole.x()}, std::pair{axes.second, &pole.y()}}) {
-    const auto& word = block.end[axis];
-    const bool from_tool = alone || (word && word->increment);
-    known =
-        known && (from_tool ? reading.state.is_known(axis) : word.has_value() || old.has_value());
-    const double base = from_tool ? reading.state.position()[axis] : 0;
-    if (word || alone) *coordinate = base + (word ? word->value * reading.length_unit() : 0);
-  }
-  reading.klartext_modes.pole = known ? std::optional(pole) : std::nullopt;
-  line.klartext->sets_pole = known;
-  line.klartext->loses_pole = !known;
-  return true;
-}
-
-bool find_polar_end(Reading& reading, ProgramLine& line, KlartextBlock& block, const Point& start,
-                    Point& end) {
-  KlartextLine& says = *line.klartext;
-  const auto wrong = [&](const char* why, Code code = Code::nc_unsupported) {
-    return refuse_klartext(reading, line, block.begin, block.title() + why, code);
-  };
-  if (!reading.klartext_modes.pole) return wrong(" without CC, or behind what moves it");
-  const PlaneAxes axes = axes_of(reading.state.mode().plane);
-  const auto stands_at_known_place = [&] {
-    return reading.state.is_known(axes.first) && reading.state.is_known(axes.second);
-  };
-  constexpr const char* unknown_start = ", from a place that is not known";
-  constexpr Code unknown = Code::position_unknown;
-  const Vector arm = start - *reading.klartext_modes.pole;
-  const bool circle = block.is(KlartextStatement::polar_circle);
-  says.needs_pole = true;
-  double radius = arm.norm();
-  if (!circle) {
-    says.sets_polar_radius = block.polar_radius.has_value();
-    const bool counts_on = !block.polar_radius || block.polar_radius->increment;
-    says.needs_polar_radius = counts_on && reading.klartext_modes.polar_radius;
-    // IPR without a PR before it counts from where the tool stands.
-    const bool from_tool = counts_on && block.polar_radius && !reading.klartext_modes.polar_radius;
-    says.counts_from_start |= from_tool;
-    if (counts_on && !says.needs_polar_radius && !from_tool) return wrong(" without PR");
-    if (from_tool && !stands_at_known_place()) return wrong(unknown_start, unknown);
-    radius = (says.needs_polar_radius ? *reading.klartext_modes.polar_radius
-              : from_tool             ? arm.norm()
-                                      : 0) +
-             (block.polar_radius ? block.polar_radius->value * reading.length_unit() : 0);
-    reading.klartext_modes.polar_radius = radius;
-  }
-  const bool from_start = !block.polar_angle || block.polar_angle->increment;
-  says.counts_from_start |= from_start || circle;
-  if ((from_start || circle) && !stands_at_known_place()) return wrong(unknown_start, unknown);
-  if ((from_start || circle) && arm.norm() < 1e-6) return wrong(", from the pole itself");
-  const double begin = std::atan2(arm.y(), arm.x());
-  const double angle =
-      (from_start ? begin : 0) + (block.polar_angle ? block.polar_angle->value * radians : 0);
-  end = *reading.klartext_modes.pole + radius * Vector(std::cos(angle), std::sin(angle));
-  return true;
 }
 
 // APPR and DEP.
@@ -177,7 +93,7 @@ bool lead_in_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block)
   Lead lead = block.lead;
   if (block.length) lead.length = block.length->value * unit;
   if (block.radius) lead.radius = block.radius->value * unit;
-  if (block.center_angle) lead.angle = block.center_angle->value * radians;
+  if (block.center_angle) lead.angle = block.center_angle->value * radians_per_degree;
   if (lead.angle > full_turn - 1e-12) lead.angle = full_turn;
   line.is_motion = true;
   reading.klartext_modes.tangent.reset();
@@ -273,7 +189,7 @@ bool apply_klartext_motion(Reading& reading, ProgramLine& line, KlartextBlock& b
       if (size == 0) return true;
       return reading.state.cut_corner_behind(
           {.form = round ? CornerCut::Form::round : CornerCut::Form::leg, .size = size},
-          block.feed ? block.feed->value * (reading.inch ? mm_per_inch / 10 : 1) : 0, line.source);
+          block.feed ? block.feed->value * klartext_feed_unit(reading) : 0, line.source);
     }
     case approach:
     case departure:
@@ -290,19 +206,17 @@ bool apply_klartext_motion(Reading& reading, ProgramLine& line, KlartextBlock& b
   return find_klartext_end(reading, line, block);
 }
 
-// What a block of Klartext does behind R0 without motion, as copied lines of G code do.
-bool leave_contour_by_copy(Reading& reading, ProgramLine& line, const KlartextBlock& block,
-                           bool copied) {
+// Behind R0 without motion.
+bool leave_contour_in_klartext(Reading& reading, const ProgramLine& line,
+                               const KlartextBlock& block, bool copied) {
   const bool leaves_here = copied && reading.contour_open() && !reading.trc_active();
   if (!reading.state.retract_is_lost() && !leaves_here) return true;
-  std::array<bool, 3> named{};
-  for (std::size_t axis = 0; axis < named.size(); ++axis)
-    named[axis] = !block.to_skip &&
-                  (block.by_parameter.at(axis) || (block.end[axis] && !block.end[axis]->increment));
-  if (copied) reading.state.have_left_contour(named);
-  const bool cuts = block.is_motion() && !block.rapid && !block.machine_place && block.names_axes();
-  if (!cuts && !block.calls_cycle) return true;
-  return check_left_contour(reading, line, block.begin, named);
+  const bool goes = block.is_motion() && !block.rapid && !block.machine_place && block.names_axes();
+  LineBesideContour says{.copied = copied, .cuts = goes || block.calls_cycle, .begin = block.begin};
+  for (std::size_t axis = 0; axis < says.named.size(); ++axis)
+    says.named[axis] = !block.to_skip && (block.by_parameter.at(axis) ||
+                                          (block.end[axis] && !block.end[axis]->increment));
+  return leave_contour(reading, line, says);
 }
 
 // Where it leads only the control knows. `alone`: along the axes that it names.
@@ -312,9 +226,9 @@ void forget_what_copied_block_moves(Reading& reading, ProgramLine& line, const K
   if (block.is_motion() && !has_own_feed) line.feed_it_takes = reading.klartext_modes.feed_before;
   std::array<bool, 3> axes{true, true, true};
   const bool named = block.end[0] || block.end[1] || block.end[2];
-  const bool by_parameters_alone =
-      block.is(KlartextStatement::straight) && !block.to_skip && !block.other_parameter &&
-      block.unfollowed_why.ends_with("variable") && reading.klartext_modes.unfollowed == 0;
+  const bool by_parameters_alone = block.is(KlartextStatement::straight) && !block.to_skip &&
+                                   !block.other_parameter && block.has_variable() &&
+                                   reading.klartext_modes.unfollowed == 0;
   for (std::size_t axis = 0; axis < axes.size(); ++axis)
     axes[axis] = by_parameters_alone || alone ? block.end[axis] || block.by_parameter.at(axis)
                  : block.leaves_on != 0       ? (block.leaves_on >> axis & 1U) != 0
@@ -322,7 +236,7 @@ void forget_what_copied_block_moves(Reading& reading, ProgramLine& line, const K
   forget_klartext_position(reading, line, axes);
   if (block.is(KlartextStatement::center)) reading.klartext_modes.pole.reset();
   reading.klartext_modes.polar_radius.reset();
-  if (block.feed_per_turn || block.unfollowed_why.ends_with("variable")) reading.feed = 0;
+  if (block.feed_per_turn || block.has_variable()) reading.feed = 0;
 }
 
 }  // namespace
@@ -330,7 +244,7 @@ void forget_what_copied_block_moves(Reading& reading, ProgramLine& line, const K
 bool apply_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block) {
   line.klartext.emplace();
   const bool is_lead = block.is_lead();
-  const bool selects = block.side && *block.side != Side::off;
+  const bool selects = block.selects();
   const bool corner = block.is_corner();
   const bool beside_corner = corner || reading.klartext_modes.open_corner.source.line > 0;
   if (beside_corner && !check_corner_before(reading, line, block, selects)) return false;
@@ -345,11 +259,11 @@ bool apply_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block) {
                        !block.end[plane.second] && !reading.state.is_known(plane.third);
   const bool is_lost = reading.state.retract_is_lost();
   const bool alone =
-      (is_lost && leaves_from_lost_place(reading, block)) || (plunges && !block.unfollowed);
+      (is_lost && leaves_with_one_axis(reading, block)) || (plunges && !block.unfollowed);
   const bool copied = block.unfollowed.has_value() || alone || (is_lead && !approaches && !departs);
   if (corner && reading.contour_open() && line.has(WordRole::stop))
     return refuse_klartext(reading, line, block.begin, "a stop beside " + block.title());
-  if ((copied || is_lost) && !leave_contour_by_copy(reading, line, block, copied)) return false;
+  if ((copied || is_lost) && !leave_contour_in_klartext(reading, line, block, copied)) return false;
   if (copied || ((corner || block.is(KlartextStatement::center)) && !reading.contour_open())) {
     // As it stands: nothing of it is written anew.
     for (WordRange& word : line.words)

@@ -6,11 +6,11 @@
 #include <string_view>
 
 #include "core/nc/dialect/apply_block.h"
-#include "core/nc/dialect/copied_block.h"
 #include "core/nc/dialect/heidenhain.h"
 #include "core/nc/dialect/klartext_block.h"
 #include "core/nc/dialect/klartext_labels.h"
 #include "core/nc/dialect/klartext_tools.h"
+#include "core/nc/dialect/left_contour.h"
 #include "core/nc/dialect/pass_words.h"
 #include "core/nc/dialect/passing_calls.h"
 #include "core/nc/dialect/reading.h"

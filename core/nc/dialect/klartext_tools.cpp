@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "core/nc/dialect/block_words.h"
-#include "core/nc/dialect/code_tools.h"
 #include "core/nc/dialect/heidenhain.h"
 #include "core/nc/dialect/klartext_block.h"
 #include "core/nc/dialect/klartext_formula.h"
@@ -18,6 +17,7 @@
 #include "core/nc/dialect/klartext_statements.h"
 #include "core/nc/dialect/passing_calls.h"
 #include "core/nc/dialect/reading.h"
+#include "core/nc/dialect/tool_data.h"
 #include "core/nc/text/characters.h"
 #include "core/nc/text/klartext_tool_words.h"
 
@@ -160,10 +160,10 @@ bool choose_called_tool(Reading& reading, const ProgramLine& line, std::size_t b
   if (!row && setup.tools.empty() && setup.mode.tool_radius != 0) {
     const std::int64_t number = *modes.tool;
     if (modes.only_tool_name.empty()) modes.only_tool_name = modes.tool_name;
-    if (reading.code_modes.only_register.value_or(number) != number ||
+    if (reading.gcode.tools.only_register.value_or(number) != number ||
         modes.only_tool_name != modes.tool_name)
       return unknown(number_text(number));
-    reading.code_modes.only_register = number;
+    reading.gcode.tools.only_register = number;
     row = ToolRow(setup.mode.tool_radius, setup.wear);
   }
   if (!row && !setup.tools.empty()) return unknown(number_text(*modes.tool));
@@ -189,8 +189,7 @@ bool read_tool_call(Reading& reading, ProgramLine& line, std::size_t begin,
   if (!reading.faults.empty()) return false;
   const Plane plane = call.plane.value_or(reading.state.mode().plane);
   // It holds from here on, not only for F AUTO.
-  if (call.feed)
-    reading.feed = modes.called_feed = *call.feed * (reading.inch ? mm_per_inch / 10 : 1);
+  if (call.feed) reading.feed = modes.called_feed = *call.feed * klartext_feed_unit(reading);
   if (call.named) {
     modes.calls_behind_tool.clear();
     modes.tool_of_label = 0;
@@ -205,7 +204,7 @@ bool read_tool_call(Reading& reading, ProgramLine& line, std::size_t begin,
     modes.modal_cycle = false;
     modes.radius_delta = 0;
     modes.open_delta.clear();
-    reading.code_modes.tool_said = true;
+    reading.gcode.calls.tool_said = true;
     std::array<bool, 3> third{};
     third[axes_of(plane).third] = true;
     reading.state.forget_position(third, line.source);
@@ -292,7 +291,7 @@ bool read_tool_definition(Reading& reading, ProgramLine& line, std::size_t begin
 
 bool select_in_klartext(Reading& reading, const ProgramLine& line, Side side, std::size_t begin) {
   const std::uint32_t skipped =
-      std::max(reading.code_modes.skipped_tool, reading.code_modes.skipped_tool_data);
+      std::max(reading.gcode.skipped.tool, reading.gcode.skipped.tool_data);
   if (side != Side::off && skipped > 0)
     return refuse_klartext(reading, line, begin,
                            "TRC behind what may be skipped, in line " + std::to_string(skipped),

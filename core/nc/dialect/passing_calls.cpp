@@ -175,9 +175,9 @@ bool read_passing_line(Reading& reading, ProgramLine& line, BlockWords& block) {
       calls_alone || (!reading.reads_flat && calls_by_function(words, reading.isg_word_seen));
   const auto tool = tool_data_of(words);
   if (tool)
-    block.edge_radii.push_back({.row = tool->first,
-                                .radius = tool->second * reading.length_unit(),
-                                .begin = static_cast<std::uint32_t>(begin)});
+    block.tools.edge_radii.push_back({.row = tool->first,
+                                      .radius = tool->second * reading.length_unit(),
+                                      .begin = static_cast<std::uint32_t>(begin)});
   const bool passes = (calls || tool || assigns_variable(words)) &&
                       first_byte_that_is_no_text(text) == std::string_view::npos;
   if (!passes) {
@@ -190,7 +190,7 @@ bool read_passing_line(Reading& reading, ProgramLine& line, BlockWords& block) {
                         .role = WordRole::technology});
   if (!calls) return true;
   const std::string_view call = words.substr(0, words.find_first_of("(;"));
-  if (begins_modal_cycle(call)) reading.code_modes.modal_cycle = line.source;
+  if (begins_modal_cycle(call)) reading.gcode.calls.modal_cycle = line.source;
   forget_what_a_call_may_change(reading, line, block, call);
   return true;
 }
@@ -212,10 +212,10 @@ bool read_call_behind_words(Reading& reading, std::uint32_t begin, ProgramLine& 
       {.begin = begin, .end = static_cast<std::uint32_t>(end), .role = WordRole::technology});
   // T5 LM06 changes tools as M06 does (D-76).
   const bool dimension_was_known = !reading.called_dimension;
-  const bool had_unknown_call = reading.code_modes.unknown_call.has_value();
+  const bool had_unknown_call = reading.gcode.calls.unknown.has_value();
   forget_what_a_call_may_change(reading, line, block, text.substr(begin, end - begin));
-  if (block.tool_number && dimension_was_known) reading.called_dimension = false;
-  if (block.tool_number && !had_unknown_call) reading.code_modes.unknown_call.reset();
+  if (block.tools.t_word && dimension_was_known) reading.called_dimension = false;
+  if (block.tools.t_word && !had_unknown_call) reading.gcode.calls.unknown.reset();
   return true;
 }
 
@@ -266,23 +266,23 @@ void forget_what_a_call_may_change(Reading& reading, ProgramLine& line, BlockWor
   const bool isg = reading.dialect.name == DialectName::isg;
   if (isg && changes_nothing(reading.state.setup(), call)) return;
   // The call behind a T word changes the tool.
-  if (isg && !reading.code_modes.unknown_call &&
-      !std::exchange(reading.code_modes.tool_awaits_call, false))
-    reading.code_modes.unknown_call = reading.code_modes.call;
+  if (isg && !reading.gcode.calls.unknown &&
+      !std::exchange(reading.gcode.calls.awaited_by_tool, false))
+    reading.gcode.calls.unknown = reading.gcode.calls.last;
   block.forget = all_axes;
-  reading.code_modes.work_offset = 0;
+  reading.gcode.coordinates.work_offset = 0;
   reading.called_motion = reading.called_dimension = true;
   reading.reads_plain_lines = false;
 }
 
 void take_call(Reading& reading, const ProgramLine& line, std::string_view call) {
-  reading.code_modes.call = without_blanks_behind(call);
-  reading.code_modes.call_place = {.source = line.source};
+  reading.gcode.calls.last = without_blanks_behind(call);
+  reading.gcode.calls.place = {.source = line.source};
   if (changes_nothing(reading.state.setup(), call)) return;
-  reading.code_modes.call_behind_contour = true;
+  reading.gcode.calls.behind_contour = true;
   // A radius that the program has written is that of the tool before a change.
-  if (reading.code_modes.only_radius_said) reading.code_modes.tool_said = false;
-  reading.code_modes.radius_doubtful |= std::exchange(reading.code_modes.only_radius_said, false);
+  if (reading.gcode.calls.only_radius_said) reading.gcode.calls.tool_said = false;
+  reading.gcode.calls.radius_doubtful |= std::exchange(reading.gcode.calls.only_radius_said, false);
 }
 
 bool restate_modes(Reading& reading, ProgramLine& line, BlockWords& block) {
@@ -294,7 +294,7 @@ bool restate_modes(Reading& reading, ProgramLine& line, BlockWords& block) {
     return true;
   }
   if (reading.contour_open() || !(block.axis || block.center)) return true;
-  const bool selects = block.has(GGroup::side) && !block.of(GGroup::side).is(40);
+  const bool selects = block.selects();
   if (selects && reading.machine_follows) {  // which is refused for that
     block.forget = all_axes;
     return true;
@@ -305,8 +305,8 @@ bool restate_modes(Reading& reading, ProgramLine& line, BlockWords& block) {
         TextFault{.code = Code::position_unknown,
                   .begin = block.of(GGroup::side).begin,
                   .detail = std::string(reading.called_dimension ? "G90 or G91" : "G00 or G01") +
-                            ", which was not programmed anew behind " + reading.code_modes.call +
-                            " " + place_of(reading.code_modes.call_place.source)});
+                            ", which was not programmed anew behind " + reading.gcode.calls.last +
+                            " " + place_of(reading.gcode.calls.place.source)});
   block.copied = true;
   block.forget = all_axes;
   for (WordRange& word : line.words)
@@ -316,51 +316,52 @@ bool restate_modes(Reading& reading, ProgramLine& line, BlockWords& block) {
 
 bool watch_tool(Reading& reading, const ProgramLine& line, const BlockWords& block) {
   // D of Sinumerik is an edge of whatever tool there is.
-  const bool names_radius = block.tool && reading.dialect.name != DialectName::sinumerik;
-  reading.code_modes.tool_said |= block.tool_number || block.loads_tool || block.names_tool ||
-                                  names_radius || block.tool_radius;
-  if (block.tool_number || block.tool || block.loads_tool || block.names_tool) {
-    reading.code_modes.only_radius_said = reading.code_modes.radius_doubtful = false;
-  } else if (block.tool_radius && reading.dialect.name == DialectName::isg) {
-    reading.code_modes.only_radius_said = true;
-    reading.code_modes.radius_doubtful = false;
+  const bool names_radius = block.tools.d_word && reading.dialect.name != DialectName::sinumerik;
+  reading.gcode.calls.tool_said |= block.tools.t_word || block.tools.loads ||
+                                   block.tools.q_word_names_tool || names_radius ||
+                                   block.tools.radius;
+  if (block.tools.t_word || block.tools.d_word || block.tools.loads ||
+      block.tools.q_word_names_tool) {
+    reading.gcode.calls.only_radius_said = reading.gcode.calls.radius_doubtful = false;
+  } else if (block.tools.radius && reading.dialect.name == DialectName::isg) {
+    reading.gcode.calls.only_radius_said = true;
+    reading.gcode.calls.radius_doubtful = false;
   }
-  if (reading.dialect.name == DialectName::isg && block.tool_number) {
-    reading.code_modes.next_tool = whole_number(block.tool_number->value);
-    reading.code_modes.next_tool_place = reading.place_of_word(line, block.tool_number->begin);
-    reading.code_modes.tool_awaits_call = !block.changes_tool;
+  if (reading.dialect.name == DialectName::isg && block.tools.t_word) {
+    reading.gcode.tools.next = register_number(block.tools.t_word->value);
+    reading.gcode.tools.next_place = reading.place_of_word(line, block.tools.t_word->begin);
+    reading.gcode.calls.awaited_by_tool = !block.tools.change;
   }
-  const bool selects = block.has(GGroup::side) && !block.of(GGroup::side).is(40);
+  const bool selects = block.selects();
   if (!selects || reading.trc_active()) return true;
   const std::uint32_t begin = block.of(GGroup::side).begin;
-  if (reading.code_modes.modal_cycle)
+  if (reading.gcode.calls.modal_cycle)
     return reading.refuse(line, TextFault{.code = Code::nc_unsupported,
                                           .begin = begin,
                                           .detail = "TRC under a modal cycle of the machine, " +
-                                                    place_of(*reading.code_modes.modal_cycle)});
+                                                    place_of(*reading.gcode.calls.modal_cycle)});
   return warn_of_other_tool(reading, line, begin);
 }
 
 bool warn_of_other_tool(Reading& reading, const ProgramLine& line, std::uint32_t begin) {
   const bool may_be_another =
-      (reading.code_modes.contour_seen || reading.code_modes.radius_doubtful) &&
-      reading.code_modes.call_behind_contour && !reading.code_modes.tool_said;
-  reading.code_modes.contour_seen = true;
-  reading.code_modes.call_behind_contour = reading.code_modes.tool_said =
-      reading.code_modes.radius_doubtful = false;
-  std::string change =
-      reading.code_modes.call + " " + place_of(reading.code_modes.call_place.source);
+      (reading.gcode.calls.contour_seen || reading.gcode.calls.radius_doubtful) &&
+      reading.gcode.calls.behind_contour && !reading.gcode.calls.tool_said;
+  reading.gcode.calls.contour_seen = true;
+  reading.gcode.calls.behind_contour = reading.gcode.calls.tool_said =
+      reading.gcode.calls.radius_doubtful = false;
+  std::string change = reading.gcode.calls.last + " " + place_of(reading.gcode.calls.place.source);
   bool is_another = false;
   // Other dialects refuse a second tool that has no radius of its own.
   if (reading.dialect.name == DialectName::isg &&
-      reading.state.tool().is_of_setup(reading.code_modes.next_tool)) {
+      reading.state.tool().is_of_setup(reading.gcode.tools.next)) {
     const std::int64_t before =
-        reading.code_modes.only_spindle_tool.value_or(reading.code_modes.next_tool);
-    is_another = before != reading.code_modes.next_tool;
-    reading.code_modes.only_spindle_tool = reading.code_modes.next_tool;
+        reading.gcode.tools.only_in_spindle.value_or(reading.gcode.tools.next);
+    is_another = before != reading.gcode.tools.next;
+    reading.gcode.tools.only_in_spindle = reading.gcode.tools.next;
     if (is_another)
-      change = "T" + std::to_string(reading.code_modes.next_tool) + " " +
-               place_of(reading.code_modes.next_tool_place.source);
+      change = "T" + std::to_string(reading.gcode.tools.next) + " " +
+               place_of(reading.gcode.tools.next_place.source);
   }
   if ((!may_be_another && !is_another) || !reading.faults.empty()) return true;
   Diagnostic warned = diagnostic(Code::tool_may_have_changed, line.source, std::move(change));
@@ -369,13 +370,12 @@ bool warn_of_other_tool(Reading& reading, const ProgramLine& line, std::uint32_t
 }
 
 bool note_unknown_call(Reading& reading, const ProgramLine& line, const BlockWords& block) {
-  const bool selects =
-      block.has(GGroup::side) && !block.of(GGroup::side).is(40) && !reading.trc_active();
-  if (!selects || !reading.code_modes.unknown_call || reading.code_modes.unknown_call->empty() ||
+  const bool selects = block.selects() && !reading.trc_active();
+  if (!selects || !reading.gcode.calls.unknown || reading.gcode.calls.unknown->empty() ||
       !reading.faults.empty())
     return true;
   Diagnostic noted = diagnostic(Code::call_taken_as_harmless, line.source,
-                                std::exchange(*reading.code_modes.unknown_call, std::string()));
+                                std::exchange(*reading.gcode.calls.unknown, std::string()));
   noted.column = reading.place_of_word(line, block.of(GGroup::side).begin).column;
   return reading.diagnostics.report(std::move(noted));
 }

@@ -58,7 +58,7 @@ bool PlainMotion::is_possible(std::uint32_t whole_words) const {
   const auto is_whole_up_to = [&](std::size_t use, double largest) {
     return (whole_words >> use & 1) != 0 && values_[use] >= 0 && values_[use] <= largest;
   };
-  if (has(function) && !is_whole_up_to(function, motions.size() - 1)) return false;
+  if (has(function) && !is_whole_up_to(function, last_motion_function)) return false;
   if (has(block_number) && !is_whole_up_to(block_number, largest_whole)) return false;
   return !has(feed_word) || values_[feed_word] > 0;
 }

@@ -23,7 +23,7 @@ class PlainMotion {
 
   [[nodiscard]] bool has_function() const { return has(function); }
   [[nodiscard]] MotionKind motion() const {
-    return motions[static_cast<std::size_t>(values_[function])];
+    return motion_of_function(static_cast<int>(values_[function]));
   }
   [[nodiscard]] bool has_feed() const { return has(feed_word); }
   [[nodiscard]] double feed() const { return values_[feed_word]; }
@@ -70,8 +70,6 @@ class PlainMotion {
       WordRole::coordinate, WordRole::coordinate, WordRole::coordinate, WordRole::coordinate,
       WordRole::coordinate, WordRole::coordinate, WordRole::coordinate, WordRole::feed,
       WordRole::number,     WordRole::motion};
-  static constexpr std::array<MotionKind, 4> motions{
-      MotionKind::rapid, MotionKind::linear, MotionKind::clockwise, MotionKind::counter_clockwise};
   static constexpr std::uint32_t coordinates = (1U << feed_word) - 1;
   static const std::array<std::uint8_t, 256> use_of_sign;
 

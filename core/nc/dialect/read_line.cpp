@@ -5,8 +5,8 @@
 
 #include "core/nc/dialect/apply_block.h"
 #include "core/nc/dialect/block_words.h"
-#include "core/nc/dialect/code_block_words.h"
 #include "core/nc/dialect/copied_block.h"
+#include "core/nc/dialect/gcode_block_words.h"
 #include "core/nc/dialect/heidenhain.h"
 #include "core/nc/dialect/isg_block.h"
 #include "core/nc/dialect/isg_command.h"
@@ -41,7 +41,7 @@ void sum_up_words(ProgramLine& line) {
     if (!names_an_axis(line, word)) continue;
     const char letter = upper(line.text[word.begin]);
     if (letter >= 'X' && letter <= 'Z') {
-      line.main_axes |= static_cast<std::uint8_t>(1U << (letter - 'X'));
+      line.main_axes |= main_axis_bit(static_cast<std::size_t>(letter - 'X'));
     } else if (!is_of_center(letter)) {
       line.names_other_axes = true;
     }
@@ -83,7 +83,7 @@ bool is_left_out(Reading& reading, ProgramLine& line) {
 // nothing.
 void forget_what_stands_in_front(Reading& reading) {
   reading.faults.clear();
-  reading.code_modes = {};
+  reading.gcode = {};
   reading.called_motion = reading.called_dimension = false;
 }
 
@@ -139,14 +139,14 @@ bool read_words_of_dialect(Reading& reading, ProgramLine& line, BlockWords& bloc
     case DialectName::linuxcnc:
       break;
   }
-  return read_code_words(reading, line, block);
+  return read_gcode_words(reading, line, block);
 }
 
 // An increment of the third axis, whose place is not known: while TRC is off nothing hangs on it.
 void copy_plunge_from_nowhere(const Reading& reading, ProgramLine& line, BlockWords& block) {
   using enum GGroup;
   const std::size_t third = axes_of(reading.state.programmed_plane()).third;
-  const auto reference = block.end_reference[third];  // IC(…)
+  const auto reference = block.references.end[third];  // IC(…)
   const bool incremental = reference != 0         ? reference < 0
                            : block.has(dimension) ? block.of(dimension).is(91)
                                                   : reading.incremental;
@@ -172,8 +172,7 @@ bool read_block(Reading& reading, ProgramLine& line) {
                             ? read_call_of_machine(reading, line, block)
                             : passes || read_words_of_dialect(reading, line, block);
   sum_up_words(line);
-  if (!reading.faults.empty() && block.has(GGroup::side))
-    reading.scanned_trc = !block.of(GGroup::side).is(40);
+  if (!reading.faults.empty() && block.has(GGroup::side)) reading.scanned_trc = !block.deselects();
   reading.in_front_of_tape &= !readable || (line.roles & ~bit(WordRole::comment)) == 0;
   if (!readable || !reading.faults.empty()) return false;
   if ((line.roles & ~bit(WordRole::comment)) == 0) return true;

@@ -9,8 +9,8 @@
 
 #include "core/base/diagnostics.h"
 #include "core/nc/dialect/block_skip.h"
-#include "core/nc/dialect/code_modes.h"
 #include "core/nc/dialect/dialect.h"
+#include "core/nc/dialect/gcode_modes.h"
 #include "core/nc/dialect/klartext_modes.h"
 #include "core/nc/state/program_line.h"
 #include "core/nc/state/program_state.h"
@@ -96,9 +96,9 @@ struct Reading {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(lines_read, blocks_read, comment_block, ended, motion, motion_given, incremental, inch,
-            absolute_center, feed_mode, feed, isg_word_seen, reads_plain_lines, feed_in_mm,
-            code_modes, klartext_modes, faults, scanned_trc, in_front_of_tape, called_motion,
-            called_dimension, in_subprogram);
+            absolute_center, feed_mode, feed, isg_word_seen, reads_plain_lines, feed_in_mm, gcode,
+            klartext_modes, faults, scanned_trc, in_front_of_tape, called_motion, called_dimension,
+            in_subprogram);
   }
 
   ReaderLimits limits;
@@ -131,7 +131,7 @@ struct Reading {
   // dimensions count.
   bool called_motion = false;
   bool called_dimension = false;
-  CodeModes code_modes{};
+  GcodeModes gcode{};
   KlartextModes klartext_modes{};
 
   // A line of a motion and nothing else means what its words say.

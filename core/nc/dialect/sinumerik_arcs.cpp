@@ -20,12 +20,12 @@ using enum GGroup;
 bool take_sweep(Reading& reading, ProgramLine& line, BlockWords& block) {
   const PlaneAxes axes = axes_of(reading.state.mode().plane);
   MoveRequest& move = block.move;
-  const double sweep = *block.sweep * std::numbers::pi / 180;
+  const double sweep = *block.arc.sweep * std::numbers::pi / 180;
   const Point start =
       to_plane(reading.state.mode().plane, reading.state.position()) / reading.length_unit();
   const bool has_center = move.center[axes.first] || move.center[axes.second];
   const bool has_end = move.end[axes.first] || move.end[axes.second];
-  if (!(*block.sweep > 0 && *block.sweep < 360))
+  if (!(*block.arc.sweep > 0 && *block.arc.sweep < 360))
     return reading.refuse(line, TextFault{.code = Code::nc_number,
                                           .begin = *block.center,
                                           .detail = "AR=, more than 0 and below 360"});
@@ -61,15 +61,16 @@ bool take_point_between(Reading& reading, ProgramLine& line, BlockWords& block) 
                                           .begin = block.axis.value_or(0),
                                           .detail = std::string("CIP, ").append(why)});
   };
-  if (block.through[axes.third] || !block.through[axes.first] || !block.through[axes.second])
+  if (block.arc.through[axes.third] || !block.arc.through[axes.first] ||
+      !block.arc.through[axes.second])
     return wrong("whose point between names the two axes of the plane");
   const Point start =
       to_plane(reading.state.mode().plane, reading.state.position()) / reading.length_unit();
   const auto on = [&](const std::optional<double>& value, double from) {
     return value ? *value + (reading.incremental ? from : 0) : from;
   };
-  const Point between(on(block.through[axes.first]->value, start.x()),
-                      on(block.through[axes.second]->value, start.y()));
+  const Point between(on(block.arc.through[axes.first]->value, start.x()),
+                      on(block.arc.through[axes.second]->value, start.y()));
   const Point end(on(move.end[axes.first], start.x()), on(move.end[axes.second], start.y()));
   const Vector a = between - start;
   const Vector b = end - start;
@@ -87,14 +88,14 @@ bool take_point_between(Reading& reading, ProgramLine& line, BlockWords& block) 
 
 bool read_polar_word(Reading& reading, const NamedWord& word, ProgramLine& line,
                      BlockWords& block) {
-  auto& target = word.name == "AP" ? block.polar_angle : block.polar_radius;
+  auto& target = word.name == "AP" ? block.polar.angle : block.polar.radius;
   if (target)
     return reading.refuse(line, TextFault{.code = Code::nc_word_twice,
                                           .begin = word.begin,
                                           .detail = std::string(word.name)});
   target = {.value = word.value, .begin = word.begin};
   if (word.reference == NamedWord::Reference::incremental)
-    (word.name == "AP" ? block.increments_angle : block.increments_radius) = true;
+    (word.name == "AP" ? block.polar.increments_angle : block.polar.increments_radius) = true;
   add(line, word, WordRole::coordinate);
   return true;
 }
@@ -106,86 +107,85 @@ void take_pole(Reading& reading, const BlockWords& block) {
   const int number = pole.function == nullptr ? 0 : pole.function->number;
   const bool sets = number >= 110 && number <= 112;
   if (!clears && !sets) return;
-  reading.code_modes.polar_angle.reset();
-  reading.code_modes.polar_radius.reset();
+  reading.gcode.polar.angle.reset();
+  reading.gcode.polar.radius.reset();
   const PlaneAxes axes = axes_of(reading.state.mode().plane);
   const auto& x = block.move.end[axes.first];
   const auto& y = block.move.end[axes.second];
   // Without a pole of its own a program counts from its zero point.
-  if (clears && (reading.code_modes.pole != Point(0, 0) || sets)) reading.code_modes.pole.reset();
+  if (clears && (reading.gcode.polar.pole != Point(0, 0) || sets)) reading.gcode.polar.pole.reset();
   if (clears || !sets) return;
   Point base = Point::Zero();
-  bool known = x && y && !block.polar_angle && !block.polar_radius;
+  bool known = x && y && !block.polar.angle && !block.polar.radius;
   if (number == 110) {
     base = to_plane(reading.state.mode().plane, reading.state.position()) / reading.length_unit();
     known &= reading.state.is_known(axes.first) && reading.state.is_known(axes.second) &&
              !reading.contour_open();
   }
   if (number == 112) {
-    known &= reading.code_modes.pole.has_value();
-    base = reading.code_modes.pole.value_or(base);
+    known &= reading.gcode.polar.pole.has_value();
+    base = reading.gcode.polar.pole.value_or(base);
   }
-  reading.code_modes.pole.reset();
-  if (known) reading.code_modes.pole = base + Point(*x, *y);
+  reading.gcode.polar.pole.reset();
+  if (known) reading.gcode.polar.pole = base + Point(*x, *y);
 }
 
 bool resolve_polar_words(Reading& reading, ProgramLine& line, BlockWords& block) {
-  CodeModes& modes = reading.code_modes;
+  GcodeModes::Polar& polar = reading.gcode.polar;
   const PlaneAxes axes = axes_of(reading.state.mode().plane);
   auto& x = block.move.end[axes.first];
   auto& y = block.move.end[axes.second];
-  const bool polar = block.polar_angle || block.polar_radius;
-  if (!polar && (x || y)) {
-    modes.polar_angle.reset();
-    modes.polar_radius.reset();
+  const bool is_polar = block.polar.angle || block.polar.radius;
+  if (!is_polar && (x || y)) {
+    polar.angle.reset();
+    polar.radius.reset();
   }
-  if (!polar) return true;
-  const std::uint32_t begin = std::min(block.polar_angle ? block.polar_angle->begin : ~0U,
-                                       block.polar_radius ? block.polar_radius->begin : ~0U);
-  const bool selects = block.has(side) && !block.of(side).is(40);
-  const bool both = block.polar_angle && block.polar_radius;
+  if (!is_polar) return true;
+  const std::uint32_t begin = std::min(block.polar.angle ? block.polar.angle->begin : ~0U,
+                                       block.polar.radius ? block.polar.radius->begin : ~0U);
+  const bool selects = block.selects();
+  const bool both = block.polar.angle && block.polar.radius;
   // A line that is copied would count on a word that the written program has no longer.
-  const bool counts_on = !both || block.increments_angle || block.increments_radius;
-  if (modes.polar_rewritten && counts_on && !reading.contour_open() && !selects)
+  const bool counts_on = !both || block.polar.increments_angle || block.polar.increments_radius;
+  if (polar.rewritten && counts_on && !reading.contour_open() && !selects)
     return reading.refuse(line,
                           TextFault{.code = Code::nc_unsupported,
                                     .begin = begin,
                                     .detail = "AP= or RP= alone behind a contour: write both"});
-  if (selects || reading.contour_open()) modes.polar_rewritten = true;
-  if (both && !reading.contour_open() && !selects) modes.polar_rewritten = false;
+  if (selects || reading.contour_open()) polar.rewritten = true;
+  if (both && !reading.contour_open() && !selects) polar.rewritten = false;
   // AP=IC(…) and RP=IC(…) count from the word before.
   const auto take = [](const std::optional<BlockWords::Value>& word, bool increment,
                        std::optional<double>& value) {
     if (word && (!increment || value)) value = word->value + (increment ? *value : 0);
     return !word || !increment || value;
   };
-  const bool angle_known = take(block.polar_angle, block.increments_angle, modes.polar_angle);
-  const bool radius_known = take(block.polar_radius, block.increments_radius, modes.polar_radius);
-  const MotionKind kind = block.has(motion)
-                              ? static_cast<MotionKind>(block.of(motion).function->number)
-                              : reading.motion;
+  const bool angle_known = take(block.polar.angle, block.polar.increments_angle, polar.angle);
+  const bool radius_known = take(block.polar.radius, block.polar.increments_radius, polar.radius);
+  const MotionKind kind =
+      block.has(motion) ? motion_of_function(block.of(motion).function->number) : reading.motion;
   const bool circle = kind == MotionKind::clockwise || kind == MotionKind::counter_clockwise;
   const bool start_known =
       reading.state.is_known(axes.first) && reading.state.is_known(axes.second);
-  const bool followed = modes.pole && modes.polar_angle && modes.polar_radius && !x && !y &&
-                        !block.center && !reading.incremental && !block.of(dimension).is(91) &&
-                        angle_known && radius_known && !block.to_skip && (!circle || start_known);
+  const bool followed = polar.pole && polar.angle && polar.radius && !x && !y && !block.center &&
+                        !reading.incremental && !block.of(dimension).is(91) && angle_known &&
+                        radius_known && !block.to_skip && (!circle || start_known);
   if (!followed) {
     block.unfollowed_word = begin;
-    modes.polar_angle.reset();
-    modes.polar_radius.reset();
+    polar.angle.reset();
+    polar.radius.reset();
     return true;
   }
-  const double angle = *modes.polar_angle * std::numbers::pi / 180;
-  const Point end = *modes.pole + *modes.polar_radius * Point(std::cos(angle), std::sin(angle));
+  const double angle = *polar.angle * std::numbers::pi / 180;
+  const Point end = *polar.pole + *polar.radius * Point(std::cos(angle), std::sin(angle));
   x = end.x();
   y = end.y();
   if (!block.axis || begin < *block.axis) block.axis = begin;
   if (!circle) return true;
   const Point start =
       to_plane(reading.state.mode().plane, reading.state.position()) / reading.length_unit();
-  block.move.center[axes.first] = modes.pole->x() - start.x();
-  block.move.center[axes.second] = modes.pole->y() - start.y();
+  block.move.center[axes.first] = polar.pole->x() - start.x();
+  block.move.center[axes.second] = polar.pole->y() - start.y();
   block.center = begin;
   return true;
 }
@@ -200,19 +200,19 @@ bool resolve_references(Reading& reading, ProgramLine& line, BlockWords& block) 
                                           .detail = std::string(1, static_cast<char>('X' + axis))});
   };
   for (std::size_t axis = 0; axis < move.end.size(); ++axis) {
-    const bool to_increment = block.end_reference[axis] > 0 && reading.incremental;
-    const bool to_absolute = block.end_reference[axis] < 0 && !reading.incremental;
+    const bool to_increment = block.references.end[axis] > 0 && reading.incremental;
+    const bool to_absolute = block.references.end[axis] < 0 && !reading.incremental;
     if (!move.end[axis] || (!to_increment && !to_absolute)) continue;
     if (!reading.state.is_known(axis)) return refuse_unknown(axis);
     *move.end[axis] += (to_increment ? -1 : 1) * start[axis] / unit;
   }
   for (std::size_t axis = 0; axis < move.center.size(); ++axis) {
-    if (!move.center[axis] || block.center_reference[axis] <= 0) continue;
+    if (!move.center[axis] || block.references.center[axis] <= 0) continue;
     if (!reading.state.is_known(axis)) return refuse_unknown(axis);
     *move.center[axis] -= start[axis] / unit;
   }
-  return (!block.sweep || take_sweep(reading, line, block)) &&
-         (!block.is_through || take_point_between(reading, line, block));
+  return (!block.arc.sweep || take_sweep(reading, line, block)) &&
+         (!block.arc.is_through || take_point_between(reading, line, block));
 }
 
 bool take_tangent(Reading& reading, ProgramLine& line, BlockWords& block) {
@@ -252,7 +252,7 @@ bool take_angle(Reading& reading, ProgramLine& line, BlockWords& block) {
   const double angle = block.angle->value * std::numbers::pi / 180;
   const double along = first ? std::cos(angle) : std::sin(angle);
   constexpr double parallel = 1e-6;
-  if (!straight || reading.code_modes.tangent_arcs || first.has_value() == second.has_value() ||
+  if (!straight || reading.gcode.tangent_arcs.in_force || first.has_value() == second.has_value() ||
       std::abs(along) < parallel)
     return reading.refuse(
         line, TextFault{.code = Code::nc_unsupported,

@@ -4,20 +4,22 @@
 #include <string>
 
 #include "core/nc/dialect/block_words.h"
-#include "core/nc/dialect/code_block.h"
-#include "core/nc/dialect/code_block_words.h"
+#include "core/nc/dialect/gcode_block.h"
+#include "core/nc/dialect/gcode_block_words.h"
+#include "core/nc/dialect/named_functions.h"
 #include "core/nc/dialect/pass_words.h"
 #include "core/nc/dialect/reading.h"
 #include "core/nc/dialect/sinumerik_functions.h"
 #include "core/nc/dialect/sinumerik_names.h"
 #include "core/nc/dialect/sinumerik_values.h"
 #include "core/nc/dialect/sinumerik_words.h"
+#include "core/nc/dialect/tool_data.h"
 #include "core/nc/text/characters.h"
 #include "core/nc/text/named_words.h"
 
 // A block of Sinumerik's language, and its words of one letter. Names and calls are read in
 // sinumerik_functions.cpp, words with a name and a value in sinumerik_values.cpp; the rest is read
-// as in the other dialects: code_block_words.cpp.
+// as in the other dialects: gcode_block_words.cpp.
 
 namespace trc {
 namespace {
@@ -40,7 +42,7 @@ bool check_index(Reading& reading, const NamedWord& word, const ProgramLine& lin
   if (word.index < 0 || word.letter <= 'C' || word.letter >= 'U') return true;
   if (is_center_letter(word.letter) || axis_of_index(reading, word) >= 0) return true;
   const auto wrong = [&](std::string_view why) {
-    return refuse_code(reading, line, as_code(word), Code::nc_unsupported, why);
+    return refuse_word(reading, line, as_gcode(word), Code::nc_unsupported, why);
   };
   const bool changes = word.letter == 'M' && word.value == 6;
   if (word.letter == 'T' || changes) return word.index == 1 || wrong("the tool of another spindle");
@@ -52,16 +54,16 @@ bool check_index(Reading& reading, const NamedWord& word, const ProgramLine& lin
 // T="MILL"
 bool read_tool_name(Reading& reading, const NamedWord& word, ProgramLine& line, BlockWords& block) {
   if (word.letter != 'T')
-    return refuse_code(reading, line, as_code(word), Code::nc_syntax, "a text");
-  if (block.tool_number) return refuse_code(reading, line, as_code(word), Code::nc_word_twice);
+    return refuse_word(reading, line, as_gcode(word), Code::nc_syntax, "a text");
+  if (block.tools.t_word) return refuse_word(reading, line, as_gcode(word), Code::nc_word_twice);
   const std::int64_t number = number_of_tool_named(word.name, reading.state.tool());
   if (number > 0) {
-    reading.code_modes.tool_name.clear();
-    block.tool_number = {.value = static_cast<double>(number), .begin = word.begin};
+    reading.gcode.tools.name.clear();
+    block.tools.t_word = {.value = static_cast<double>(number), .begin = word.begin};
   } else {
-    reading.code_modes.tool_name = word.name;
-    block.tool_number = {.value = -1, .begin = word.begin};
-    block.named_tool = reading.state.tool().tool_named(word.name);
+    reading.gcode.tools.name = word.name;
+    block.tools.t_word = {.value = -1, .begin = word.begin};
+    block.tools.named = reading.state.tool().tool_named(word.name);
   }
   add(line, word, WordRole::technology);
   return true;
@@ -75,9 +77,9 @@ bool read_call_by_letter(Reading& reading, const NamedWord& word, ProgramLine& l
       (passes_word(reading.state.setup(), line.text, word.begin) ||
        in_upper_case(line.word({.begin = word.begin, .end = word.end})) == standard_tool_change);
   if (!passes)
-    return refuse_code(reading, line, as_code(word), Code::nc_unsupported, "a subprogram call");
+    return refuse_word(reading, line, as_gcode(word), Code::nc_unsupported, "a subprogram call");
   block.calls_the_machine = true;
-  return read_as(call_name, word, line, block);
+  return read_as(by_name::call, word, line, block);
 }
 
 // S1=500 and M1=3 are of a spindle, X1=0 of G74 and G75 names an axis.
@@ -86,11 +88,11 @@ bool read_word_of_index(Reading& reading, const NamedWord& word, ProgramLine& li
   if (const int axis = axis_of_index(reading, word); axis >= 0 && !block.has(GGroup::single_move)) {
     const auto index = static_cast<std::size_t>(axis);
     if (word.reference != NamedWord::Reference::modal)
-      return refuse_code(reading, line, as_code(word), Code::nc_unsupported,
+      return refuse_word(reading, line, as_gcode(word), Code::nc_unsupported,
                          "AC or IC of a further axis");
     block.move.tracking.resize(reading.state.setup().tracking_axes.size());
     if (block.move.tracking[index])
-      return refuse_code(reading, line, as_code(word), Code::nc_word_twice);
+      return refuse_word(reading, line, as_gcode(word), Code::nc_word_twice);
     block.move.tracking[index] = word.value;
     if (!block.axis) block.axis = word.begin;
     ++block.words;
@@ -99,7 +101,7 @@ bool read_word_of_index(Reading& reading, const NamedWord& word, ProgramLine& li
   }
   const bool names_axis = word.letter <= 'C' || word.letter >= 'U' || is_center_letter(word.letter);
   if (names_axis && !block.has(GGroup::single_move))
-    return refuse_code(reading, line, as_code(word), Code::nc_axis_unknown);
+    return refuse_word(reading, line, as_gcode(word), Code::nc_axis_unknown);
   if (!names_axis) ++block.words;
   add(line, word, WordRole::technology);
   return true;
@@ -111,11 +113,11 @@ bool take_reference(Reading& reading, const NamedWord& word, const ProgramLine& 
   if (word.reference == NamedWord::Reference::modal) return true;
   const bool incremental = word.reference == NamedWord::Reference::incremental;
   if (word.letter >= 'X' && word.letter <= 'Z') {
-    block.end_reference[static_cast<std::size_t>(word.letter - 'X')] = incremental ? -1 : 1;
+    block.references.end[static_cast<std::size_t>(word.letter - 'X')] = incremental ? -1 : 1;
   } else if (is_center_letter(word.letter)) {
-    block.center_reference[static_cast<std::size_t>(word.letter - 'I')] = incremental ? -1 : 1;
+    block.references.center[static_cast<std::size_t>(word.letter - 'I')] = incremental ? -1 : 1;
   } else if (incremental || reading.incremental) {
-    return refuse_code(reading, line, as_code(word), Code::nc_unsupported,
+    return refuse_word(reading, line, as_gcode(word), Code::nc_unsupported,
                        "AC or IC of a further axis");
   }
   return true;
@@ -126,17 +128,17 @@ bool read_named_address(Reading& reading, const NamedWord& word, ProgramLine& li
   const char letter = word.letter;
   if (!check_index(reading, word, line)) return false;
   if (word.is_text) return read_tool_name(reading, word, line, block);
-  if (letter == 'T') reading.code_modes.tool_name.clear();
+  if (letter == 'T') reading.gcode.tools.name.clear();
   if (letter == 'L' || letter == 'E') return read_call_by_letter(reading, word, line, block);
   if (is_center_letter(letter) && word.index == 1) {  // the point between of CIP
-    block.through[static_cast<std::size_t>(letter - 'I')] = {.value = word.value,
-                                                             .begin = word.begin};
+    block.arc.through[static_cast<std::size_t>(letter - 'I')] = {.value = word.value,
+                                                                 .begin = word.begin};
     add(line, word, WordRole::coordinate);
     return true;
   }
   if (word.is_variable) {
     if (reading.contour_open())
-      return refuse_code(reading, line, as_code(word), Code::nc_unsupported,
+      return refuse_word(reading, line, as_gcode(word), Code::nc_unsupported,
                          "a variable or an expression");
     block.unfollowed_word = word.begin;
     add(line, word, WordRole::technology);
@@ -151,7 +153,7 @@ bool read_named_address(Reading& reading, const NamedWord& word, ProgramLine& li
     add(line, word, WordRole::stop);
     return true;
   }
-  return read_code_word(reading, as_code(word), line, block);
+  return read_gcode_word(reading, as_gcode(word), line, block);
 }
 
 }  // namespace
@@ -163,7 +165,7 @@ bool read_named_words(Reading& reading, ProgramLine& line, BlockWords& block) {
     const NamedWord word = reader.next();
     switch (word.kind) {
       case NamedWord::Kind::end:
-        return complete_code_block(reading, line, block) && faults == 0;
+        return complete_gcode_block(reading, line, block) && faults == 0;
       case NamedWord::Kind::fault:
         reading.refuse(line, reader.fault());
         ++faults;
@@ -189,7 +191,7 @@ bool read_named_words(Reading& reading, ProgramLine& line, BlockWords& block) {
           NamedWord declaration = word;
           declaration.end = static_cast<std::uint32_t>(line.text.size());
           add(line, declaration, WordRole::technology);
-          return complete_code_block(reading, line, block) && faults == 0;
+          return complete_gcode_block(reading, line, block) && faults == 0;
         }
         faults += read_name(reading, word, line, block) ? 0 : 1;
         // What follows is part of the statement.

@@ -31,50 +31,50 @@ bool check_soft_lead(Reading& reading, ProgramLine& line, const BlockWords& bloc
   const bool approaches = is_approach(lead.function->number);
   if (!approaches && !reading.trc_active())
     return wrong(lead.begin, " behind G40: write both into one block");
-  if (!approaches && !block.of(side).is(40))
+  if (!approaches && !block.deselects())
     return wrong(lead.begin, " without G40: write G40 beside it");
-  if (approaches && block.of(side).is(40)) return wrong(lead.begin, " beside G40");
+  if (approaches && block.deselects()) return wrong(lead.begin, " beside G40");
   if (block.to_skip)
     return reading.refuse(line, TextFault{.code = Code::block_skip_undecided,
                                           .begin = lead.begin,
                                           .detail = name + " in a block that may be skipped"});
-  if (block.center || block.corner)
+  if (block.center || block.corners.begin)
     return wrong(lead.begin, " beside words of an arc, a rounding or a chamfer");
   if (reading.feed_mode != 94 || block.has(feed_mode))
     return wrong(lead.begin, " beside or behind G93, G95: only feeds per minute are followed");
-  if (block.soft_return)
-    return wrong(*block.soft_return,
+  if (block.soft.way_back)
+    return wrong(*block.soft.way_back,
                  " with DISRP=, the plane it returns to: program that height "
                  "in blocks of its own");
   const bool straight = lead.function->number < 200;
-  if (!block.soft_length || (!straight && !(block.soft_length->value > 0)))
-    return wrong(block.soft_length ? block.soft_length->begin : lead.begin,
+  if (!block.soft.length || (!straight && !(block.soft.length->value > 0)))
+    return wrong(block.soft.length ? block.soft.length->begin : lead.begin,
                  straight ? " without DISR=, its length" : " without DISR=, its radius, above 0");
-  if (block.soft_feed && !reading.state.is_feed(block.soft_feed->value))
-    return wrong(block.soft_feed->begin, " with FAD= that is no feed");
-  if (block.soft_clearance && !block.clearance_is_absolute && block.soft_clearance->value < 0)
-    return wrong(block.soft_clearance->begin, " with DISCL= below 0");
+  if (block.soft.feed && !reading.state.is_feed(block.soft.feed->value))
+    return wrong(block.soft.feed->begin, " with FAD= that is no feed");
+  if (block.soft.clearance && !block.soft.clearance_is_absolute && block.soft.clearance->value < 0)
+    return wrong(block.soft.clearance->begin, " with DISCL= below 0");
   return true;
 }
 
 Lead soft_lead_of(const Reading& reading, const BlockWords& block) {
   const int number = block.of(soft_lead).function->number;
-  const double length = block.soft_length->value * reading.length_unit();
+  const double length = block.soft.length->value * reading.length_unit();
   if (number < 200) return {.form = Lead::Form::tangent, .length = length, .from_edge = true};
   const bool left = reading.state.mode().side == Side::left;
-  const bool other_side = (reading.code_modes.soft_direction == 141 && !left) ||
-                          (reading.code_modes.soft_direction == 142 && left);
+  const bool other_side = (reading.gcode.soft.direction == 141 && !left) ||
+                          (reading.gcode.soft.direction == 142 && left);
   return {.form = Lead::Form::arc,
           .radius = other_side ? -length : length,
           .angle = number > 300 ? std::numbers::pi : std::numbers::pi / 2,
-          .bends_to_tool = reading.code_modes.soft_direction == 143};
+          .bends_to_tool = reading.gcode.soft.direction == 143};
 }
 
 // The part of DISCL= in a block that leads to or from a contour.
 std::optional<SoftClearance> clearance_of(const Reading& reading, const BlockWords& block) {
-  if (!block.soft_clearance) return {};
-  return SoftClearance{.distance = block.soft_clearance->value * reading.length_unit(),
-                       .absolute = block.clearance_is_absolute};
+  if (!block.soft.clearance) return {};
+  return SoftClearance{.distance = block.soft.clearance->value * reading.length_unit(),
+                       .absolute = block.soft.clearance_is_absolute};
 }
 
 // Where the third axis is by DISCL=: between `plane`, that of the contour, and `away`, from where
@@ -129,14 +129,15 @@ bool read_soft_word(Reading& reading, const NamedWord& word, ProgramLine& line, 
       !(clearance && word.reference == NamedWord::Reference::absolute))
     return refused(Code::nc_unsupported, "a reference that it cannot have");
   if (word.name == "DISRP") {
-    block.soft_return = word.begin;
+    block.soft.way_back = word.begin;
   } else {
-    auto& target = clearance             ? block.soft_clearance
-                   : word.name == "DISR" ? block.soft_length
-                                         : block.soft_feed;
+    auto& target = clearance             ? block.soft.clearance
+                   : word.name == "DISR" ? block.soft.length
+                                         : block.soft.feed;
     if (target) return refused(Code::nc_word_twice, "a second time");
     target = {.value = word.value, .begin = word.begin};
-    if (clearance) block.clearance_is_absolute = word.reference == NamedWord::Reference::absolute;
+    if (clearance)
+      block.soft.clearance_is_absolute = word.reference == NamedWord::Reference::absolute;
   }
   line.words.push_back({.begin = word.begin, .end = word.end, .role = WordRole::technology});
   return true;
@@ -144,18 +145,18 @@ bool read_soft_word(Reading& reading, const NamedWord& word, ProgramLine& line, 
 
 bool take_soft_lead(Reading& reading, ProgramLine& line, BlockWords& block) {
   if (block.has(soft_direction))
-    reading.code_modes.soft_direction = block.of(soft_direction).function->number;
-  if (block.has(soft_steps)) reading.code_modes.soft_in_space = block.of(soft_steps).is(340);
+    reading.gcode.soft.direction = block.of(soft_direction).function->number;
+  if (block.has(soft_steps)) reading.gcode.soft.in_space = block.of(soft_steps).is(340);
   const BlockWords::Function& lead = block.of(soft_lead);
-  const bool selects = block.has(side) && !block.of(side).is(40);
+  const bool selects = block.selects();
   if (!block.has(soft_lead)) {
-    for (const auto& word : {block.soft_length, block.soft_clearance, block.soft_feed})
+    for (const auto& word : {block.soft.length, block.soft.clearance, block.soft.feed})
       if (word && (selects || reading.contour_open()))
         return reading.refuse(
             line, TextFault{.code = Code::nc_unsupported,
                             .begin = word->begin,
                             .detail = std::string("DISR=, DISCL= or FAD= ").append(words_alone)});
-    if (reading.code_modes.soft_approach && reading.faults.empty() && block.has(side))
+    if (reading.gcode.soft.approach && reading.faults.empty() && block.has(side))
       return reading.refuse(
           line, TextFault{.code = Code::nc_unsupported,
                           .begin = block.of(side).begin,
@@ -163,8 +164,8 @@ bool take_soft_lead(Reading& reading, ProgramLine& line, BlockWords& block) {
     return true;
   }
   const bool approaches = is_approach(lead.function->number);
-  block.leads_softly = approaches ? selects || reading.trc_active() : reading.trc_active();
-  if (!block.leads_softly && !reading.contour_open()) {
+  block.soft.is_followed = approaches ? selects || reading.trc_active() : reading.trc_active();
+  if (!block.soft.is_followed && !reading.contour_open()) {
     // Only the control knows where it ends: its contour is not compensated here.
     block.functions[static_cast<std::size_t>(single_move)] = lead;
     return true;
@@ -172,28 +173,28 @@ bool take_soft_lead(Reading& reading, ProgramLine& line, BlockWords& block) {
   if (!check_soft_lead(reading, line, block)) return false;
   for (WordRange& word : line.words)
     for (const auto& mine : {std::optional(BlockWords::Value{.begin = lead.begin}),
-                             block.soft_length, block.soft_clearance, block.soft_feed})
+                             block.soft.length, block.soft.clearance, block.soft.feed})
       if (mine && word.begin == mine->begin) word.role = WordRole::trc;
   return true;
 }
 
 bool approach_softly(Reading& reading, ProgramLine& line, BlockWords& block) {
-  if (!reading.state.awaits_approach() || reading.code_modes.soft_approach)
+  if (!reading.state.awaits_approach() || reading.gcode.soft.approach)
     return reading.refuse(
         line, TextFault{.code = Code::nc_unsupported,
                         .begin = block.of(soft_lead).begin,
                         .detail = "a smooth approach within a contour or behind another"});
   SoftApproach approach{.lead = soft_lead_of(reading, block),
                         .clearance = clearance_of(reading, block),
-                        .along_the_lead = reading.code_modes.soft_in_space,
-                        .rapid = block.motion_before == MotionKind::rapid,
-                        .feed_before = block.feed_before};
-  if (block.soft_feed) approach.feed = block.soft_feed->value * reading.feed_unit(reading.inch);
+                        .along_the_lead = reading.gcode.soft.in_space,
+                        .rapid = block.soft.motion_before == MotionKind::rapid,
+                        .feed_before = block.soft.feed_before};
+  if (block.soft.feed) approach.feed = block.soft.feed->value * reading.feed_unit(reading.inch);
   std::array<std::optional<double>, 3> end{};
   if (!find_soft_end(reading, line, block, end)) return false;
   const PlaneAxes axes = axes_of(reading.state.mode().plane);
   approach.height = end[axes.third];
-  reading.code_modes.soft_approach = approach;
+  reading.gcode.soft.approach = approach;
   if (end[axes.first] || end[axes.second]) return begin_contour_of_approach(reading, line, block);
   reading.reads_plain_lines = false;
   return true;
@@ -212,11 +213,11 @@ bool begin_contour_of_approach(Reading& reading, ProgramLine& line, BlockWords& 
   const bool circle =
       reading.motion == MotionKind::clockwise || reading.motion == MotionKind::counter_clockwise;
   const bool corner = block.move.corner && !block.move.corner->modal;
-  if ((circle && !block.leads_softly) || block.center || corner || !block.move.tracking.empty())
+  if ((circle && !block.soft.is_followed) || block.center || corner || !block.move.tracking.empty())
     return wrong("in an arc, beside a corner or a further axis");
   MoveRequest request{.source = line.source, .kind = MotionKind::linear, .feed = reading.feed};
   if (!find_soft_end(reading, line, block, request.end)) return false;
-  const SoftApproach approach = *reading.code_modes.soft_approach;
+  const SoftApproach approach = *reading.gcode.soft.approach;
   auto& height = request.end[axes.third];
   if (!height) height = approach.height;
   const bool moves_across = height || approach.clearance;
@@ -230,7 +231,7 @@ bool begin_contour_of_approach(Reading& reading, ProgramLine& line, BlockWords& 
   way.feed = approach.feed_before;
   Infeed infeed{.height = *quick, .along_the_lead = approach.along_the_lead, .feed = reading.feed};
   if (approach.feed != 0) (infeed.along_the_lead ? request.feed : infeed.feed) = approach.feed;
-  reading.code_modes.soft_approach.reset();
+  reading.gcode.soft.approach.reset();
   line.is_motion = true;
   return reading.state.approach_by(approach.lead, request, way, infeed);
 }
@@ -249,22 +250,22 @@ bool depart_softly(Reading& reading, ProgramLine& line, BlockWords& block) {
     return wrong(block.of(soft_lead).begin, "G143 without an end in the plane: G140, G141 or G142");
   const auto clearance = clearance_of(reading, block);
   if (clearance && in_plane && !end[axes.third])
-    return wrong(block.soft_clearance->begin, "DISCL= without the height it retracts to");
+    return wrong(block.soft.clearance->begin, "DISCL= without the height it retracts to");
   const double plane = reading.state.position()[axes.third];
   // Without a height of its own the retraction ends where DISCL= says.
   const auto quick = height_of(clearance, plane, end[axes.third].value_or(HUGE_VAL));
-  if (!quick) return refuse_clearance(reading, line, block.soft_clearance->begin);
-  const double slow = block.feed_before;
-  const double infeed = block.soft_feed ? block.soft_feed->value * reading.feed_unit(reading.inch)
-                                        : block.feed_before;
+  if (!quick) return refuse_clearance(reading, line, block.soft.clearance->begin);
+  const double slow = block.soft.feed_before;
+  const double infeed = block.soft.feed ? block.soft.feed->value * reading.feed_unit(reading.inch)
+                                        : block.soft.feed_before;
   MoveRequest step{.source = line.source, .kind = MotionKind::linear, .feed = slow};
-  if (reading.code_modes.soft_in_space && block.soft_feed) step.feed = infeed;
+  if (reading.gcode.soft.in_space && block.soft.feed) step.feed = infeed;
   // Which way the arc bends may depend on where the tool goes.
   step.end[axes.first] = end[axes.first];
   step.end[axes.second] = end[axes.second];
-  if (reading.code_modes.soft_in_space) step.end[axes.third] = *quick;
+  if (reading.gcode.soft.in_space) step.end[axes.third] = *quick;
   line.is_motion = true;
-  if (!reading.state.depart_by(lead, step, reading.code_modes.soft_in_space)) return false;
+  if (!reading.state.depart_by(lead, step, reading.gcode.soft.in_space)) return false;
   const auto travel = [&](const std::array<std::optional<double>, 3>& to) {
     const Position& here = reading.state.position();
     bool moves = false;

@@ -3,14 +3,15 @@
 #include <string>
 
 #include "core/nc/dialect/block_words.h"
-#include "core/nc/dialect/code_block_words.h"
-#include "core/nc/dialect/code_tools.h"
+#include "core/nc/dialect/gcode_block_words.h"
+#include "core/nc/dialect/named_functions.h"
 #include "core/nc/dialect/reading.h"
 #include "core/nc/dialect/sinumerik_arcs.h"
 #include "core/nc/dialect/sinumerik_functions.h"
 #include "core/nc/dialect/sinumerik_leads.h"
 #include "core/nc/dialect/sinumerik_names.h"
 #include "core/nc/dialect/sinumerik_words.h"
+#include "core/nc/dialect/tool_data.h"
 #include "core/nc/text/characters.h"
 #include "core/nc/text/named_words.h"
 
@@ -19,22 +20,20 @@
 namespace trc {
 namespace {
 
-constexpr GFunction frame_scale{
-    .number = scaling_frame, .group = GGroup::unfollowed, .meaning = "a frame that scales"};
-
 // POS[X]=10; POS[A]=10 and POS[Q1]=10 move what has no part in the path: none.
 AxisBits main_axis_of(std::string_view assignment) {
   const std::size_t index = assignment.find_first_not_of("[ \t", assignment.find('['));
   if (index == std::string_view::npos) return 0;
   const char axis = upper(assignment[index]);
-  return axis < 'X' || axis > 'Z' ? AxisBits{0} : static_cast<AxisBits>(1U << (axis - 'X'));
+  return axis < 'X' || axis > 'Z' ? AxisBits{0}
+                                  : main_axis_bit(static_cast<std::size_t>(axis - 'X'));
 }
 
 bool read_form_of_arc(Reading& reading, const NamedWord& word, ProgramLine& line,
                       BlockWords& block) {
-  auto& target = word.name == "CR" ? block.move.radius : block.sweep;
+  auto& target = word.name == "CR" ? block.move.radius : block.arc.sweep;
   if (target)
-    return refuse_code(reading, line, as_code(word), Code::nc_word_twice, "a second time");
+    return refuse_word(reading, line, as_gcode(word), Code::nc_word_twice, "a second time");
   target = word.value;
   if (!block.center) block.center = word.begin;
   add(line, word, WordRole::coordinate);
@@ -44,14 +43,14 @@ bool read_form_of_arc(Reading& reading, const NamedWord& word, ProgramLine& line
 // RND=, CHF= and CHR= shape one corner, RNDM= all that follow.
 bool read_corner(Reading& reading, const NamedWord& word, ProgramLine& line, BlockWords& block) {
   if (word.name == "RNDM") {
-    if (block.modal_rounding || word.value < 0)
-      return refuse_code(reading, line, as_code(word), Code::nc_number, "once, 0 or more");
-    block.modal_rounding = {.value = word.value, .begin = word.begin};
+    if (block.corners.modal_rounding || word.value < 0)
+      return refuse_word(reading, line, as_gcode(word), Code::nc_number, "once, 0 or more");
+    block.corners.modal_rounding = {.value = word.value, .begin = word.begin};
   } else {
-    if (block.corner)
-      return refuse_code(reading, line, as_code(word), Code::nc_word_twice,
+    if (block.corners.begin)
+      return refuse_word(reading, line, as_gcode(word), Code::nc_word_twice,
                          "a second rounding or chamfer");
-    block.corner = word.begin;
+    block.corners.begin = word.begin;
     block.move.corner = {.form = word.name == "RND"   ? CornerCut::Form::round
                                  : word.name == "CHR" ? CornerCut::Form::leg
                                                       : CornerCut::Form::width,
@@ -67,15 +66,15 @@ bool read_angle_or_turns(Reading& reading, const NamedWord& word, ProgramLine& l
   const bool turns = word.name == "TURN";
   if (!turns && reading.trc_active()) {
     if (block.angle)
-      return refuse_code(reading, line, as_code(word), Code::nc_word_twice, "a second ANG=");
+      return refuse_word(reading, line, as_gcode(word), Code::nc_word_twice, "a second ANG=");
     block.angle = {.value = word.value, .begin = word.begin};
     add(line, word, WordRole::trc);
     return true;
   }
   if (turns && reading.contour_open()) {
-    if (block.turns)
-      return refuse_code(reading, line, as_code(word), Code::nc_word_twice, "a second TURN=");
-    block.turns = {.value = word.value, .begin = word.begin};
+    if (block.arc.turns)
+      return refuse_word(reading, line, as_gcode(word), Code::nc_word_twice, "a second TURN=");
+    block.arc.turns = {.value = word.value, .begin = word.begin};
     add(line, word, WordRole::coordinate);
     return true;
   }
@@ -89,13 +88,13 @@ bool pass_assignment(Reading& reading, const NamedWord& word, ProgramLine& line,
                      BlockWords& block) {
   const auto is = [&](std::string_view wanted) { return word.name == wanted; };
   const auto refused = [&](std::string_view why) {
-    return refuse_code(reading, line, as_code(word), Code::nc_unsupported, why);
+    return refuse_word(reading, line, as_gcode(word), Code::nc_unsupported, why);
   };
   const bool is_corner_word = is_sinumerik_corner_word(word.name);
   if (is_corner_word) {
-    auto& feed = is("FRC") ? block.corner_feed : block.modal_corner_feed;
+    auto& feed = is("FRC") ? block.corners.feed : block.corners.modal_feed;
     if (feed || word.value < 0)
-      return refuse_code(reading, line, as_code(word), Code::nc_number, "once, 0 or more");
+      return refuse_word(reading, line, as_gcode(word), Code::nc_number, "once, 0 or more");
     feed = {.value = word.value, .begin = word.begin};
   }
   if (is("DISC") && word.value != 0) return refused("corners that reach out: DISC=0");
@@ -131,9 +130,9 @@ bool read_assignment(Reading& reading, const NamedWord& word, ProgramLine& line,
   if (is("RND") || is("CHF") || is("CHR") || is("RNDM"))
     return read_corner(reading, word, line, block);
   if (is("OFFN")) {
-    if (block.allowance)
-      return refuse_code(reading, line, as_code(word), Code::nc_word_twice, "a second OFFN");
-    block.allowance = {.value = word.value, .begin = word.begin};
+    if (block.tools.allowance)
+      return refuse_word(reading, line, as_gcode(word), Code::nc_word_twice, "a second OFFN");
+    block.tools.allowance = {.value = word.value, .begin = word.begin};
     add(line, word, WordRole::trc);
     return true;
   }
@@ -149,14 +148,14 @@ bool read_assignment(Reading& reading, const NamedWord& word, ProgramLine& line,
     // Of one that is built on others, or of a part of it, nobody knows what it held.
     const std::size_t sign = std::min(value.find('='), value.size());
     const bool is_whole = value.find(',') > sign && value.find('$', sign) == std::string::npos;
-    block.frame = without_blanks_behind(std::string_view(value).substr(0, sign));
-    if (!is_whole && !scales) block.frame.clear();
-    return read_as(scales ? frame_scale : frame_name, word, line, block);
+    block.coordinates.frame = without_blanks_behind(std::string_view(value).substr(0, sign));
+    if (!is_whole && !scales) block.coordinates.frame.clear();
+    return read_as(scales ? by_name::scaling_frame : by_name::frame, word, line, block);
   }
   if (is("$TC_DP6") || is("$TC_DP15")) return read_edge_data(reading, word, line, block);
   // 0 ends them: the kinematics of the tool holder, the tool that is turned with it.
   if ((is("TCARR") || is("CUTMOD")) && word.value != 0)
-    return read_as(frame_name, word, line, block);
+    return read_as(by_name::frame, word, line, block);
   return pass_assignment(reading, word, line, block);
 }
 

@@ -39,7 +39,7 @@ bool count_whole_numbers(Reading& reading, ProgramLine& line, BlockWords& block)
       if (block.has(group)) return true;  // no positions of the program
     const double in_mm = inch ? mm_per_inch : 1;
     for (std::size_t axis = 0; axis < move.end.size(); ++axis)
-      if (move.end[axis] && is_whole(WholeWord::axis + axis) && !reading.code_modes.points_seen &&
+      if (move.end[axis] && is_whole(WholeWord::axis + axis) && !reading.gcode.seen.points &&
           std::abs(*move.end[axis]) * in_mm >= longest_travel)
         return reading.refuse(
             line, TextFault{.code = Code::nc_number,

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/nc/program/arithmetic.h"
-#include "core/nc/program/code_line.h"
+#include "core/nc/program/gcode_line.h"
 #include "core/nc/text/characters.h"
 
 namespace trc::program {

@@ -3,8 +3,8 @@
 #include <cstdint>
 
 #include "core/nc/program/arithmetic.h"
-#include "core/nc/program/code_line.h"
 #include "core/nc/program/expression.h"
+#include "core/nc/program/gcode_line.h"
 
 // What operators and functions make of their operands.
 

@@ -87,7 +87,7 @@ bool fanuc_computes(std::string_view line) {
 
 FanucFlow::FanucFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text,
                      std::size_t start)
-    : CodeFlow(setup, calls, fanuc_grammar()) {
+    : GcodeFlow(setup, calls, fanuc_grammar()) {
   texts_.push_back(std::move(text));
   add_units(0);
   // The line of the O itself belongs to what it names.

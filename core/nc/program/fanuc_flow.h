@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/nc/program/code_flow.h"
+#include "core/nc/program/gcode_flow.h"
 
 namespace trc::program {
 
@@ -28,7 +28,7 @@ namespace trc::program {
 //   - M98 P31001 is O31001, or O1001 three times where there is no such program.
 //   - M99 P goes on in the caller (Fanuc) or in the subprogram itself (Haas): where both have the
 //     N, it is refused.
-class FanucFlow : public CodeFlow {
+class FanucFlow : public GcodeFlow {
  public:
   FanucFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text, std::size_t start);
 

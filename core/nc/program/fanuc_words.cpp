@@ -174,7 +174,7 @@ std::optional<bool> FanucFlow::print(std::string& flat) {
     if (is_of_machine)
       text.append(line_.substr(begin, at - begin));
     else
-      append_fixed(text, value, decimals - '0');
+      append_exactly(text, value, decimals - '0');
   }
   flat.append(text).append(line_end());
   return true;

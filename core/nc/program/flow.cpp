@@ -5,8 +5,8 @@
 
 #include "core/base/utf8.h"
 #include "core/nc/dialect/block_skip.h"
-#include "core/nc/program/code_line.h"
 #include "core/nc/program/fanuc_flow.h"
+#include "core/nc/program/gcode_line.h"
 #include "core/nc/program/isg_flow.h"
 #include "core/nc/program/klartext_flow.h"
 #include "core/nc/program/linuxcnc_flow.h"

@@ -159,12 +159,20 @@ class IsgFlow : public Flow, private Variables {
   [[nodiscard]] std::size_t variable_in_name(std::size_t at, std::size_t& end) const;
   [[nodiscard]] std::size_t value_in_command(std::size_t sign, std::size_t& behind) const;
   bool scan_command(std::size_t& at);
+  struct Assigned {
+    std::size_t begin = 0;
+    std::string name{};
+    char changed_by = '\0';  // of += and the like the first sign
+    std::size_t value_begin = 0;
+  };
+  bool read_assigned(Assigned& assigned);
+  bool change(const Assigned& assigned, Value& value);
   bool scan_assignment(std::size_t& at);
+  void write_assigned(const Assigned& assigned, const Value& value, std::size_t at);
   bool scan_radius(std::size_t& at, std::size_t value);
   bool end_or_return(bool& ends, bool& returns);
   [[nodiscard]] bool has_changed_words() const;
   bool write_words(std::string& flat);
-  bool refuse_rest(ExpressionReader& expression);
   static void append_number(std::string& text, const Value& value);
 
   // isg_variables.cpp

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "core/nc/program/code_line.h"
 #include "core/nc/program/expression.h"
+#include "core/nc/program/gcode_line.h"
 #include "core/nc/text/characters.h"
 
 namespace trc::program {

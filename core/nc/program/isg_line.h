@@ -71,4 +71,9 @@ struct IsgCall {
 // Whether a text holds no sign with which such a line is written.
 [[nodiscard]] bool is_plain_isg(std::string_view text);
 
+// Whether a value goes on with it, or has brackets that nothing has opened.
+[[nodiscard]] inline bool is_isg_operator(char sign) {
+  return sign != '\0' && std::string_view("+-*<>=&|^!]").find(sign) != std::string_view::npos;
+}
+
 }  // namespace trc::program

@@ -2,7 +2,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/nc/program/code_line.h"
+#include "core/nc/program/gcode_line.h"
 #include "core/nc/program/isg_flow.h"
 #include "core/nc/text/characters.h"
 

@@ -1,8 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/nc/program/code_line.h"
+#include "core/nc/program/gcode_line.h"
 #include "core/nc/program/isg_flow.h"
+#include "core/nc/program/isg_line.h"
 #include "core/nc/text/characters.h"
 
 // Lines of words of ISG whose values are computed.
@@ -11,10 +12,6 @@ namespace trc::program {
 namespace {
 
 constexpr std::size_t npos = std::string_view::npos;
-
-bool is_operator(char sign) {
-  return sign != '\0' && std::string_view("+-*<>=&|^!]").find(sign) != npos;
-}
 
 }  // namespace
 
@@ -198,7 +195,7 @@ bool IsgFlow::scan_value(std::size_t begin, std::size_t value, std::size_t& at) 
   if (computed.is_text || std::abs(computed.number) > largest)
     return refuse(Code::value_invalid, begin, std::string(line_.substr(begin, end - begin)));
   at = expression.at();
-  if (is_operator(sign_at(line_, at)))
+  if (is_isg_operator(sign_at(line_, at)))
     return refuse(Code::expression_invalid, at, std::string(1, line_[at]));
   std::string text(line_.substr(begin, value - begin));
   append_number(text, computed);
@@ -264,7 +261,7 @@ bool IsgFlow::scan_command(std::size_t& at) {
     if (value == npos) continue;
     // 2*P1: the value begins in front of the variable.
     const char before = line_[without_blanks_behind(line_.substr(0, value)).size() - 1];
-    if (value == sign && (is_operator(before) || is_digit(line_[value - 1])) && before != ']')
+    if (value == sign && (is_isg_operator(before) || is_digit(line_[value - 1])) && before != ']')
       return refuse(Code::expression_invalid, value, std::string(1, before));
     ExpressionReader expression = expression_at(value);
     const Value computed = expression.expression();
@@ -279,89 +276,6 @@ bool IsgFlow::scan_command(std::size_t& at) {
     text.append(line_.substr(kept, end - kept));
     pieces_.back().instead = std::move(text);
   }
-  return true;
-}
-
-bool IsgFlow::scan_assignment(std::size_t& at) {
-  const std::size_t begin = at;
-  ExpressionReader expression = expression_at(at);
-  const std::string name = place_at(expression);
-  if (expression.failed()) return refuse(expression.fault());
-  expression.pass_blanks();
-  char sign = expression.peek();
-  const bool changes = std::string_view("+-*/").find(sign) != npos && sign != '\0';
-  if (changes) expression.go_to(expression.at() + 1);
-  if (expression.peek() != '=') return refuse(Code::expression_invalid, begin, name + " without =");
-  expression.go_to(expression.at() + 1);
-  expression.pass_blanks();
-  const std::size_t value_begin = expression.at();
-  const bool is_radius = name == "V.G.WZ_AKT.R" || name == "V.G.WZR";
-  const bool names_itself =
-      in_upper_case(line_.substr(value_begin, name.size())) == name && !changes;
-  if (is_radius && names_itself) {
-    at = value_begin + name.size();
-    const std::size_t behind = behind_blanks(line_, at);
-    if (sign_at(line_, behind) == '+' || sign_at(line_, behind) == '-')
-      return scan_radius(at = begin, behind);
-  }
-  kept_text_.begin(isg_outlives_program(name) ? name : "");
-  Value value = expression.expression();
-  if (expression.failed()) return refuse(expression.fault());
-  if (is_operator(expression.peek()))
-    return refuse(Code::expression_invalid, expression.at(), std::string(1, expression.peek()));
-  if (changes) {
-    ExpressionReader old = expression_at(begin);
-    const Value before = old.operand();
-    if (old.failed()) return refuse(old.fault());
-    if (sign == '/' && value.number == 0) return refuse(Code::division_by_zero, begin, "/=");
-    value.number = sign == '+'   ? before.number + value.number
-                   : sign == '-' ? before.number - value.number
-                   : sign == '*' ? before.number * value.number
-                                 : before.number / value.number;
-  }
-  kept_text_.end();
-  at = expression.at();
-  const std::size_t end = end_without_blanks(line_, begin, at);
-  const bool is_own = name.front() == 'P' || name.starts_with("V.L.") || name.starts_with("V.P.") ||
-                      name.starts_with("V.CYC.");
-  const bool comes_out =
-      !is_own || (name.front() != 'P' && writes_variables_ && !modes_.contour_open);
-  if (!is_radius && !assign(name, value, begin)) return false;
-  if (comes_out) {
-    unwritten_.erase(name);
-    std::string text(line_.substr(begin, value_begin - begin));
-    if (kept_text_.stays()) {
-      text += kept_text_.text(line_, value_begin, end);
-    } else {
-      if (changes) text = name + " = ";
-      append_number(text, value);
-      if (kept_text_.hangs_by_the_way()) warn_of_given(begin, name);
-    }
-    pieces_.push_back({.begin = begin, .end = end});
-    double number = 0;
-    bool whole = false;
-    const bool is_plain =
-        value.is_text || read_number(line_.substr(value_begin), number, whole) == end - value_begin;
-    if (!is_plain || changes) pieces_.back().instead = std::move(text);
-  } else {
-    has_computed_ = true;
-    pieces_.push_back({.begin = begin, .end = end, .instead = std::string()});
-  }
-  return true;
-}
-
-// V.G.WZ_AKT.R = V.G.WZ_AKT.R - P1: the tool has worn off. `value` is where the sign stands.
-bool IsgFlow::scan_radius(std::size_t& at, std::size_t value) {
-  const std::size_t begin = at;
-  ExpressionReader expression = expression_at(value);
-  const Value more = expression.expression();
-  if (expression.failed()) return refuse(expression.fault());
-  at = expression.at();
-  std::string text(line_.substr(begin, value - begin));
-  text.append(more.number < 0 ? "- " : "+ ");
-  append_value(text, std::abs(more.number), PointStyle::as_whole);
-  pieces_.push_back(
-      {.begin = begin, .end = end_without_blanks(line_, begin, at), .instead = std::move(text)});
   return true;
 }
 

@@ -103,7 +103,7 @@ bool linuxcnc_computes(std::string_view line) {
 
 LinuxcncFlow::LinuxcncFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text,
                            std::size_t start)
-    : CodeFlow(setup, calls, linuxcnc_grammar()) {
+    : GcodeFlow(setup, calls, linuxcnc_grammar()) {
   texts_.push_back(std::move(text));
   add_o_words(0);
   for (const auto& [name, given_text] : setup.subprograms) {

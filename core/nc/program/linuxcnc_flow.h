@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/nc/program/code_flow.h"
+#include "core/nc/program/gcode_flow.h"
 
 namespace trc::program {
 
@@ -32,7 +32,7 @@ namespace trc::program {
 //     for 0 unless its parameter file says otherwise.
 //   - O words of one label belong together within one subprogram.
 //   - M98 and M99 as of Fanuc, with the parameters of the caller.
-class LinuxcncFlow : public CodeFlow {
+class LinuxcncFlow : public GcodeFlow {
  public:
   LinuxcncFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text, std::size_t start);
 

@@ -80,7 +80,7 @@ void LinuxcncFlow::append_message(std::string& out, std::string_view message) co
     const std::optional<double> value =
         is_parameter && !is_of_machine(target) ? content_of(target) : std::nullopt;
     if (value)
-      append_fixed(out, *value, decimals);
+      append_exactly(out, *value, decimals);
     else
       out.append(message.substr(begin, at - begin));
   }

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "core/nc/program/code_line.h"
+#include "core/nc/program/gcode_line.h"
 #include "core/nc/program/sinumerik_flow.h"
 #include "core/nc/text/characters.h"
 

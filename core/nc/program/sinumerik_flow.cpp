@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/nc/program/code_line.h"
+#include "core/nc/program/gcode_line.h"
 #include "core/nc/text/characters.h"
 
 namespace trc::program {

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "core/nc/dialect/sinumerik_names.h"
-#include "core/nc/program/code_line.h"
+#include "core/nc/program/gcode_line.h"
 #include "core/nc/text/characters.h"
 #include "core/nc/text/named_words.h"
 

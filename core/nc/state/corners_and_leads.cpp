@@ -32,9 +32,8 @@ bool ProgramState::refuse_corner(const Source& source) {
 }
 
 bool ProgramState::refuse_held_corner() {
-  const Source& before = std::get_if<MotionBlock>(&held_.front())->source;
   return diagnostics_.report(
-      diagnostic(Code::nc_unsupported, corner_source_.value_or(before), corner_without_contour));
+      diagnostic(Code::nc_unsupported, corner_.source(), corner_without_contour));
 }
 
 bool ProgramState::refuse_open_lead() {
@@ -50,37 +49,38 @@ bool ProgramState::check_corner(const MoveRequest& request, bool alone) {
 
 // The block that is held loses its end and `path` its beginning.
 bool ProgramState::cut_corner_before(const MoveRequest& request, Segment& path, bool alone) {
-  if (!corner_) return true;
-  if (corner_->form == CornerCut::Form::open) {
-    release_held();
+  if (!corner_.waits()) return true;
+  if (corner_.is_open()) {
+    corner_.release(blocks_);
     return true;
   }
-  auto& before = *std::get_if<MotionBlock>(&held_.front());
+  const MotionBlock& before = corner_.before();
+  const CornerCut& cut = corner_.cut();
   const bool in_contour = mode_.active() && before.mode->side == mode_.side &&
                           before.mode->selection_number == mode_.selection_number;
   const bool no_corner =
-      corner_->modal && std::abs(turn_between(tangent_at_end(before.path),
-                                              tangent_at_start(path))) <= tolerances_.tangent;
-  if (no_corner || (corner_->modal && (!alone || !in_contour))) {
-    release_held();
+      cut.modal && std::abs(turn_between(tangent_at_end(before.path), tangent_at_start(path))) <=
+                       tolerances_.tangent;
+  if (no_corner || (cut.modal && (!alone || !in_contour))) {
+    corner_.release(blocks_);
     return true;
   }
   if (!alone || !in_contour) return refuse_held_corner();
-  const auto corner = cut_corner(before.path, path, *corner_, tolerances_);
+  const auto corner = cut_corner(before.path, path, cut, tolerances_);
   const bool beside_arc =
-      corner_->form != CornerCut::Form::round && (is_arc(before.path) || is_arc(path));
+      cut.form != CornerCut::Form::round && (is_arc(before.path) || is_arc(path));
   const bool takes_all_behind = corner && is_point(corner->after);
   // The corner takes the place of the motion behind it: that has one feed, and no corner of its
   // own.
   const bool has_place = !takes_all_behind || (!is_point(corner->before) && !request.corner &&
-                                               !corner_source_ && corner_feed_ == 0);
+                                               !corner_.has_own_line_or_feed());
   if (!corner || !has_place)
-    return report(corner_source_.value_or(before.source), Code::nc_unsupported,
+    return report(corner_.source(), Code::nc_unsupported,
                   beside_arc ? "a chamfer beside an arc"
                              : "a rounding or a chamfer the motions have no room for");
   path = takes_all_behind ? corner->between : corner->after;
-  put_in_front(*corner, takes_all_behind);
-  release_held();
+  corner_.put_in(*corner, takes_all_behind, tolerances_.same_point);
+  corner_.release(blocks_);
   return true;
 }
 
@@ -88,60 +88,25 @@ bool ProgramState::is_point(const Segment& path) const {
   return length_of(path) <= tolerances_.same_point;
 }
 
-// Into the block that is held, and behind it the corner itself, unless the motion behind has become
-// that.
-void ProgramState::put_in_front(const CutCorner& corner, bool takes_all_behind) {
-  auto& before = *std::get_if<MotionBlock>(&held_.front());
-  if (is_point(corner.before)) {
-    before.path = corner.between;
-    if (corner_feed_ != 0) before.feed = corner_feed_;
-    return;
-  }
-  before.path = corner.before;
-  if (takes_all_behind) return;
-  MotionBlock between = before;
-  between.path = corner.between;
-  ++between.source.part;
-  if (corner_feed_ != 0) between.feed = corner_feed_;
-  auto place = held_.begin() + 1;
-  if (corner_source_) {
-    between.source = *corner_source_;
-    while (place != held_.end() && index_of(*place) <= between.source.index) ++place;
-  }
-  held_.insert(place, std::move(between));
-}
-
 void ProgramState::hold_for_corner(const MoveRequest& request) {
-  if (!request.corner || !request.corner->modal || in_plane_blocks_ > 1) corner_ = request.corner;
+  if (!request.corner) return;
+  const CornerCut& cut = *request.corner;
   const auto* last = std::get_if<MotionBlock>(&blocks_.back());
-  if (corner_ && corner_->modal &&
-      (last == nullptr || last->rapid || last->normal.moves() || !mode_.active()))
-    corner_.reset();
-  if (!corner_) return;
-  corner_feed_ = request.corner ? request.corner_feed : 0;
-  held_.push_back(std::move(blocks_.back()));
+  const bool is_between_motions = in_plane_blocks_ > 1 && last != nullptr && !last->rapid &&
+                                  !last->normal.moves() && mode_.active();
+  if (cut.modal && !is_between_motions) return;
+  corner_.hold(std::move(blocks_.back()), cut, request.corner_feed);
   blocks_.pop_back();
 }
 
 bool ProgramState::cut_corner_behind(const CornerCut& cut, double feed, const Source& source) {
-  if (!corner_ || corner_->form != CornerCut::Form::open) return refuse_corner(source);
-  const auto& before = *std::get_if<MotionBlock>(&held_.front());
+  if (!corner_.is_open()) return refuse_corner(source);
+  const MotionBlock& before = corner_.before();
   const bool alone = !before.rapid && !before.normal.moves() &&
                      std::ranges::none_of(before.tracking, &AxisTravel::moves);
   if (!alone || !mode_.active()) return refuse_corner(source);
-  corner_ = cut;
-  corner_source_ = source;
-  corner_feed_ = feed;
+  corner_.close(cut, feed, source);
   return true;
-}
-
-void ProgramState::release_held() {
-  // Nearly always one.
-  for (Block& block : held_) blocks_.push_back(std::move(block));
-  held_.clear();
-  corner_.reset();
-  corner_source_.reset();
-  corner_feed_ = 0;
 }
 
 ContourEnd ProgramState::contour_end(const Point& point, const Vector& tangent) const {
@@ -201,7 +166,7 @@ void ProgramState::come_down(const PendingLead& pending) {
 bool ProgramState::approach_contour(const Segment& contour) {
   const PendingLead pending = *std::exchange(lead_, std::nullopt);
   const Position here = position_;
-  std::vector<Block> held = std::exchange(held_, {});
+  std::vector<Block> held = std::exchange(corner_.blocks(), {});
   const ContourEnd begin = contour_end(start_of(contour), tangent_at_start(contour));
   const Point from = to_plane(mode_.plane, pending.from);
   const auto path = path_to(begin, pending.lead, from, tolerances_.same_point);
@@ -270,8 +235,8 @@ bool ProgramState::goes_on_from_arc(const Segment& contour) {
 }
 
 bool ProgramState::depart_by(const Lead& lead, const MoveRequest& request, bool climbs) {
-  if (corner_ && corner_->form != CornerCut::Form::open) return refuse_held_corner();
-  release_held();
+  if (corner_.waits() && !corner_.is_open()) return refuse_held_corner();
+  corner_.release(blocks_);
   if (!mode_.active() || in_plane_blocks_ <= (has_approach_ ? 1U : 0U))
     return report(request.source, Code::nc_unsupported,
                   "DEP or G148, G248, G348 without a contour before it");

@@ -69,7 +69,7 @@ struct KlartextLine {
   }
 };
 
-// Of the archives of core/base/archive.h; defined in core/nc/state_archive.h.
+// Of the archives of core/base/archive.h; defined in core/nc/state/state_archive.h.
 template <class Archive>
 void serialize_line_end(Archive& archive, std::string_view& line_end);
 

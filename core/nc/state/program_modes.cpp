@@ -46,7 +46,7 @@ bool ProgramState::deselect(const Source& source) {
   if (!mode_.active()) return true;
   if (lead_) return refuse_open_lead();
   // A corner that is cut is refused by the next motion.
-  if (corner_ && (corner_->form == CornerCut::Form::open || corner_->modal)) release_held();
+  if (!corner_.is_asked_for()) corner_.release(blocks_);
   const bool has_contour = in_plane_blocks_ > (has_approach_ ? 1U : 0U);
   if (has_contour && mode_.selection == Selection::without_block) {
     const Point point = last_equidistant_point();

@@ -5,7 +5,6 @@
 #include <functional>
 #include <utility>
 
-#include "core/nc/state/circle_words.h"
 #include "core/nc/state/in_range.h"
 
 namespace trc {
@@ -16,7 +15,6 @@ bool is_circle(MotionKind kind) {
 }
 
 constexpr std::array<const char*, 3> axis_words{"X", "Y", "Z"};
-constexpr std::array<const char*, 3> center_words{"I", "J", "K"};
 
 }  // namespace
 
@@ -153,76 +151,6 @@ std::string ProgramState::told_increments() const {
   return ", counted from there, as G91 holds since " + place_of(increments_since_).substr(in);
 }
 
-std::optional<Refusal> ProgramState::circle(const MoveRequest& request, const Position& end,
-                                            ProgrammedCircle& programmed) const {
-  if (displaced_)
-    return Refusal{
-        .code = Code::circle_center_misfit,
-        .detail =
-            "an arc directly behind G40 under G239, where the tool stands at the compensated point",
-        .point = standing_point()};
-  const PlaneAxes axes = axes_of(mode_.plane);
-  if (request.center[axes.third])
-    return Refusal{.code = Code::nc_unsupported, .detail = center_words[axes.third]};
-  const bool has_center = request.center[axes.first] || request.center[axes.second];
-  if (has_center && request.radius) return Refusal{.code = Code::center_and_radius_together};
-  if (!has_center && !request.radius)
-    // With G164 the reference control takes the missing centre for the start point.
-    return Refusal{.code =
-                       circle_.correct_center ? Code::circle_incomplete : Code::circle_radius_zero};
-
-  const CircleEnds ends{.start = to_plane(mode_.plane, position_),
-                        .end = to_plane(mode_.plane, end),
-                        .clockwise = request.kind == MotionKind::clockwise};
-  const auto too_large = [&](const Point& point) {
-    return !(point.cwiseAbs().maxCoeff() <= tolerances_.largest_coordinate);
-  };
-  CircleResult result;
-  Point center = Point::Zero();
-  const auto center_counted = [&](bool absolute) {
-    const Point base = absolute ? Point::Zero() : ends.start;
-    const Point missing = absolute ? ends.start : Point::Zero();
-    return Point(base + Point(request.center[axes.first].value_or(missing.x()),
-                              request.center[axes.second].value_or(missing.y())));
-  };
-  if (has_center) {
-    center = center_counted(absolute_center_);
-    if (too_large(center))
-      return Refusal{.code = center.allFinite() ? Code::center_out_of_range : Code::field_invalid,
-                     .detail = "I, J, K"};
-    result = arc_about(center, ends, circle_, mode_.active(), tolerances_);
-  } else {
-    if (!std::isfinite(*request.radius)) return Refusal{.code = Code::field_invalid, .detail = "R"};
-    result = arc_of_radius(*request.radius, ends, circle_, tolerances_);
-  }
-  if (CircleFault* fault = std::get_if<CircleFault>(&result)) {
-    Refusal refusal{
-        .code = fault->code, .values = std::move(fault->values), .point = standing_point()};
-    if (refusal.code == Code::circle_center_misfit)
-      refusal.detail = told_circle(ends, has_center ? std::optional(center) : std::nullopt,
-                                   {.plane = mode_.plane,
-                                    .absolute_center = absolute_center_,
-                                    .klartext = setup_.dialect == DialectName::heidenhain,
-                                    .inch = circle_.last_digit == last_digit(true)});
-    const bool is_of_words = has_center && setup_.dialect != DialectName::heidenhain;
-    if (refusal.code == Code::circle_center_misfit && is_of_words) {
-      const CircleResult other =
-          arc_about(center_counted(!absolute_center_), ends, circle_, mode_.active(), tolerances_);
-      if (std::holds_alternative<Arc>(other))
-        refusal.detail += absolute_center_ ? ", which fits where they count from the start"
-                                           : ", which fits where they are absolute";
-    }
-    return refusal;
-  }
-  programmed.arc = std::get<Arc>(result);
-  if (too_large(programmed.arc.center)) return Refusal{.code = Code::center_out_of_range};
-  if (has_center && circle_.correct_center) {
-    programmed.center_shift = (programmed.arc.center - center).norm();
-    programmed.width = width_about(center, programmed.arc);
-  }
-  return {};
-}
-
 bool ProgramState::move_tracking(const MoveRequest& request, TrackingTravel& travel) {
   if (tracking_.empty() && request.tracking.empty()) return true;
   return travel_on_tracking_axes(request, travel);
@@ -305,7 +233,7 @@ bool ProgramState::append_between_corners(const MoveRequest& request, const Shap
                                           const Position& end, TrackingTravel&& tracking) {
   if (arc_to_contour_ && !goes_on_from_arc(shape)) return false;
   const bool is_plain =
-      !request.corner && !corner_ && !lead_ && setup_.dialect != DialectName::heidenhain;
+      !request.corner && !corner_.waits() && !lead_ && setup_.dialect != DialectName::heidenhain;
   if (is_plain) {
     append_motion(request, shape, end, std::move(tracking), blocks_);
     return true;
@@ -319,11 +247,12 @@ bool ProgramState::append_between_corners(const MoveRequest& request, const Shap
   const bool may_be_followed = setup_.dialect == DialectName::heidenhain && is_in_contour();
   std::visit(
       [&](const auto& way) {
-        append_motion(request, way, end, std::move(tracking), may_be_followed ? held_ : blocks_);
+        append_motion(request, way, end, std::move(tracking),
+                      may_be_followed ? corner_.blocks() : blocks_);
       },
       path);
   if (may_be_followed)
-    corner_ = CornerCut{.form = CornerCut::Form::open};
+    corner_.open();
   else
     hold_for_corner(request);
   return true;
@@ -406,9 +335,8 @@ bool ProgramState::pass(const Source& source, std::string text) {
 
 bool ProgramState::end(const Source& source) {
   if (lead_) return refuse_open_lead();
-  if (corner_ && corner_->form != CornerCut::Form::open && !corner_->modal)
-    return refuse_held_corner();
-  release_held();
+  if (corner_.is_asked_for()) return refuse_held_corner();
+  corner_.release(blocks_);
   // Both axes may have been led away by copied motions, such as G53 X0 Y0.
   const bool has_left = retract_is_lost() && std::ranges::none_of(beside_contour_, std::identity{});
   if (std::exchange(ended_, true) || !contour_open() || has_left) return !diagnostics_.stopped();

@@ -12,6 +12,7 @@
 #include "core/base/tolerances.h"
 #include "core/nc/state/block.h"
 #include "core/nc/state/corner_cut.h"
+#include "core/nc/state/held_corner.h"
 #include "core/nc/state/lead.h"
 #include "core/nc/state/program_setup.h"
 #include "core/nc/state/refusal.h"
@@ -29,8 +30,16 @@ struct RadiusUse {
 // Some of X Y Z, a bit each.
 using AxisBits = std::uint8_t;
 inline constexpr AxisBits all_axes = 7;
+[[nodiscard]] constexpr AxisBits main_axis_bit(std::size_t axis) {
+  return static_cast<AxisBits>(1U << axis);
+}
 
+// In the order of G00 … G03.
 enum class MotionKind : std::uint8_t { rapid, linear, clockwise, counter_clockwise };
+inline constexpr int last_motion_function = 3;
+[[nodiscard]] constexpr MotionKind motion_of_function(int g_number) {
+  return static_cast<MotionKind>(g_number);
+}
 
 // One programmed motion before position, plane and circle rules are applied.
 // Main axes in the order X Y Z and I J K, mm. An absent coordinate keeps its value.
@@ -235,7 +244,8 @@ class ProgramState {
   // Of the blocks that are not given yet: the Source::index of the first, or the largest number.
   [[nodiscard]] std::uint64_t held_from() const {
     if (lead_) return lead_->request.source.index;
-    return held_.empty() ? std::numeric_limits<std::uint64_t>::max() : index_of(held_.front());
+    const std::vector<Block>& held = corner_.blocks();
+    return held.empty() ? std::numeric_limits<std::uint64_t>::max() : index_of(held.front());
   }
   // No motion in the plane has followed the last G40 yet.
   [[nodiscard]] bool just_deselected() const { return just_deselected_; }
@@ -246,8 +256,8 @@ class ProgramState {
             absolute_center_, circle_.correct_center, circle_.last_digit, position_, target_,
             known_, position_forgotten_, displaced_, tracking_, selected_, selections_,
             in_plane_blocks_, has_approach_, last_path_, last_index_, last_part_, last_mode_,
-            retract_pending_, beside_contour_, just_deselected_, next_plane_, corner_,
-            corner_source_, corner_feed_, lead_, arc_to_contour_, held_, ended_, increments_since_);
+            retract_pending_, beside_contour_, just_deselected_, next_plane_, corner_, lead_,
+            arc_to_contour_, ended_, increments_since_);
     terms_in_mode_ = tool_.terms();
   }
 
@@ -276,7 +286,9 @@ class ProgramState {
     return *request.end[axis] + (request.incremental ? target_[axis] : 0);
   }
   // Where blocks go: they wait while a corner or a lead does.
-  [[nodiscard]] std::vector<Block>& sink() { return corner_ || lead_ ? held_ : blocks_; }
+  [[nodiscard]] std::vector<Block>& sink() {
+    return corner_.waits() || lead_ ? corner_.blocks() : blocks_;
+  }
   bool refuse_corner(const Source& source);
   // The corner that waits for the motion behind it: it is told where it stands.
   bool refuse_held_corner();
@@ -287,9 +299,7 @@ class ProgramState {
   bool check_corner(const MoveRequest& request, bool alone);
   bool cut_corner_before(const MoveRequest& request, Segment& path, bool alone);
   [[nodiscard]] bool is_point(const Segment& path) const;
-  void put_in_front(const CutCorner& corner, bool takes_all_behind);
   void hold_for_corner(const MoveRequest& request);
-  void release_held();
   bool approach_contour(const Segment& contour);
   bool goes_on_from_arc(const Segment& contour);
   [[nodiscard]] ContourEnd contour_end(const Point& point, const Vector& tangent) const;
@@ -309,8 +319,15 @@ class ProgramState {
     double center_shift = 0;  // mm, by which G165 has corrected the centre
     double width = 0;         // mm, what that does to the arc (width_about())
   };
+  // programmed_circle.cpp
   [[nodiscard]] std::optional<Refusal> circle(const MoveRequest& request, const Position& end,
                                               ProgrammedCircle& programmed) const;
+  // Of its centre and its radius exactly one is there, in the plane.
+  [[nodiscard]] std::optional<Refusal> check_circle_words(const MoveRequest& request) const;
+  [[nodiscard]] Point center_of(const MoveRequest& request, const Point& start,
+                                bool absolute) const;
+  [[nodiscard]] Refusal misfit(CircleFault&& fault, const MoveRequest& request,
+                               const CircleEnds& ends) const;
   [[nodiscard]] DiagnosticPoint standing_point() const {
     return {.x = position_[0], .y = position_[1], .z = position_[2]};
   }
@@ -376,14 +393,10 @@ class ProgramState {
   std::array<bool, 3> beside_contour_{};
   bool just_deselected_ = false;
   std::optional<Plane> next_plane_{};  // named behind a bare G40
-  // To be cut, and the blocks from the one before it on, until the next motion in the plane.
-  std::optional<CornerCut> corner_{};
-  Source increments_since_{};              // where G91 stands last
-  std::optional<Source> corner_source_{};  // of a line of its own
-  double corner_feed_ = 0;
+  Source increments_since_{};          // where G91 stands last
+  HeldCorner corner_{};
   std::optional<PendingLead> lead_{};
   std::optional<ArcToContour> arc_to_contour_{};  // whose next block is still to come
-  std::vector<Block> held_{};
   bool ended_ = false;
 };
 

@@ -82,6 +82,15 @@ std::uint32_t code_point(std::string_view character) {
   return point;
 }
 
+std::size_t behind_blanks(std::string_view line, std::size_t at) {
+  while (at < line.size()) {
+    const std::size_t blank = blank_at_start(line.substr(at));
+    if (blank == 0) break;
+    at += blank;
+  }
+  return at;
+}
+
 std::string_view without_blanks_in_front(std::string_view text) {
   while (const std::size_t length = blank_at_start(text)) text.remove_prefix(length);
   return text;

@@ -42,6 +42,8 @@ inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (text.front() == ' ' || text.front() == '\t') return 1;
   return text.starts_with("\xC2\xA0") ? 2 : 0;
 }
+// Behind the blanks from `at` on.
+[[nodiscard]] std::size_t behind_blanks(std::string_view line, std::size_t at);
 [[nodiscard]] std::string_view without_blanks_in_front(std::string_view text);
 [[nodiscard]] std::string_view without_blanks_behind(std::string_view text);
 

@@ -39,7 +39,7 @@ bool is_circle_for_line(const PathBlock& block, const TrcMode* next) {
 
 }  // namespace
 
-const char* RelevantBlocks::unavailable(const TrcMode& mode) const {
+const char* RelevantBlocks::excluded_pair(const TrcMode& mode) {
   if (mode.tangential && mode.selection == Selection::perpendicular) return "G05 with G237";
   return nullptr;
 }
@@ -131,8 +131,7 @@ bool RelevantBlocks::leave_selection(PathBlock& block, const TrcMode& next) {
 bool RelevantBlocks::classify(PathBlock& block) {
   const TrcMode& mode = block.mode();
   if (mode.active() && block.programmed.mode != last_mode_) {
-    if (const char* function = unavailable(mode))
-      return refuse(Code::not_available, block, function);
+    if (const char* pair = excluded_pair(mode)) return refuse(Code::not_available, block, pair);
   }
   if (!mode.active()) return end_selection(block);
   return last_.active ? continue_selection(block) : begin_selection(block);

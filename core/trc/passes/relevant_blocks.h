@@ -14,7 +14,7 @@
 namespace trc {
 
 // Tells what each block is to TRC – approach, contour, retract, side change –
-// and carried passive blocks (M words, dwell, motion across the plane) behind the
+// and carries passive blocks (M words, dwell, motion across the plane) behind the
 // motion block they were programmed after, so that the later passes see motion
 // only. While TRC is off passive blocks go through at once.
 //
@@ -70,8 +70,8 @@ class RelevantBlocks {
   void keep_refused_approach(const MotionBlock& next);
   void keep_refused_retract(const PathBlock& retract);
 
-  // The first function of the mode this build does not have, or nothing.
-  [[nodiscard]] const char* unavailable(const TrcMode& mode) const;
+  // Functions of the mode that exclude each other, or nothing.
+  [[nodiscard]] static const char* excluded_pair(const TrcMode& mode);
 
   CompensatorSetup setup_;
   Diagnostics& diagnostics_;

@@ -1,4 +1,4 @@
-#include "core/nc/dialect/code_block.h"
+#include "core/nc/dialect/gcode_block.h"
 
 #include <algorithm>
 #include <array>
@@ -8,21 +8,22 @@
 #include <vector>
 
 #include "core/nc/dialect/block_words.h"
-#include "core/nc/dialect/code_corners.h"
-#include "core/nc/dialect/code_tools.h"
 #include "core/nc/dialect/copied_block.h"
+#include "core/nc/dialect/gcode_corners.h"
+#include "core/nc/dialect/gcode_tools.h"
 #include "core/nc/dialect/kept_modes.h"
 #include "core/nc/dialect/machine_compensation.h"
 #include "core/nc/dialect/passing_calls.h"
 #include "core/nc/dialect/reading.h"
 #include "core/nc/dialect/sinumerik_arcs.h"
 #include "core/nc/dialect/sinumerik_leads.h"
+#include "core/nc/dialect/tool_data.h"
 #include "core/nc/dialect/unfollowed.h"
 #include "core/nc/dialect/whole_numbers.h"
 #include "core/nc/text/characters.h"
 
 // What the words of a block of plain letters and numbers mean together, before any of it takes
-// effect: the dialects of Fanuc and of LinuxCNC.
+// effect: the dialects of Fanuc, of LinuxCNC and of Sinumerik.
 
 namespace trc {
 namespace {
@@ -34,9 +35,6 @@ std::string_view called_name(std::string_view text, std::uint32_t begin) {
   return text.substr(begin, text.find(';', begin) - begin);
 }
 
-constexpr std::array<MotionKind, 4> motions{MotionKind::rapid, MotionKind::linear,
-                                            MotionKind::clockwise, MotionKind::counter_clockwise};
-
 // G50 S and G92 S: how fast the spindle may turn, of lathes.
 void take_spindle_limit(Reading& reading, const ProgramLine& line, BlockWords& block) {
   const bool spindle_limit = block.has(unfollowed_end) && block.of(unfollowed_end).is(50);
@@ -44,7 +42,7 @@ void take_spindle_limit(Reading& reading, const ProgramLine& line, BlockWords& b
     return line.text[word.begin] == 'S' || line.text[word.begin] == 's';
   });
   const bool sets_spindle_limit = block.of(frame).is(92) && has_spindle && !block.axis;
-  reading.code_modes.turning |= (spindle_limit || block.of(frame).is(92)) && has_spindle;
+  reading.gcode.seen.lathe |= (spindle_limit || block.of(frame).is(92)) && has_spindle;
   if (sets_spindle_limit) block.clear(frame);
 }
 
@@ -54,14 +52,12 @@ void end_modes_before(Reading& reading, const BlockWords& block) {
   const bool motion_ends_cycle =
       block.has(motion) && reading.dialect.name != DialectName::sinumerik;
   // What a line that may be skipped ends may still hold.
-  if ((motion_ends_cycle || block.has(cycle_end)) && !block.to_skip)
-    reading.code_modes.cycle = false;
-  if (block.has(motion)) reading.code_modes.tangent_arcs = false;
-  reading.code_modes.tangent_arcs |= block.begins_tangent_arcs;
-  if (block.begins_tangent_arcs) reading.code_modes.tangents_written = reading.trc_active();
-  reading.code_modes.tooth_feed =
-      block.tooth_feed.has_value() ||
-      (reading.code_modes.tooth_feed && !(block.feed && !block.has(dwell)));
+  if ((motion_ends_cycle || block.has(cycle_end)) && !block.to_skip) reading.gcode.cycle = false;
+  if (block.has(motion)) reading.gcode.tangent_arcs.in_force = false;
+  reading.gcode.tangent_arcs.in_force |= block.arc.begins_tangents;
+  if (block.arc.begins_tangents) reading.gcode.tangent_arcs.are_written = reading.trc_active();
+  reading.gcode.tooth_feed = block.tooth_feed.has_value() ||
+                             (reading.gcode.tooth_feed && !(block.feed && !block.has(dwell)));
 }
 
 // F of a dwell is a time, R of M19 an angle, that of G5.1 a level of smoothing.
@@ -70,10 +66,8 @@ void take_words_that_are_no_motion(ProgramLine& line, BlockWords& block) {
     block.feed.reset();
     take_for_technology(line, WordRole::feed);
   }
-  constexpr int smoothing_tenths = 51;
-  const bool smooths =
-      block.has(technology) && block.of(technology).function->tenths() == smoothing_tenths;
-  if ((block.orients_spindle || smooths) && !block.axis && block.move.radius) {
+  const bool smooths = block.of(technology).is(5, 1);
+  if ((block.spindle.is_oriented || smooths) && !block.axis && block.move.radius) {
     block.move.radius.reset();
     block.center.reset();
     take_for_technology(line, WordRole::coordinate);
@@ -94,8 +88,8 @@ bool check_dwell(Reading& reading, const ProgramLine& line, const BlockWords& bl
 
 // Of a block that may be skipped: what all lines behind it hang on.
 bool check_skipped_modes(Reading& reading, const ProgramLine& line, const BlockWords& block) {
-  if (block.has(dimension)) reading.code_modes.dimension_uncertain = block.to_skip;
-  if (reading.code_modes.dimension_uncertain && block.axis && !block.to_skip)
+  if (block.has(dimension)) reading.gcode.skipped.dimension = block.to_skip;
+  if (reading.gcode.skipped.dimension && block.axis && !block.to_skip)
     return reading.refuse(line,
                           TextFault{.code = Code::block_skip_undecided,
                                     .begin = *block.axis,
@@ -107,41 +101,40 @@ bool check_skipped_modes(Reading& reading, const ProgramLine& line, const BlockW
   };
   if (block.to_skip && (block.has(unit) || block.has(plane)))
     return undecided("a unit or a plane that may be skipped");
-  if (block.to_skip && (block.has(feed_adaptation) || block.masks || block.modal_rounding ||
-                        block.corner_feed || block.modal_corner_feed))
+  if (block.to_skip && (block.has(feed_adaptation) || block.masks || block.corners.modal_rounding ||
+                        block.corners.feed || block.corners.modal_feed))
     return undecided("feeds, corners or masking of a contour that may be skipped");
-  const bool selects = block.has(side) && !block.of(side).is(40);
+  const bool selects = block.selects();
   const bool in_contour = reading.contour_open() || selects;
-  if (block.has(motion)) reading.code_modes.motion_uncertain = block.to_skip;
-  if (reading.code_modes.motion_uncertain && in_contour && (block.to_skip || block.axis))
+  if (block.has(motion)) reading.gcode.skipped.motion = block.to_skip;
+  if (reading.gcode.skipped.motion && in_contour && (block.to_skip || block.axis))
     return undecided("a motion behind G00 … G03 that may be skipped");
   if (block.feed && !block.has(dwell))
-    reading.code_modes.skipped_feed = block.to_skip ? line.source.line : 0;
-  if (reading.code_modes.skipped_feed > 0 && in_contour &&
+    reading.gcode.skipped.feed = block.to_skip ? line.source.line : 0;
+  if (reading.gcode.skipped.feed > 0 && in_contour &&
       reading.state.mode().feed_adaptation != FeedAdaptation::off)
     return undecided("the feed at the contour, of an F that may be skipped, in line " +
-                     std::to_string(reading.code_modes.skipped_feed));
+                     std::to_string(reading.gcode.skipped.feed));
   return true;
 }
 
 // Whether a line of axis words alone says all that its motion hangs on.
 bool may_read_plain_lines(const Reading& reading) {
   const WholeNumbers whole = reading.state.setup().whole_numbers;
-  const bool plain_whole_numbers =
-      reading.dialect.name != DialectName::fanuc || whole == WholeNumbers::units ||
-      (whole == WholeNumbers::unsaid && reading.code_modes.points_seen);
-  return !reading.code_modes.cycle && reading.code_modes.unfollowed.empty() &&
-         !reading.code_modes.tangent_arcs && !reading.code_modes.dimension_uncertain &&
-         !reading.code_modes.motion_uncertain && reading.code_modes.skipped_feed == 0 &&
-         reading.code_modes.y_seen && reading.faults.empty() && plain_whole_numbers &&
-         !reading.code_modes.enters_parameters && reading.code_modes.modal_rounding == 0 &&
-         !reading.code_modes.soft_approach && !reading.called_motion && !reading.called_dimension &&
-         !reading.code_modes.tooth_feed && reading.code_modes.open_corner.source.line == 0;
+  const bool plain_whole_numbers = reading.dialect.name != DialectName::fanuc ||
+                                   whole == WholeNumbers::units ||
+                                   (whole == WholeNumbers::unsaid && reading.gcode.seen.points);
+  return !reading.gcode.cycle && reading.gcode.coordinates.unfollowed.empty() &&
+         !reading.gcode.tangent_arcs.in_force && !reading.gcode.skipped.dimension &&
+         !reading.gcode.skipped.motion && reading.gcode.skipped.feed == 0 && reading.gcode.seen.y &&
+         reading.faults.empty() && plain_whole_numbers && !reading.gcode.enters_parameters &&
+         reading.gcode.corners.modal_rounding == 0 && !reading.gcode.soft.approach &&
+         !reading.called_motion && !reading.called_dimension && !reading.gcode.tooth_feed &&
+         reading.gcode.corners.open.source.line == 0;
 }
 
 MotionKind kind_of(const Reading& reading, const BlockWords& block) {
-  return block.has(motion) ? motions[static_cast<std::size_t>(block.of(motion).function->number)]
-                           : reading.motion;
+  return block.has(motion) ? motion_of_function(block.of(motion).function->number) : reading.motion;
 }
 
 // I, J, K and R of a straight motion of FANUC outside of contours: where it ends hangs on none of
@@ -151,7 +144,7 @@ void pass_over_circle_words(const Reading& reading, ProgramLine& line, BlockWord
   const bool is_straight = kind == MotionKind::rapid || kind == MotionKind::linear;
   if (reading.dialect.name != DialectName::fanuc || !block.center || !is_straight ||
       reading.contour_open() || block.has(side) || block.has(dwell) || block.has(tool_data) ||
-      block.has(single_move) || block.has(cycle) || reading.code_modes.cycle || block.has(frame) ||
+      block.has(single_move) || block.has(cycle) || reading.gcode.cycle || block.has(frame) ||
       block.has(unfollowed))
     return;
   const auto says = [](const std::optional<double>& value) { return value.value_or(0) != 0; };
@@ -160,8 +153,7 @@ void pass_over_circle_words(const Reading& reading, ProgramLine& line, BlockWord
                                      says(block.move.center[1]) || says(block.move.center[2]));
   if (cuts_corner) {
     block.copied = true;
-    for (std::size_t axis = 0; axis < block.move.end.size(); ++axis)
-      if (block.move.end[axis]) block.forget |= static_cast<AxisBits>(1U << axis);
+    block.forget |= block.named_axes();
     return;
   }
   block.move.radius.reset();
@@ -187,9 +179,8 @@ bool check_circle_words(Reading& reading, const ProgramLine& line, const BlockWo
                                           .detail = std::move(detail)});
   };
   if (block.has(side) && has_center)
-    return refused(block.of(side).is(40)
-                       ? "I, J beside G40, a vector of the wall behind it"
-                       : "I, J beside G41, G42, a vector of the contour behind it");
+    return refused(block.deselects() ? "I, J beside G40, a vector of the wall behind it"
+                                     : "I, J beside G41, G42, a vector of the contour behind it");
   return has_center || !block.axis || refused("R in a straight motion");
 }
 
@@ -198,9 +189,9 @@ void take_words_of_few_controls(BlockWords& block) {
   BlockWords::Function& found = block.functions[static_cast<std::size_t>(single_move)];
   static constexpr GFunction scaling{.number = 72, .group = unfollowed, .meaning = "scaling"};
   static constexpr GFunction no_scaling{.number = 72, .group = unfollowed_end};
-  const bool drills = block.center || block.tool_data || block.tool_data_number || block.quantity;
-  if (found.is(72) && !drills && (block.spindle_speed || block.axis)) {
-    const bool ends = !block.axis && block.spindle_speed->value == 1;
+  const bool drills = block.center || block.l_word || block.p_word || block.q_word;
+  if (found.is(72) && !drills && (block.spindle.speed || block.axis)) {
+    const bool ends = !block.axis && block.spindle.speed->value == 1;
     const GFunction& function = ends ? no_scaling : scaling;
     block.set(function, found.begin);
     found = {};
@@ -209,24 +200,24 @@ void take_words_of_few_controls(BlockWords& block) {
 
 // T, M06 and M61.
 void take_tool_words(Reading& reading, const ProgramLine& line, BlockWords& block) {
-  if (block.tool_number) {
-    reading.code_modes.next_tool =
-        block.named_tool.value_or(whole_number(block.tool_number->value));
-    reading.code_modes.next_tool_place = reading.place_of_word(line, block.tool_number->begin);
+  if (block.tools.t_word) {
+    reading.gcode.tools.next =
+        block.tools.named.value_or(register_number(block.tools.t_word->value));
+    reading.gcode.tools.next_place = reading.place_of_word(line, block.tools.t_word->begin);
   }
-  reading.code_modes.tool_named |= block.tool_number.has_value();
-  reading.code_modes.changes_by_m6 |= block.changes_tool.has_value();
-  if (block.changes_tool) {
-    reading.code_modes.spindle_tool = reading.code_modes.next_tool;
-    reading.code_modes.spindle_tool_place = reading.code_modes.next_tool_place;
-    reading.code_modes.spindle_empty =
-        reading.code_modes.tool_named && reading.code_modes.next_tool == 0;
-    block.forget |= static_cast<AxisBits>(1U << axes_of(reading.state.mode().plane).third);
+  reading.gcode.tools.named |= block.tools.t_word.has_value();
+  reading.gcode.tools.changed_by_m6 |= block.tools.change.has_value();
+  if (block.tools.change) {
+    reading.gcode.tools.in_spindle = reading.gcode.tools.next;
+    reading.gcode.tools.spindle_place = reading.gcode.tools.next_place;
+    reading.gcode.tools.spindle_is_empty =
+        reading.gcode.tools.named && reading.gcode.tools.next == 0;
+    block.forget |= main_axis_bit(axes_of(reading.state.mode().plane).third);
   }
-  if (block.names_tool && block.quantity) {
-    reading.code_modes.spindle_tool = whole_number(block.quantity->value);
-    reading.code_modes.spindle_tool_place = reading.place_of_word(line, block.quantity->begin);
-    reading.code_modes.spindle_empty = reading.code_modes.spindle_tool == 0;
+  if (block.tools.q_word_names_tool && block.q_word) {
+    reading.gcode.tools.in_spindle = register_number(block.q_word->value);
+    reading.gcode.tools.spindle_place = reading.place_of_word(line, block.q_word->begin);
+    reading.gcode.tools.spindle_is_empty = reading.gcode.tools.in_spindle == 0;
   }
 }
 
@@ -234,8 +225,7 @@ void take_tool_words(Reading& reading, const ProgramLine& line, BlockWords& bloc
 void take_unit_of_old(const Reading& reading, ProgramLine& line, BlockWords& block) {
   BlockWords::Function& found = block.functions[static_cast<std::size_t>(single_move)];
   const bool unit_of_old = block.of(single_move).is(70) || block.of(single_move).is(71);
-  if (!unit_of_old || block.axis || block.center || block.tool_data || block.tool_data_number ||
-      block.has(unit))
+  if (!unit_of_old || block.axis || block.center || block.l_word || block.p_word || block.has(unit))
     return;
   for (WordRange& word : line.words)
     if (word.begin == found.begin) word.role = WordRole::mode;
@@ -245,45 +235,43 @@ void take_unit_of_old(const Reading& reading, ProgramLine& line, BlockWords& blo
 
 // P beside G2 and G3 of LinuxCNC: how many turns, the last of which may be a part of one.
 void take_turns_of_arc(const Reading& reading, ProgramLine& line, BlockWords& block) {
-  if (reading.dialect.name != DialectName::linuxcnc || !block.tool_data_number ||
-      !reading.contour_open())
+  if (reading.dialect.name != DialectName::linuxcnc || !block.p_word || !reading.contour_open())
     return;
   if (!block.axis && !block.center) return;
   const MotionKind kind = kind_of(reading, block);
   if (kind != MotionKind::clockwise && kind != MotionKind::counter_clockwise) return;
-  block.turns = {.value = block.tool_data_number->value - 1,
-                 .begin = block.tool_data_number->begin};
+  block.arc.turns = {.value = block.p_word->value - 1, .begin = block.p_word->begin};
   for (WordRange& word : line.words)
-    if (word.begin == block.turns->begin) word.role = WordRole::coordinate;
+    if (word.begin == block.arc.turns->begin) word.role = WordRole::coordinate;
 }
 
 // What the words make of the coordinates from here on.
 void take_coordinates(Reading& reading, const ProgramLine& line, BlockWords& block) {
   std::vector<UnfollowedMode> before;
-  if (block.to_skip) before = reading.code_modes.unfollowed;
-  const std::uint8_t turned = reading.code_modes.turned;
+  if (block.to_skip) before = reading.gcode.coordinates.unfollowed;
+  const std::uint8_t turned = reading.gcode.coordinates.turned;
   forget_what_ends_nothing(reading, block);
   end_what_was_unfollowed(reading, block);
   take_what_is_unfollowed(reading, line, block);
   if (!block.to_skip) return;
   // What a line that may be skipped ends may still hold.
-  reading.code_modes.turned |= turned;
+  reading.gcode.coordinates.turned |= turned;
   for (UnfollowedMode& mode : before)
-    if (!reading.code_modes.is_unfollowed(mode.function))
-      reading.code_modes.unfollowed.push_back(std::move(mode));
+    if (!reading.gcode.coordinates.is_unfollowed(mode.function))
+      reading.gcode.coordinates.unfollowed.push_back(std::move(mode));
 }
 
 }  // namespace
 
-bool complete_code_block(Reading& reading, ProgramLine& line, BlockWords& block) {
+bool complete_gcode_block(Reading& reading, ProgramLine& line, BlockWords& block) {
   if (reading.dialect.name == DialectName::fanuc && block.whole != 0 && !block.has(dwell) &&
       !count_whole_numbers(reading, line, block))
     return false;
   // T01T02M06 of Mazak: the first tool is changed, the second one fetched meanwhile. Radii come
   // from D, so nothing hangs on which of them a control loads.
-  if (block.later_tool && !block.changes_tool)
+  if (block.tools.later_t_word && !block.tools.change)
     return reading.refuse(line, TextFault{.code = Code::nc_word_twice,
-                                          .begin = block.later_tool->begin,
+                                          .begin = block.tools.later_t_word->begin,
                                           .detail = "T without M06"});
   if (!watch_tool(reading, line, block) || !check_kept_modes(reading, line, block)) return false;
   take_tool_words(reading, line, block);
@@ -307,7 +295,7 @@ bool complete_code_block(Reading& reading, ProgramLine& line, BlockWords& block)
   }
   if (!take_fagor_words(reading, line, block) || !take_modal_rounding(reading, line, block))
     return false;
-  if (!check_code_selection(reading, line, block) || !take_corner(reading, line, block) ||
+  if (!check_gcode_selection(reading, line, block) || !take_corner(reading, line, block) ||
       !take_corner_feed(reading, line, block))
     return false;
   take_turns_of_arc(reading, line, block);
@@ -316,11 +304,11 @@ bool complete_code_block(Reading& reading, ProgramLine& line, BlockWords& block)
     forget_what_a_call_may_change(reading, line, block,
                                   block.calls_the_machine
                                       ? called_name(line.text, block.of(single_move).begin)
-                                      : reading.code_modes.call);
+                                      : reading.gcode.calls.last);
   pass_over_circle_words(reading, line, block);
   const bool goes_on =
-      copy_code_block(reading, line, block) && check_circle_words(reading, line, block);
-  if (block.has(cycle)) reading.code_modes.cycle = true;
+      copy_gcode_block(reading, line, block) && check_circle_words(reading, line, block);
+  if (block.has(cycle)) reading.gcode.cycle = true;
   reading.reads_plain_lines = may_read_plain_lines(reading);
   return goes_on && take_tool_data(reading, line, block);
 }
@@ -335,20 +323,19 @@ void take_work_offset(Reading& reading, BlockWords& block) {
   const bool may_change = block.has(frame) || block.has(tool_data) || block.has(unfollowed) ||
                           block.has(unfollowed_end) || block.calls_the_machine ||
                           reading.machine_follows || !moves_alone;
-  if (may_change) reading.code_modes.work_offset = 0;
+  if (may_change) reading.gcode.coordinates.work_offset = 0;
   if (!block.has(zero_shift)) return;
   const GFunction& function = *block.of(zero_shift).function;
   constexpr std::array shifts_by_words{53, 74, 92, 159};
   constexpr std::int64_t for_its_number = 1'000'000;
-  const std::int64_t number =
-      block.tool_data_number ? whole_number(block.tool_data_number->value) : 0;
+  const std::optional<std::int64_t> number = block.p_word ? whole_number(block.p_word->value) : 0;
   const bool is_selection =
-      std::ranges::find(shifts_by_words, function.number) == shifts_by_words.end() && number >= 0 &&
+      std::ranges::find(shifts_by_words, function.number) == shifts_by_words.end() && number &&
       !block.has(dwell) && !may_change && !block.to_skip;
   const std::int64_t selected =
-      is_selection ? number * for_its_number + function.tenths() : std::int64_t{0};
-  if (selected != 0 && selected == reading.code_modes.work_offset) block.clear(zero_shift);
-  reading.code_modes.work_offset = selected;
+      is_selection ? *number * for_its_number + function.tenths() : std::int64_t{0};
+  if (selected != 0 && selected == reading.gcode.coordinates.work_offset) block.clear(zero_shift);
+  reading.gcode.coordinates.work_offset = selected;
 }
 
 }  // namespace trc

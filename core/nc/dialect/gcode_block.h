@@ -6,7 +6,7 @@
 namespace trc {
 
 // What the words mean together, before any of it takes effect.
-bool complete_code_block(Reading& reading, ProgramLine& line, BlockWords& block);
+bool complete_gcode_block(Reading& reading, ProgramLine& line, BlockWords& block);
 
 // The work offset in force, selected once more, changes nothing (D-111). What else moves
 // coordinates, or may do so unseen, leaves open which one a selection behind it goes back to.

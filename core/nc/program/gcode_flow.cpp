@@ -1,4 +1,4 @@
-#include "core/nc/program/code_flow.h"
+#include "core/nc/program/gcode_flow.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ bool is_percent(std::string_view line) {
   return at < line.size() && line[at] == '%';
 }
 
-void CodeFlow::begin_line() {
+void GcodeFlow::begin_line() {
   Frame& at = frame();
   at.current = at.next++;
   line_ = text_of(at).line(at.current);
@@ -29,7 +29,7 @@ void CodeFlow::begin_line() {
   is_as_written_ = false;
 }
 
-bool CodeFlow::scan_words() {
+bool GcodeFlow::scan_words() {
   words_.clear();
   is_read_by_the_reader_ = false;
   has_computed_ = false;
@@ -64,11 +64,11 @@ bool CodeFlow::scan_words() {
   return true;
 }
 
-bool CodeFlow::scan_assignment(std::size_t& at) {
+bool GcodeFlow::scan_assignment(std::size_t& at) {
   return refuse(Code::expression_invalid, at, "#, a variable without an address");
 }
 
-bool CodeFlow::scan_value(ComputedWord& word, std::size_t& at) {
+bool GcodeFlow::scan_value(ComputedWord& word, std::size_t& at) {
   bool whole = false;
   if (const std::size_t length = read_number(line_.substr(at), word.value.number, whole)) {
     at += length;
@@ -109,15 +109,15 @@ bool CodeFlow::scan_value(ComputedWord& word, std::size_t& at) {
   return !is_arithmetic || refuse(Code::expression_invalid, behind, std::string(1, line_[behind]));
 }
 
-ComputedWord* CodeFlow::word_of(char letter) {
+ComputedWord* GcodeFlow::word_of(char letter) {
   const auto found = std::ranges::find_if(words_, [&](const ComputedWord& word) {
     return word.kind == ComputedWord::Kind::address && word.letter == letter && !word.left_out;
   });
   return found == words_.end() ? nullptr : &*found;
 }
 
-std::optional<std::int64_t> CodeFlow::whole_value(const ComputedWord* word,
-                                                  const ComputedWord& of) {
+std::optional<std::int64_t> GcodeFlow::whole_value(const ComputedWord* word,
+                                                   const ComputedWord& of) {
   const double value = word == nullptr ? -1 : word->value.number;
   if (is_whole(value)) return static_cast<std::int64_t>(value);
   const ComputedWord& at_fault = word == nullptr ? of : *word;
@@ -127,13 +127,13 @@ std::optional<std::int64_t> CodeFlow::whole_value(const ComputedWord* word,
   return {};
 }
 
-bool CodeFlow::has_words_left() const {
+bool GcodeFlow::has_words_left() const {
   return std::ranges::any_of(words_, [](const ComputedWord& word) {
     return word.kind == ComputedWord::Kind::address && !word.left_out;
   });
 }
 
-std::optional<CodeFlow::ProgramCall> CodeFlow::take_call(ComputedWord& word, std::string& flat) {
+std::optional<GcodeFlow::ProgramCall> GcodeFlow::take_call(ComputedWord& word, std::string& flat) {
   ComputedWord* const number = word_of('P');
   ComputedWord* const times = word_of('L');
   const auto program = whole_value(number, word);
@@ -158,7 +158,7 @@ std::optional<CodeFlow::ProgramCall> CodeFlow::take_call(ComputedWord& word, std
                      .begin = number->begin};
 }
 
-PointStyle CodeFlow::style_of(char letter) const {
+PointStyle GcodeFlow::style_of(char letter) const {
   if (grammar_.dialect != DialectName::fanuc) return PointStyle::as_whole;
   const bool alone = std::string_view("GMSTDHNLOP").find(letter) != std::string_view::npos;
   return alone ? PointStyle::as_whole : PointStyle::with_point;
@@ -166,7 +166,7 @@ PointStyle CodeFlow::style_of(char letter) const {
 
 // Rounding an end of a contour or of an arc would change what is computed from it, and what is
 // incremental would add up.
-bool CodeFlow::rounds_places() const {
+bool GcodeFlow::rounds_places() const {
   if (modes_.contour_open || modes_.incremental) return false;
   const auto says = [this](int first, int last) {
     return std::ranges::any_of(words_, [=](const ComputedWord& word) {
@@ -180,18 +180,18 @@ bool CodeFlow::rounds_places() const {
   return !says(10, 10) && !says(20, 21) && !says(41, 42) && !says(70, 71) && !says(91, 91);
 }
 
-int CodeFlow::decimals_of(char letter) const {
+int GcodeFlow::decimals_of(char letter) const {
   const bool is_place = std::string_view("XYZUVWABCQR").find(letter) != std::string_view::npos;
   if (!is_place || !rounds_places()) return decimals_of_values;
   return std::clamp(setup_.decimals + (modes_.inch ? 1 : 0), 0, decimals_of_values);
 }
 
-void CodeFlow::write_as_it_is(std::string& flat) {
+void GcodeFlow::write_as_it_is(std::string& flat) {
   is_as_written_ = true;
   flat.append(line_).append(line_end());
 }
 
-bool CodeFlow::write_line(std::string& flat) {
+bool GcodeFlow::write_line(std::string& flat) {
   for (ComputedWord& word : words_) {
     const std::string_view text = line_.substr(word.begin, word.end - word.begin);
     if (word.kind != ComputedWord::Kind::comment || text.find('#') == std::string_view::npos)
@@ -233,7 +233,7 @@ bool CodeFlow::write_line(std::string& flat) {
   return true;
 }
 
-void CodeFlow::write_call(std::string& flat, std::string_view name) {
+void GcodeFlow::write_call(std::string& flat, std::string_view name) {
   std::string text = "(";
   text.append(name).append(")");
   if (!called_alone_) {
@@ -246,14 +246,14 @@ void CodeFlow::write_call(std::string& flat, std::string_view name) {
   write_behind_number(flat, text);
 }
 
-void CodeFlow::write_behind_number(std::string& flat, std::string_view text) {
+void GcodeFlow::write_behind_number(std::string& flat, std::string_view text) {
   if (head_.number >= 0)
     flat.append(line_.substr(head_.number_begin, head_.number_end - head_.number_begin))
         .append(" ");
   flat.append(text).append(line_end());
 }
 
-bool CodeFlow::finish_statement(std::string& flat, std::size_t at) {
+bool GcodeFlow::finish_statement(std::string& flat, std::size_t at) {
   const std::size_t behind = behind_blanks(line_, at);
   if (!is_over(line_, behind))
     return refuse(Code::expression_invalid, behind,
@@ -263,7 +263,7 @@ bool CodeFlow::finish_statement(std::string& flat, std::size_t at) {
   return true;
 }
 
-bool CodeFlow::end_program(std::string& flat) {
+bool GcodeFlow::end_program(std::string& flat) {
   ended_ = true;
   const ProgramText& text = texts_.front();
   for (std::size_t line = text.size(); line-- > frames_.front().current + 1;) {

@@ -1,4 +1,4 @@
-#include "core/nc/text/code_words.h"
+#include "core/nc/text/gcode_words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,19 +43,19 @@ bool is_statement(std::string_view comment) {
 
 }  // namespace
 
-void CodeReader::skip_blanks() {
+void GcodeReader::skip_blanks() {
   while (const std::size_t blank = blank_at_start(line_.substr(at_))) at_ += blank;
 }
 
-CodeWord CodeReader::fail(Code code, std::size_t begin, std::size_t end, std::string detail) {
+GcodeWord GcodeReader::fail(Code code, std::size_t begin, std::size_t end, std::string detail) {
   fault_ = {.code = code, .begin = static_cast<std::uint32_t>(begin), .detail = std::move(detail)};
   at_ = end;
-  return {.kind = CodeWord::Kind::fault,
+  return {.kind = GcodeWord::Kind::fault,
           .begin = static_cast<std::uint32_t>(begin),
           .end = static_cast<std::uint32_t>(end)};
 }
 
-CodeWord CodeReader::next() {
+GcodeWord GcodeReader::next() {
   skip_blanks();
   const std::size_t begin = at_;
   if (begin >= line_.size()) return {};
@@ -66,7 +66,7 @@ CodeWord CodeReader::next() {
   if (((sign == ':' || sign == '$') && is_digit(peek(1))) || all_spindles) return address(begin);
   if (sign == '<' && line_.find('>', begin) != std::string_view::npos) {  // the name of the program
     at_ = line_.find('>', begin) + 1;
-    return {.kind = CodeWord::Kind::comment,
+    return {.kind = GcodeWord::Kind::comment,
             .begin = static_cast<std::uint32_t>(begin),
             .end = static_cast<std::uint32_t>(at_)};
   }
@@ -85,7 +85,7 @@ CodeWord CodeReader::next() {
   if (sign == '/') {
     ++at_;
     while (is_digit(peek())) ++at_;
-    return {.kind = CodeWord::Kind::skip,
+    return {.kind = GcodeWord::Kind::skip,
             .begin = static_cast<std::uint32_t>(begin),
             .end = static_cast<std::uint32_t>(at_)};
   }
@@ -99,7 +99,7 @@ CodeWord CodeReader::next() {
   return fail(Code::nc_syntax, begin, begin + 1, std::string(1, sign));
 }
 
-CodeWord CodeReader::comment() {
+GcodeWord GcodeReader::comment() {
   const std::size_t begin = at_;
   const std::size_t close = peek() == ';' ? line_.size() : end_of_comment(line_, begin);
   if (close == std::string_view::npos)
@@ -107,13 +107,13 @@ CodeWord CodeReader::comment() {
   if (peek() == '(' && is_statement(line_.substr(begin, close - begin)))
     return fail(Code::nc_unsupported, begin, close + 1, "a statement in parentheses");
   at_ = std::min(close + 1, line_.size());
-  return {.kind = CodeWord::Kind::comment,
+  return {.kind = GcodeWord::Kind::comment,
           .begin = static_cast<std::uint32_t>(begin),
           .end = static_cast<std::uint32_t>(at_)};
 }
 
 // IF, WHILE, GOTO, sub, …: letters side by side are no words.
-CodeWord CodeReader::name(std::size_t begin) {
+GcodeWord GcodeReader::name(std::size_t begin) {
   std::size_t end = begin;
   std::string detail;
   while (end < line_.size() && is_letter(line_[end])) detail += upper(line_[end++]);
@@ -121,10 +121,10 @@ CodeWord CodeReader::name(std::size_t begin) {
 }
 
 // @12 ^30 of LinuxCNC.
-CodeWord CodeReader::polar(std::size_t begin) {
+GcodeWord GcodeReader::polar(std::size_t begin) {
   constexpr std::string_view signs = "@^+-.0123456789 \t";
   at_ = std::min(line_.find_first_not_of(signs, begin), line_.size());
-  return {.kind = CodeWord::Kind::address,
+  return {.kind = GcodeWord::Kind::address,
           .letter = '@',
           .has_number = true,
           .begin = static_cast<std::uint32_t>(begin),
@@ -134,7 +134,7 @@ CodeWord CodeReader::polar(std::size_t begin) {
 
 // O<PART1>: a program may have a name in place of a number. With more behind it is an O word of
 // LinuxCNC.
-CodeWord CodeReader::name_of_program(CodeWord word) {
+GcodeWord GcodeReader::name_of_program(GcodeWord word) {
   const std::size_t close = line_.find('>', at_);
   const std::size_t behind =
       close == std::string_view::npos ? close : line_.find_first_not_of(" \t", close + 1);
@@ -149,7 +149,7 @@ CodeWord CodeReader::name_of_program(CodeWord word) {
 }
 
 // `X - 10.`: the sign and the blanks between it and the digits; 0: the number stands together.
-std::size_t CodeReader::blanks_behind_sign() const {
+std::size_t GcodeReader::blanks_behind_sign() const {
   if (peek() != '+' && peek() != '-') return 0;
   const std::size_t digits = line_.find_first_not_of(" \t", at_ + 1);
   const bool apart = digits != std::string_view::npos && digits > at_ + 1 &&
@@ -158,7 +158,7 @@ std::size_t CodeReader::blanks_behind_sign() const {
 }
 
 // How many bytes from `at_` on are the number; 0: none.
-std::size_t CodeReader::read_value(CodeWord& word) const {
+std::size_t GcodeReader::read_value(GcodeWord& word) const {
   if (!blanks_in_numbers_) {
     const std::size_t blanks = blanks_behind_sign();
     const std::size_t length = read_number(line_.substr(at_ + blanks), word.value, word.whole);
@@ -179,12 +179,12 @@ std::size_t CodeReader::read_value(CodeWord& word) const {
 }
 
 // `begin`: of the word; `at_` stands on its letter.
-CodeWord CodeReader::address(std::size_t begin) {
+GcodeWord GcodeReader::address(std::size_t begin) {
   const bool comma = begin != at_;
-  CodeWord word{.kind = CodeWord::Kind::address,
-                .letter = upper(peek()),
-                .comma = comma,
-                .begin = static_cast<std::uint32_t>(begin)};
+  GcodeWord word{.kind = GcodeWord::Kind::address,
+                 .letter = upper(peek()),
+                 .comma = comma,
+                 .begin = static_cast<std::uint32_t>(begin)};
   if (word.letter == ':') word.letter = 'O';
   ++at_;
   if (is_letter(peek()) && word.letter != 'N') return name(begin);

@@ -1,23 +1,14 @@
-#include "core/nc/program/code_line.h"
+#include "core/nc/program/gcode_line.h"
 
 #include <array>
 #include <charconv>
 #include <cmath>
 
 #include "core/nc/text/characters.h"
-#include "core/nc/text/code_words.h"
+#include "core/nc/text/gcode_words.h"
 #include "core/nc/text/number_format.h"
 
 namespace trc::program {
-
-std::size_t behind_blanks(std::string_view line, std::size_t at) {
-  while (at < line.size()) {
-    const std::size_t blank = blank_at_start(line.substr(at));
-    if (blank == 0) break;
-    at += blank;
-  }
-  return at;
-}
 
 LineHead head_of(std::string_view line) {
   LineHead head;
@@ -49,9 +40,9 @@ LineHead head_of(std::string_view line) {
 }
 
 std::size_t behind_comment(std::string_view line, std::size_t at) {
-  CodeReader reader(line.substr(at));
-  const CodeWord word = reader.next();
-  return word.kind == CodeWord::Kind::comment ? at + word.end : 0;
+  GcodeReader reader(line.substr(at));
+  const GcodeWord word = reader.next();
+  return word.kind == GcodeWord::Kind::comment ? at + word.end : 0;
 }
 
 bool is_over(std::string_view line, std::size_t at) {
@@ -105,7 +96,7 @@ void append_value(std::string& out, double value, PointStyle style, int decimals
   if (style == PointStyle::with_point && out.find('.', begin) == std::string::npos) out += '.';
 }
 
-void append_fixed(std::string& out, double value, int decimals) {
+void append_exactly(std::string& out, double value, int decimals) {
   std::array<char, 400> digits{};
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
                                  std::chars_format::fixed, decimals);

@@ -11,7 +11,7 @@ namespace trc {
 // Cuts a line of a dialect of plain letters and numbers into words: that of Fanuc and of
 // LinuxCNC. Unlike WordReader, which reads ISG's, it knows comments that do not nest, the `/` in
 // front of a block to skip, `,R` and `,C`, and takes L and P for letters like all others.
-struct CodeWord {
+struct GcodeWord {
   enum class Kind : std::uint8_t { end, comment, skip, address, fault };
   Kind kind = Kind::end;
   char letter = 0;          // upper case; `$`: the spindle of M03; `@`: polar coordinates, @ and ^
@@ -23,13 +23,13 @@ struct CodeWord {
   std::uint32_t end = 0;
 };
 
-class CodeReader {
+class GcodeReader {
  public:
   // `blanks_in_numbers`: X1 0 is X10, as for LinuxCNC, to which blanks are nothing.
-  explicit CodeReader(std::string_view line, bool blanks_in_numbers = false)
+  explicit GcodeReader(std::string_view line, bool blanks_in_numbers = false)
       : line_(line), blanks_in_numbers_(blanks_in_numbers) {}
 
-  [[nodiscard]] CodeWord next();
+  [[nodiscard]] GcodeWord next();
   // Says what is wrong after a word of kind `fault`; the next word may be asked for all the same.
   [[nodiscard]] const TextFault& fault() const { return fault_; }
 
@@ -38,14 +38,14 @@ class CodeReader {
   [[nodiscard]] char peek(std::size_t ahead = 0) const {
     return at_ + ahead < line_.size() ? line_[at_ + ahead] : '\0';
   }
-  [[nodiscard]] CodeWord comment();
-  [[nodiscard]] CodeWord address(std::size_t begin);
-  [[nodiscard]] CodeWord name_of_program(CodeWord word);
+  [[nodiscard]] GcodeWord comment();
+  [[nodiscard]] GcodeWord address(std::size_t begin);
+  [[nodiscard]] GcodeWord name_of_program(GcodeWord word);
   [[nodiscard]] std::size_t blanks_behind_sign() const;
-  std::size_t read_value(CodeWord& word) const;
-  [[nodiscard]] CodeWord polar(std::size_t begin);
-  [[nodiscard]] CodeWord name(std::size_t begin);
-  [[nodiscard]] CodeWord fail(Code code, std::size_t begin, std::size_t end, std::string detail);
+  std::size_t read_value(GcodeWord& word) const;
+  [[nodiscard]] GcodeWord polar(std::size_t begin);
+  [[nodiscard]] GcodeWord name(std::size_t begin);
+  [[nodiscard]] GcodeWord fail(Code code, std::size_t begin, std::size_t end, std::string detail);
 
   std::string_view line_;
   bool blanks_in_numbers_;

@@ -7,16 +7,16 @@
 #include <string_view>
 #include <vector>
 
-#include "core/nc/program/code_line.h"
 #include "core/nc/program/flow.h"
+#include "core/nc/program/gcode_line.h"
 
 namespace trc::program {
 
 // What Fanuc and LinuxCNC have in common: a line of letters whose values may be computed, and what
 // it becomes.
-class CodeFlow : public Flow, protected Variables {
+class GcodeFlow : public Flow, protected Variables {
  protected:
-  CodeFlow(const ProgramSetup& setup, CallPlaces& calls, const Grammar& grammar)
+  GcodeFlow(const ProgramSetup& setup, CallPlaces& calls, const Grammar& grammar)
       : Flow(setup, calls), grammar_(grammar) {}
 
   // Takes the next line of the frame.

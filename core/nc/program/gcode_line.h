@@ -38,8 +38,6 @@ struct LineHead {
 };
 [[nodiscard]] LineHead head_of(std::string_view line);
 
-// Behind the blanks from `at` on.
-[[nodiscard]] std::size_t behind_blanks(std::string_view line, std::size_t at);
 // The end of what was read up to `at`, without the blanks behind it.
 [[nodiscard]] inline std::size_t end_without_blanks(std::string_view line, std::size_t begin,
                                                     std::size_t at) {
@@ -67,7 +65,7 @@ inline constexpr int decimals_of_values = 8;
 // The shortest decimal number that reads back to the value, with at most so many decimals.
 void append_value(std::string& out, double value, PointStyle style,
                   int decimals = decimals_of_values);
-// With so many decimals.
-void append_fixed(std::string& out, double value, int decimals);
+// With so many decimals, whatever the size; a value below 0 keeps its sign where all digits are 0.
+void append_exactly(std::string& out, double value, int decimals);
 
 }  // namespace trc::program

@@ -1,4 +1,4 @@
-#include "core/nc/dialect/code_corners.h"
+#include "core/nc/dialect/gcode_corners.h"
 
 #include <string>
 
@@ -22,7 +22,7 @@ bool take_fagor_words(Reading& reading, ProgramLine& line, BlockWords& block) {
   const int number = found.function->number;
   if (number < 36 || number > 39) return true;
   if (number == 37 || number == 38) {
-    const bool selects = block.has(side) && !block.of(side).is(40);
+    const bool selects = block.selects();
     if (!reading.trc_active() && !selects) return true;
     return reading.refuse(
         line,
@@ -31,7 +31,7 @@ bool take_fagor_words(Reading& reading, ProgramLine& line, BlockWords& block) {
                   .detail = number == 37 ? "G37 R, a tangential entry: program its line and arc"
                                          : "G38 R, a tangential exit: program its arc and line"});
   }
-  block.corner = found.begin;
+  block.corners.begin = found.begin;
   block.move.corner = {.form = number == 36 ? CornerCut::Form::round : CornerCut::Form::leg,
                        .size = *block.move.radius};
   block.move.radius.reset();
@@ -51,58 +51,58 @@ bool take_fagor_words(Reading& reading, ProgramLine& line, BlockWords& block) {
 }
 
 bool take_modal_rounding(Reading& reading, ProgramLine& line, BlockWords& block) {
-  const bool selects = block.has(side) && !block.of(side).is(40);
-  const bool ends = block.of(side).is(40) && reading.trc_active();
-  if (block.modal_rounding) {
-    reading.code_modes.modal_rounding = block.modal_rounding->value * reading.length_unit();
+  const bool selects = block.selects();
+  const bool ends = block.deselects() && reading.trc_active();
+  if (block.corners.modal_rounding) {
+    reading.gcode.corners.modal_rounding =
+        block.corners.modal_rounding->value * reading.length_unit();
     if (reading.trc_active() || selects)
       for (WordRange& word : line.words)
-        if (word.begin == block.modal_rounding->begin) word.role = WordRole::trc;
+        if (word.begin == block.corners.modal_rounding->begin) word.role = WordRole::trc;
   }
-  const bool from_outside = selects && !reading.trc_active() && !block.modal_rounding;
-  if (reading.code_modes.modal_rounding != 0 && (from_outside || ends))
+  const bool from_outside = selects && !reading.trc_active() && !block.corners.modal_rounding;
+  if (reading.gcode.corners.modal_rounding != 0 && (from_outside || ends))
     return reading.refuse(
         line, TextFault{.code = Code::nc_unsupported,
                         .begin = block.of(side).begin,
                         .detail = "RNDM= beyond the contour: set it behind G41, G42, and "
                                   "to 0 in front of G40"});
-  if (reading.code_modes.modal_rounding != 0 && reading.trc_active() && !selects &&
-      (block.axis || block.center) && !block.corner && !block.copied)
+  if (reading.gcode.corners.modal_rounding != 0 && reading.trc_active() && !selects &&
+      (block.axis || block.center) && !block.corners.begin && !block.copied)
     block.move.corner = {.form = CornerCut::Form::round,
-                         .size = reading.code_modes.modal_rounding / reading.length_unit(),
+                         .size = reading.gcode.corners.modal_rounding / reading.length_unit(),
                          .modal = true};
   return true;
 }
 
 bool take_corner_feed(Reading& reading, ProgramLine& line, BlockWords& block) {
-  if (block.modal_corner_feed)
-    reading.code_modes.corner_feed =
-        block.modal_corner_feed->value * reading.feed_unit(reading.inch);
+  if (block.corners.modal_feed)
+    reading.gcode.corners.feed = block.corners.modal_feed->value * reading.feed_unit(reading.inch);
   if (!block.move.corner || !reading.trc_active()) return true;
-  const bool is_said = block.corner_feed && block.corner_feed->value > 0;
-  block.move.corner_feed = is_said ? block.corner_feed->value * reading.feed_unit(reading.inch)
-                                   : reading.code_modes.corner_feed;
+  const bool is_said = block.corners.feed && block.corners.feed->value > 0;
+  block.move.corner_feed = is_said ? block.corners.feed->value * reading.feed_unit(reading.inch)
+                                   : reading.gcode.corners.feed;
   for (WordRange& word : line.words)
-    if (block.corner_feed && word.begin == block.corner_feed->begin) word.role = WordRole::trc;
+    if (block.corners.feed && word.begin == block.corners.feed->begin) word.role = WordRole::trc;
   if (block.move.corner_feed == 0 || reading.feed_mode == 94) return true;
   return reading.refuse(line, TextFault{.code = Code::nc_unsupported,
-                                        .begin = block.corner_feed ? block.corner_feed->begin
-                                                                   : line.words.front().begin,
+                                        .begin = block.corners.feed ? block.corners.feed->begin
+                                                                    : line.words.front().begin,
                                         .detail = "FRC= or FRCM=, no feed per minute"});
 }
 
 bool take_corner(Reading& reading, ProgramLine& line, BlockWords& block) {
   const bool moves = block.axis || block.center;
-  const bool selects = block.has(side) && !block.of(side).is(40);
+  const bool selects = block.selects();
   // The approach is another line than the one that the program rounds into.
-  if (selects && reading.code_modes.open_corner.source.line > 0)
-    return reading.refuse_at(reading.code_modes.open_corner, Code::nc_unsupported,
+  if (selects && reading.gcode.corners.open.source.line > 0)
+    return reading.refuse_at(reading.gcode.corners.open, Code::nc_unsupported,
                              "a rounding or a chamfer in front of the motion that selects TRC");
-  if (moves) reading.code_modes.open_corner = {};
-  if (!block.corner) return true;
+  if (moves) reading.gcode.corners.open = {};
+  if (!block.corners.begin) return true;
   if (!reading.contour_open() && !block.has(side)) {
     if (moves && block.move.corner->size != 0)
-      reading.code_modes.open_corner = reading.place_of_word(line, *block.corner);
+      reading.gcode.corners.open = reading.place_of_word(line, *block.corners.begin);
     block.move.corner.reset();
     return true;
   }
@@ -110,12 +110,12 @@ bool take_corner(Reading& reading, ProgramLine& line, BlockWords& block) {
   if (!nothing_else || !(block.move.corner->size >= 0))
     return reading.refuse(line,
                           TextFault{.code = Code::nc_unsupported,
-                                    .begin = *block.corner,
+                                    .begin = *block.corners.begin,
                                     .detail = "a rounding or a chamfer beside G40 … G42, or behind "
                                               "a motion that is none"});
   if (block.move.corner->size == 0) block.move.corner.reset();
   for (WordRange& word : line.words)
-    if (word.begin == *block.corner) word.role = WordRole::trc;
+    if (word.begin == *block.corners.begin) word.role = WordRole::trc;
   return true;
 }
 

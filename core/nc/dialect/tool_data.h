@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
+#include <string_view>
 
 #include "core/nc/dialect/block_words.h"
 #include "core/nc/dialect/reading.h"
@@ -10,13 +10,11 @@
 
 namespace trc {
 
-// What G41 and G42 need, and D words.
-bool check_code_selection(Reading& reading, ProgramLine& line, BlockWords& block);
+// "5" of T="5", where no tool of the table has that name: the tool of that number. 0: it is none.
+[[nodiscard]] std::int64_t number_of_tool_named(std::string_view name, const ToolInForce& tools);
 
-// The radius of the setup stands for the one register that the program selects with, where it has
-// no tools (D-65). D0 may have taken it out of force.
-bool take_only_register(Reading& reading, const ProgramLine& line, BlockWords& block,
-                        std::int64_t number);
+// "MILL" in quotes.
+[[nodiscard]] std::string quoted(const std::string& name);
 
 // With the name of the table that it is a slip of, if there is one.
 [[nodiscard]] std::string name_not_in_table(const Reading& reading, const std::string& name);
@@ -27,8 +25,5 @@ bool read_edge_data(Reading& reading, const NamedWord& word, ProgramLine& line, 
 // G10 L12 P R of Fanuc, G10 L1 P R of LinuxCNC: the program gives a tool its radius, L13 P R of
 // Fanuc its wear (D-118).
 bool take_tool_data(Reading& reading, ProgramLine& line, BlockWords& block);
-
-// Of the tool that M6 has put there, wear included, mm.
-[[nodiscard]] std::optional<double> spindle_diameter(const Reading& reading);
 
 }  // namespace trc

@@ -1,0 +1,277 @@
+#include "core/nc/dialect/gcode_tools.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "core/nc/dialect/block_words.h"
+#include "core/nc/dialect/reading.h"
+#include "core/nc/dialect/sinumerik_tools.h"
+#include "core/nc/text/characters.h"
+
+// Which tool G41 and G42 have, and what a program says of tools: the dialects of Fanuc, LinuxCNC
+// and Sinumerik.
+
+namespace trc {
+namespace {
+
+using enum GGroup;
+
+bool has_length_offset(const ProgramLine& line) {
+  return std::ranges::any_of(line.words, [&](const WordRange& range) {
+    const std::string_view word = line.word(range);
+    return word == "G43" || word == "g43" || word == "G44" || word == "g44";
+  });
+}
+
+// Further work offsets take a P, and M words of machine builders may; those of spindle and coolant
+// do not.
+bool has_function_with_p(const ProgramLine& line) {
+  return std::ranges::any_of(line.words, [&](const WordRange& range) {
+    const std::string_view word = line.word(range);
+    if (same_name(word, "G154") || same_name(word, "G54.1")) return true;
+    const bool is_m = word.size() > 2 && upper(word[0]) == 'M' && word[1] != '0';
+    return is_m && is_digit(word[1]) && is_digit(word[2]);
+  });
+}
+
+// G38.2 of 382.
+std::string name_of_function(std::int32_t tenths) {
+  const std::string tenth = tenths % 10 == 0 ? "" : "." + std::to_string(tenths % 10);
+  return "G" + std::to_string(tenths / 10) + tenth;
+}
+
+bool check_what_may_be_skipped(Reading& reading, const ProgramLine& line, const BlockWords& block) {
+  const std::uint32_t skipped = block.to_skip ? line.source.line : 0;
+  const bool sinumerik = reading.dialect.name == DialectName::sinumerik;
+  const bool names_tool =
+      block.tools.t_word || block.tools.named || block.tools.loads || block.tools.q_word_names_tool;
+  const bool gives_radius = (block.has(tool_data) && block.move.radius) || block.tools.allowance ||
+                            !block.tools.edge_radii.empty();
+  const bool leads = block.has(selection) || block.has(transition);
+  if (block.tools.t_word || block.tools.named) reading.gcode.skipped.next_tool = skipped;
+  // An edge of Sinumerik is one of the tool.
+  if (names_tool || (block.tools.d_word && (skipped > 0 || !sinumerik)))
+    reading.gcode.skipped.tool =
+        skipped == 0 && block.tools.loads ? reading.gcode.skipped.next_tool : skipped;
+  if (gives_radius) reading.gcode.skipped.tool_data = skipped;
+  if (leads) reading.gcode.skipped.approach = skipped;
+  // Of other dialects a T word changes nothing in a contour.
+  const bool changes_contour =
+      block.tools.d_word || gives_radius || leads || (sinumerik && names_tool);
+  if (skipped > 0 && changes_contour && reading.trc_active())
+    return reading.refuse(line, TextFault{.code = Code::block_skip_undecided,
+                                          .begin = line.words.front().begin,
+                                          .detail = "a radius or a corner that may be skipped"});
+  const bool selects = block.selects();
+  for (const std::uint32_t before : {reading.gcode.skipped.tool, reading.gcode.skipped.tool_data,
+                                     reading.gcode.skipped.approach})
+    if (selects && before > 0)
+      return reading.refuse(line, TextFault{.code = Code::block_skip_undecided,
+                                            .begin = block.of(side).begin,
+                                            .detail = "TRC behind what may be skipped, in line " +
+                                                      std::to_string(before)});
+  return true;
+}
+
+bool refuse_selection(Reading& reading, const ProgramLine& line, const BlockWords& block, Code code,
+                      std::string detail) {
+  return reading.refuse(
+      line, TextFault{.code = code, .begin = block.of(side).begin, .detail = std::move(detail)});
+}
+
+// Only lathes work without Y (D-105).
+bool check_turning(Reading& reading, const ProgramLine& line, const BlockWords& block) {
+  const bool selects = block.selects();
+  if (selects && reading.gcode.seen.lathe && !reading.gcode.seen.y)
+    return refuse_selection(reading, line, block, Code::turning, "G41, G42 of a lathe");
+  const bool in_zx =
+      block.has(plane) ? block.of(plane).is(18) : reading.state.programmed_plane() == Plane::zx;
+  const bool leads_in_zx = in_zx || (block.move.end[0] && block.move.end[2]);
+  if (selects && !reading.gcode.seen.y && leads_in_zx)
+    return refuse_selection(reading, line, block, Code::turning,
+                            "G41, G42 of a lathe, as no Y stands in front of it");
+  if (reading.trc_active() && !reading.gcode.seen.y && reading.state.mode().plane == Plane::xy &&
+      block.move.end[2])
+    return reading.refuse(line, TextFault{.code = Code::turning,
+                                          .begin = *block.axis,
+                                          .detail = "a contour of X and Z in the plane X Y"});
+  return true;
+}
+
+// Words that say nothing to a contour, or something that is not followed.
+bool check_words_beside_contour(Reading& reading, const ProgramLine& line,
+                                const BlockWords& block) {
+  const bool selects = block.selects();
+  const auto unsupported = [&](std::uint32_t begin, std::string detail) {
+    return reading.refuse(
+        line, TextFault{.code = Code::nc_unsupported, .begin = begin, .detail = std::move(detail)});
+  };
+  if (block.own_feed && (selects || reading.trc_active()))
+    return unsupported(*block.own_feed, "FB=, a feed of one block, while TRC is active");
+  // The corner in front of it still has the feed before.
+  if (block.tooth_feed && reading.trc_active())
+    return unsupported(*block.tooth_feed, "FZ=, no feed per minute, while TRC is active");
+  const bool takes_p = block.spindle.is_oriented || block.has(dwell) || block.has(zero_shift) ||
+                       block.has(tool_data) || block.l_word || has_function_with_p(line);
+  if (reading.dialect.name == DialectName::fanuc && selects && block.p_word && !takes_p)
+    return unsupported(block.p_word->begin, block.tools.d_word || block.h_word
+                                                ? "P, which no function of the line takes"
+                                                : "P beside G41, G42, a radius or a diameter");
+  if (reading.dialect.name != DialectName::linuxcnc) return true;
+  if (selects && block.p_word)
+    return unsupported(block.p_word->begin, "P, which no function of the line takes");
+  if ((selects || reading.trc_active()) && block.l_word && !block.has(tool_data) &&
+      (block.axis || block.center))
+    return unsupported(block.l_word->begin, "L, which no function of the line takes");
+  return true;
+}
+
+// What names the tool of a line.
+enum class ToolSaid : std::uint8_t { by_d, by_h, by_spindle };
+
+// Which tool G41 or G42 of the line has, where the line or the spindle says. Empty: an error.
+std::optional<ToolSaid> take_tool_of_selection(Reading& reading, ProgramLine& line,
+                                               BlockWords& block) {
+  ToolSaid said = ToolSaid::by_d;
+  // Older controls have one table for lengths and radii, with H words for both. Without G41 beside
+  // it H would change the length.
+  if (reading.dialect.name == DialectName::fanuc && !block.tools.d_word && block.h_word &&
+      !has_length_offset(line)) {
+    block.tools.d_word = block.h_word;
+    said = ToolSaid::by_h;
+  }
+  const bool gives_diameter = block.of(side).function->tenth != 0;
+  if (gives_diameter && !block.tools.d_word) {
+    refuse_selection(reading, line, block, Code::nc_number, "G41.1, G42.1 without D, the diameter");
+    return std::nullopt;
+  }
+  if (gives_diameter) {
+    block.tools.radius = {.value = block.tools.d_word->value / 2,
+                          .begin = block.tools.d_word->begin};
+    block.tools.d_word.reset();
+    return said;
+  }
+  // D0 of LinuxCNC is the tool in the spindle, unless the table has a tool 0.
+  const bool is_spindle_by_number = reading.dialect.name == DialectName::linuxcnc &&
+                                    block.tools.d_word && block.tools.d_word->value == 0 &&
+                                    !reading.state.setup().tools.contains(0);
+  if (is_spindle_by_number) {
+    for (WordRange& word : line.words)
+      if (upper(line.text[word.begin]) == 'D') word.role = WordRole::trc;
+    block.tools.d_word.reset();
+  }
+  if (reading.dialect.tool_of_spindle && !block.tools.d_word &&
+      (reading.gcode.tools.in_spindle != 0 || reading.gcode.tools.spindle_is_empty)) {
+    block.tools.d_word = {.value = static_cast<double>(reading.gcode.tools.in_spindle),
+                          .begin = block.of(side).begin};
+    said = ToolSaid::by_spindle;
+  }
+  return said;
+}
+
+// Whether the table has the tool of the line, or the radius of the setup stands for it.
+bool check_tool_of_table(Reading& reading, const ProgramLine& line, BlockWords& block,
+                         ToolSaid said) {
+  const bool matters = reading.trc_active() || block.selects();
+  const std::int64_t number = register_number(block.tools.d_word->value);
+  reading.gcode.tools.missing.reset();
+  if (!is_whole(block.tools.d_word->value)) {
+    const bool linuxcnc = reading.dialect.name == DialectName::linuxcnc;
+    return reading.refuse(
+        line, TextFault{.code = Code::nc_number,
+                        .begin = block.tools.d_word->begin,
+                        .detail = linuxcnc ? "D of G41, G42 is the number of a tool: "
+                                             "G41.1, G42.1 take a diameter"
+                                           : "D of G41, G42 is the number of a register, "
+                                             "not a radius"});
+  }
+  if (reading.state.tool().has_tool(number)) return true;
+  if (matters && take_only_register(reading, line, block, number)) return true;
+  if (!matters) {
+    // H and D stand side by side in many programs: it matters only where G41 has no D of its own.
+    reading.gcode.tools.missing = number;
+    reading.gcode.tools.edge_place = reading.place_of_word(line, block.tools.d_word->begin);
+    block.tools.d_word.reset();
+    return true;
+  }
+  const Code of_missing = reading.gives_radii() ? Code::tool_unknown : Code::no_tool_radius;
+  if (said == ToolSaid::by_spindle)
+    return reading.refuse_at(reading.gcode.tools.spindle_place, of_missing,
+                             "T" + std::to_string(number));
+  if (reading.dialect.name == DialectName::sinumerik && reading.gcode.tools.only_register)
+    return refuse_second_edge(reading, number);
+  return reading.refuse(line, TextFault{.code = of_missing,
+                                        .begin = block.tools.d_word->begin,
+                                        .detail = "D" + std::to_string(tool_of_row(number))});
+}
+
+// FANUC without D words: the radius of the setup is that of the tool in the spindle.
+bool take_only_spindle_tool(Reading& reading) {
+  const std::int64_t tool = reading.gcode.tools.in_spindle;
+  if (reading.dialect.name != DialectName::fanuc || !reading.has_one_radius() || tool == 0 ||
+      reading.gcode.tools.only_register)
+    return true;
+  const std::int64_t only = reading.gcode.tools.only_in_spindle.value_or(tool);
+  reading.gcode.tools.only_in_spindle = only;
+  return only == tool || reading.refuse_at(reading.gcode.tools.spindle_place, Code::tool_unknown,
+                                           "T" + std::to_string(tool));
+}
+
+}  // namespace
+
+bool check_gcode_selection(Reading& reading, ProgramLine& line, BlockWords& block) {
+  const bool selects = block.selects();
+  if (!check_what_may_be_skipped(reading, line, block)) return false;
+  if (selects && !reading.gcode.coordinates.unfollowed.empty()) {
+    const UnfollowedMode& mode = reading.gcode.coordinates.unfollowed.back();
+    const std::string what =
+        mode.is_motion ? name_of_function(mode.function) + ", a motion function of its own"
+                       : mode.meaning;
+    return refuse_selection(reading, line, block, Code::nc_unsupported,
+                            "TRC under " + what + ", in line " + std::to_string(mode.line));
+  }
+  if (reading.dialect.name == DialectName::sinumerik && !choose_tool_of_edge(reading, line, block))
+    return false;
+  if (!check_turning(reading, line, block) || !check_words_beside_contour(reading, line, block))
+    return false;
+  if (block.spindle.constant_cutting_speed) block.tools.d_word.reset();
+  const std::optional<ToolSaid> said =
+      selects ? take_tool_of_selection(reading, line, block) : ToolSaid::by_d;
+  if (!said) return false;
+  const Code of_missing = reading.gives_radii() ? Code::tool_unknown : Code::no_tool_radius;
+  if (selects && !block.tools.d_word && !block.tools.radius && reading.gcode.tools.missing)
+    return take_only_register(reading, line, block, *reading.gcode.tools.missing) ||
+           reading.refuse_at(reading.gcode.tools.edge_place, of_missing,
+                             "D" + std::to_string(*reading.gcode.tools.missing));
+  if (!block.tools.d_word && !block.tools.radius)
+    return !selects || take_only_spindle_tool(reading);
+  if ((selects || reading.trc_active()) && reading.dialect.name != DialectName::sinumerik)
+    for (WordRange& word : line.words)
+      if (upper(line.text[word.begin]) == (said == ToolSaid::by_h ? 'H' : 'D'))
+        word.role = WordRole::trc;
+  return !block.tools.d_word || check_tool_of_table(reading, line, block, *said);
+}
+
+std::optional<double> spindle_diameter(const Reading& reading) {
+  if (reading.gcode.tools.in_spindle == 0 || reading.state.setup().every_radius)
+    return std::nullopt;
+  if (const auto row = reading.state.tool().row_of_tool(reading.gcode.tools.in_spindle))
+    return 2 * (row->radius + row->wear);
+  if (!reading.has_one_radius()) return std::nullopt;
+  return 2 * (reading.state.setup().mode.tool_radius + reading.state.setup().wear);
+}
+
+bool take_only_register(Reading& reading, const ProgramLine& line, BlockWords& block,
+                        std::int64_t number) {
+  if (!reading.has_one_radius() || reading.gcode.tools.only_register.value_or(number) != number)
+    return false;
+  reading.gcode.tools.only_register = number;
+  block.tools.only = block.tools.d_word ? block.tools.d_word->begin : line.words.front().begin;
+  block.tools.d_word.reset();
+  return true;
+}
+
+}  // namespace trc
