@@ -1,4 +1,4 @@
-#include "core/nc/program/code_line.h"
+#include "core/nc/program/gcode_line.h"
 
 #include <gtest/gtest.h>
 
