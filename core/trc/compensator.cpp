@@ -15,8 +15,8 @@
 #include "core/trc/passes/reporting.h"
 #include "core/trc/passes/rounded_input.h"
 #include "core/trc/passes/transitions.h"
+#include "core/trc/result/refused_way.h"
 #include "core/trc/selection/inside_corner.h"
-#include "core/trc/selection/refused_way.h"
 #include "core/trc/selection/split.h"
 #include "core/trc/short_way/short_release.h"
 #include "core/trc/short_way/short_way.h"
@@ -139,7 +139,7 @@ struct Compensator::Passes {
   // What would do in place of the block that was refused. Looks for it once.
   void help_with_entry() {
     if (!setup.helps_with_entries || diagnostics.pending().empty()) return;
-    selection::RefusedWay refused = std::exchange(refused_way, {});
+    RefusedWay refused = std::exchange(refused_way, {});
     if (may_be_of_leads(diagnostics.pending().back().code)) refused = loop_removal.refused_way();
     const bool left_out = diagnostics.pending().back().code == Code::most_left_out;
     if (refused.removes_loops && !refused.at_begin && !left_out) return;
@@ -158,7 +158,7 @@ struct Compensator::Passes {
   Diagnostics& diagnostics;
   Checkpoint checkpoint;
   Engine engine;
-  selection::RefusedWay refused_way;  // by the pass that has stopped the stream
+  RefusedWay refused_way;  // by the pass that has stopped the stream
   RelevantBlocks relevant_blocks;
   ConvertCircles convert_circles;
   RoundedInput rounded_input;

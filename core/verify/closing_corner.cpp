@@ -49,7 +49,7 @@ bool is_within(const std::vector<Point>& ring, const Point& point) {
 
 }  // namespace
 
-ClosingCorner closing_corner(const selection::RefusedWay& way) {
+ClosingCorner closing_corner(const RefusedWay& way) {
   const Segment& first = way.blocks[1].path;
   const Segment& last = way.blocks.back().path;
   if ((end_of(last) - start_of(first)).norm() > Tolerances{}.input_resolution)

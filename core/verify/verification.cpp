@@ -8,7 +8,7 @@
 #include <variant>
 
 #include "core/base/tolerances.h"
-#include "core/trc/selection/selection_limit.h"
+#include "core/trc/result/selection_limit.h"
 #include "core/verify/closing_corner.h"
 
 namespace trc::verify {
@@ -142,8 +142,7 @@ bool Verification::measure_before(std::uint64_t end) {
   return found.gouging == 0 || tell(std::move(problem));
 }
 
-std::optional<selection::RefusedWay> Verification::way_that_closes_at(
-    const Clearance& worst) const {
+std::optional<RefusedWay> Verification::way_that_closes_at(const Clearance& worst) const {
   const auto& programmed = held_.programmed();
   const auto approach =
       std::find_if(approaches_.rbegin(), approaches_.rend(),
@@ -151,7 +150,7 @@ std::optional<selection::RefusedWay> Verification::way_that_closes_at(
   if (approach == approaches_.rend()) return std::nullopt;
   const std::size_t begin = held_.first_from(approach->source.index);
   const std::uint32_t rule = programmed[begin].rule;
-  selection::RefusedWay way{.in_corner = true};
+  RefusedWay way{.in_corner = true};
   way.blocks.push_back(*approach);
   way.shift = held_.rule_of(programmed[begin]).radius;
   for (std::size_t place = begin + 1; place < programmed.end(); ++place) {

@@ -12,7 +12,7 @@
 #include "core/base/checkpoint.h"
 #include "core/base/diagnostics.h"
 #include "core/trc/result/compensated_block.h"
-#include "core/trc/selection/refused_way.h"
+#include "core/trc/result/refused_way.h"
 #include "core/verify/clearance.h"
 #include "core/verify/held_path.h"
 
@@ -35,7 +35,7 @@ struct VerificationSetup {
   Checkpoint::Interrupt interrupt{};  // of long work
   // Looks for another way in where the path comes too near to where its contour begins and closes;
   // none: nobody does.
-  std::function<std::shared_ptr<const EntryHelp>(const selection::RefusedWay&)> help{};
+  std::function<std::shared_ptr<const EntryHelp>(const RefusedWay&)> help{};
 };
 
 // Measures a path as it comes out: what is programmed is given first, then the path it has
@@ -76,8 +76,7 @@ class Verification {
   // What was programmed before `end` has all come out.
   bool measure_before(std::uint64_t end);
   // The way in and the contour, where that begins and closes at the worst place.
-  [[nodiscard]] std::optional<selection::RefusedWay> way_that_closes_at(
-      const Clearance& worst) const;
+  [[nodiscard]] std::optional<RefusedWay> way_that_closes_at(const Clearance& worst) const;
   bool tell_unmeasured();
   // A diagnostic that tells of what was measured, or not.
   bool tell(Diagnostic problem);

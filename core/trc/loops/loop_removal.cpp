@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/trc/corner/bow_tie.h"
-#include "core/trc/selection/selection_limit.h"
+#include "core/trc/result/selection_limit.h"
 #include "core/trc/walls/closing.h"
 
 namespace trc {
@@ -205,12 +205,12 @@ void LoopRemoval::forget() {
   obstacles_.drop_before(keep);
 }
 
-selection::RefusedWay LoopRemoval::refused_way() const {
+RefusedWay LoopRemoval::refused_way() const {
   if (entering_.empty() || path_.empty() || path_.begin_of_contour() > 0) return {};
   const PathBlock& approach = *entering_.front();
   if (approach.role != Role::approach) return {};
   const Walls& walls = obstacles_.walls();
-  selection::RefusedWay refused{
+  RefusedWay refused{
       .shift = approach.at_end.shift, .removes_loops = true, .at_begin = walked_.empty()};
   const std::size_t end = end_of_contour();
   for (const Walls::Range& leads : walls.leads) {

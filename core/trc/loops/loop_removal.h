@@ -13,7 +13,7 @@
 #include "core/trc/loops/obstacles.h"
 #include "core/trc/loops/walked_path.h"
 #include "core/trc/path_block.h"
-#include "core/trc/selection/refused_way.h"
+#include "core/trc/result/refused_way.h"
 #include "core/trc/setup.h"
 
 namespace trc {
@@ -56,7 +56,7 @@ class LoopRemoval {
   [[nodiscard]] const HeldPath& path() const { return path_; }
   // The selection it has stopped at, approach first and without the leads at the begin; no blocks
   // where not all of it is held any more.
-  [[nodiscard]] selection::RefusedWay refused_way() const;
+  [[nodiscard]] RefusedWay refused_way() const;
 
   // The middle of a contour is being held: ShortWay may give it more of it.
   [[nodiscard]] bool takes_contour() const { return !leaving_ && end_of_contour() > 0; }

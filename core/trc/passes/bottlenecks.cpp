@@ -8,7 +8,7 @@
 #include "core/geometry/along.h"
 #include "core/geometry/box_tree.h"
 #include "core/geometry/distance.h"
-#include "core/trc/selection/selection_limit.h"
+#include "core/trc/result/selection_limit.h"
 #include "core/trc/walls/closing.h"
 
 namespace trc {

@@ -10,7 +10,7 @@
 #include "core/geometry/parallel.h"
 #include "core/trc/passes/joints.h"
 #include "core/trc/passes/reach.h"
-#include "core/trc/selection/selection_limit.h"
+#include "core/trc/result/selection_limit.h"
 #include "core/trc/walls/closing.h"
 #include "core/trc/walls/sided_walls.h"
 

@@ -9,7 +9,7 @@
 #include "core/trc/corner/corner.h"
 #include "core/trc/passes/joints.h"
 #include "core/trc/path_block.h"
-#include "core/trc/selection/refused_way.h"
+#include "core/trc/result/refused_way.h"
 
 namespace trc {
 
@@ -28,8 +28,7 @@ namespace trc {
 // of a bow tie, the one behind it.
 class Transitions {
  public:
-  Transitions(const Tolerances& tolerances, Diagnostics& diagnostics,
-              selection::RefusedWay& refused_way)
+  Transitions(const Tolerances& tolerances, Diagnostics& diagnostics, RefusedWay& refused_way)
       : tolerances_(tolerances), diagnostics_(diagnostics), refused_way_(refused_way) {}
 
   bool feed(PathBlockPtr&& block, PathBlocks& out);
@@ -82,7 +81,7 @@ class Transitions {
 
   Tolerances tolerances_;
   Diagnostics& diagnostics_;
-  selection::RefusedWay& refused_way_;
+  RefusedWay& refused_way_;
   PathBlockPtr held_;
   PathBlockPtr short_;  // behind the held block, of a bow tie where the next one crosses that
   PathBlocks masked_;   // behind the held block

@@ -7,7 +7,7 @@
 #include "core/base/diagnostics.h"
 #include "core/base/tolerances.h"
 #include "core/trc/path_block.h"
-#include "core/trc/selection/refused_way.h"
+#include "core/trc/result/refused_way.h"
 
 namespace trc::selection {
 
