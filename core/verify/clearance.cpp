@@ -36,7 +36,7 @@ constexpr double slack = half_resolution / 2;  // mm
 
 // The programmed pieces of one selection, from `begin` to `end`, and their walls.
 struct Measured {
-  const HeldPath& held;
+  const MeasuredPath& held;
   std::size_t begin;
   std::size_t end;
   const SelectionWalls& walls;
@@ -292,7 +292,7 @@ class Selection {
             .sweep = piece.sweep / parts};
   }
 
-  const HeldPath& held_;
+  const MeasuredPath& held_;
   std::size_t begin_;
   std::size_t end_;
   std::size_t latest_;  // programmed piece whose path has been measured; `end_`: all that have one
@@ -331,7 +331,7 @@ class Selection {
 };
 
 // Behind the last piece of the selection that begins there: rules count upwards.
-std::size_t end_of_selection(const HeldPath& held, std::size_t begin, std::size_t end) {
+std::size_t end_of_selection(const MeasuredPath& held, std::size_t begin, std::size_t end) {
   const auto selection_of = [&](std::size_t number) {
     return held.rule_of(held.programmed()[number]).selection;
   };
@@ -357,7 +357,7 @@ void ClearanceReport::add(const ClearanceReport& other) {
   if (other.gouge && (!gouge || other.gouge->margin() < gouge->margin())) gouge = other.gouge;
 }
 
-ClearanceReport measure_clearance(const HeldPath& held, std::size_t end,
+ClearanceReport measure_clearance(const MeasuredPath& held, std::size_t end,
                                   const ClearanceSettings& settings, Checkpoint& checkpoint) {
   ClearanceReport report;
   const std::size_t all = held.path().end() - held.path().begin();
@@ -390,7 +390,7 @@ ClearanceReport measure_clearance(std::span<const Block> programmed,
 ClearanceReport measure_clearance(std::span<const Block> programmed,
                                   std::span<const CompensatedBlock> path,
                                   const ClearanceSettings& settings) {
-  HeldPath held;
+  MeasuredPath held;
   for (const Block& block : programmed) {
     const auto* motion = std::get_if<MotionBlock>(&block);
     if (motion != nullptr && motion->mode && motion->mode->active()) held.add(*motion);

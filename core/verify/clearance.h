@@ -11,7 +11,7 @@
 #include "core/nc/state/block.h"
 #include "core/trc/result/compensated_block.h"
 #include "core/trc/walls/walls.h"
-#include "core/verify/held_path.h"
+#include "core/verify/measured_path.h"
 
 namespace trc::verify {
 
@@ -87,7 +87,7 @@ inline constexpr double margin_resolution = 1e-5;  // mm
                                                 const ClearanceSettings& settings);
 
 // The same of what is held, as far as it stems from programmed pieces before the number `end`.
-[[nodiscard]] ClearanceReport measure_clearance(const HeldPath& held, std::size_t end,
+[[nodiscard]] ClearanceReport measure_clearance(const MeasuredPath& held, std::size_t end,
                                                 const ClearanceSettings& settings,
                                                 Checkpoint& checkpoint);
 

@@ -4,7 +4,7 @@
 
 namespace trc::verify {
 
-SelectionWalls::SelectionWalls(const HeldPath& held, std::size_t begin, std::size_t end,
+SelectionWalls::SelectionWalls(const MeasuredPath& held, std::size_t begin, std::size_t end,
                                const LeadSettings& settings, Checkpoint& checkpoint)
     : held_(&held), begin_(begin), end_(end) {
   find_contour(checkpoint);
@@ -83,14 +83,14 @@ Stretch SelectionWalls::part_of(const ProgrammedPiece& block) const {
   return part ? Stretch{part->from, std::min(part->to, length)} : Stretch{0, length};
 }
 
-void SelectionWalls::move_to(const HeldPath& held, std::size_t begin, Checkpoint& checkpoint) {
+void SelectionWalls::move_to(const MeasuredPath& held, std::size_t begin, Checkpoint& checkpoint) {
   held_ = &held;
   end_ = begin + (end_ - begin_);
   begin_ = begin;
   tree_->move_to(held, begin, checkpoint);
 }
 
-bool KnownWalls::are_same(const std::vector<WallPiece>& pieces, const HeldPath& held,
+bool KnownWalls::are_same(const std::vector<WallPiece>& pieces, const MeasuredPath& held,
                           std::size_t begin, Checkpoint& checkpoint) {
   auto others = held.programmed().from(begin);
   return std::all_of(pieces.begin(), pieces.end(), [&](const WallPiece& own) {
@@ -104,7 +104,7 @@ bool KnownWalls::are_same(const std::vector<WallPiece>& pieces, const HeldPath& 
   });
 }
 
-const SelectionWalls& KnownWalls::of(const HeldPath& held, std::size_t begin, std::size_t end,
+const SelectionWalls& KnownWalls::of(const MeasuredPath& held, std::size_t begin, std::size_t end,
                                      const LeadSettings& settings, Checkpoint& checkpoint) {
   Known& known = known_[held.programmed()[begin].source.index];
   if (known.walls && known.pieces.size() == end - begin &&

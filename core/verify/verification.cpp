@@ -90,7 +90,7 @@ bool Verification::programmed(const Block& block) {
     return true;
   }
   too_long_ = motion->mode->selection_number;
-  held_ = HeldPath();
+  held_ = MeasuredPath();
   approaches_.clear();
   unmeasured_ = motion->source;
   is_untold_ = true;

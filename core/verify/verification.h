@@ -14,7 +14,7 @@
 #include "core/trc/result/compensated_block.h"
 #include "core/trc/result/refused_way.h"
 #include "core/verify/clearance.h"
-#include "core/verify/held_path.h"
+#include "core/verify/measured_path.h"
 
 namespace trc {
 
@@ -84,7 +84,7 @@ class Verification {
   VerificationSetup setup_;
   Diagnostics& diagnostics_;
   Checkpoint checkpoint_;
-  HeldPath held_;                       // the motions of selections, and their path
+  MeasuredPath held_;                   // the motions of selections, and their path
   std::deque<MotionBlock> approaches_;  // the first motion of each of these selections
   std::deque<std::uint64_t> ends_;      // the first motion behind each selection that has ended
   std::uint32_t too_long_ = 0;          // the selection that is not held; 0: none
