@@ -27,6 +27,7 @@ VerifiedCompensator::VerifiedCompensator(const CompensatorSetup& setup, Verify v
       verify::VerificationSetup{.verify = verify,
                                 .clearance = {.allowed = setup.tolerances.on_contour,
                                               .leads = setup.leads,
+                                              .tolerances = setup.tolerances,
                                               .uncut = std::move(needs.uncut),
                                               .known_walls = needs.known_walls,
                                               .progress = std::move(needs.progress)},

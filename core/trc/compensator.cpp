@@ -42,7 +42,7 @@ struct Compensator::Passes {
         engine(setup.engine),
         relevant_blocks(setup, log, refused_way),
         convert_circles(setup.tolerances),
-        rounded_input(setup.leads.input_resolution),
+        rounded_input(setup.leads.input_resolution, setup.tolerances),
         kerf_masking(setup.circular_kerf_masking, setup.tolerances),
         offset(setup.tolerances, log),
         inside_corner(setup.limits.selection_blocks, setup.tolerances, log, checkpoint,

@@ -368,8 +368,8 @@ ClearanceReport measure_clearance(const MeasuredPath& held, std::size_t end,
     std::optional<SelectionWalls> own;
     const SelectionWalls& walls =
         settings.known_walls != nullptr
-            ? settings.known_walls->of(held, begin, behind, settings.leads, checkpoint)
-            : own.emplace(held, begin, behind, settings.leads, checkpoint);
+            ? settings.known_walls->of(held, begin, behind, settings, checkpoint)
+            : own.emplace(held, begin, behind, settings, checkpoint);
     Selection selection({.held = held, .begin = begin, .end = behind, .walls = walls}, settings,
                         checkpoint);
     next = selection.measure_from(next);

@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "core/base/checkpoint.h"
+#include "core/base/tolerances.h"
 #include "core/trc/walls/sided_walls.h"
+#include "core/verify/clearance.h"
 #include "core/verify/coverage.h"
 #include "core/verify/measured_path.h"
 #include "core/verify/wall_tree.h"
@@ -21,7 +23,7 @@ class SelectionWalls {
  public:
   // The pieces are those from `begin` to `end`. `held` must outlive it, or what it moves to.
   SelectionWalls(const MeasuredPath& held, std::size_t begin, std::size_t end,
-                 const LeadSettings& settings, Checkpoint& checkpoint);
+                 const ClearanceSettings& settings, Checkpoint& checkpoint);
   SelectionWalls(const SelectionWalls&) = delete;
   SelectionWalls& operator=(const SelectionWalls&) = delete;
 
@@ -61,6 +63,7 @@ class SelectionWalls {
   const MeasuredPath* held_;
   std::size_t begin_;
   std::size_t end_;
+  Tolerances tolerances_;
   std::vector<std::uint32_t> contour_;  // which pieces are contour blocks, counted from `begin_`
   std::vector<std::size_t> changes_;    // of side, among these
   bool has_roles_ = false;
@@ -80,7 +83,7 @@ class KnownWalls {
  public:
   // Those of these pieces, known or new. Of use until it is asked for that selection again.
   [[nodiscard]] const SelectionWalls& of(const MeasuredPath& held, std::size_t begin,
-                                         std::size_t end, const LeadSettings& settings,
+                                         std::size_t end, const ClearanceSettings& settings,
                                          Checkpoint& checkpoint);
 
  private:

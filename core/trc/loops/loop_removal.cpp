@@ -120,6 +120,7 @@ void LoopRemoval::find_walls() {
   ContourView view{.count = end_of_contour(),
                    .segment = [this](std::size_t number) { return contour(number).programmed; },
                    .tool_side = path_.mode_of(end_of_path() - 1).cutting_side(),
+                   .tolerances = tolerances_,
                    .checkpoint = &checkpoint_};
   if (path_.has_roles()) view.role = [this](std::size_t number) { return contour(number).role; };
   if (has_short_) view.shift = path_.setting_of(end_of_path() - 1).at_end.shift;

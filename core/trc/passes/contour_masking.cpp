@@ -275,6 +275,7 @@ void ContourMasking::find_walls() {
   ContourView view{
       .count = held_.size() - first,
       .segment = [&](std::size_t number) { return held(first + number).programmed.path; },
+      .tolerances = tolerances_,
       .checkpoint = &checkpoint_};
   if (view.count > 0) view.tool_side = held(first).mode().cutting_side();
   if (has_roles)
