@@ -65,7 +65,8 @@ class WallTree {
   // The leaves that may be nearer to the box than `reach`, in their order, for several pieces of
   // path there; some that lie beside such a leaf are among them. False: they are too many.
   bool find_near(const Box& box, double reach, std::vector<std::size_t>& found) const;
-  // The same of what is in the box and in the ring, which is about the middle of all walls.
+  // The leaves that may be nearer than `reach` to what is both in the box and in the ring, which is
+  // about the middle of all walls; else as above.
   bool find_near(const Box& box, const Ring& about_middle, double reach,
                  std::vector<std::size_t>& found) const;
   [[nodiscard]] Ring about_middle(const Piece& path) const { return ring_of(path, rings_.middle); }
