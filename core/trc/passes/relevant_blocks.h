@@ -28,7 +28,6 @@ class RelevantBlocks {
 
   bool feed(Block&& block, PathBlocks& out);
   bool drain(PathBlocks& out);
-  [[nodiscard]] std::size_t look_ahead() const { return 1; }
 
   // The block held back, if there is one. ShortWay puts a later one of the same mode in its
   // place.

@@ -38,7 +38,6 @@ class RoundedInput {
     return held_.empty() && !block.before_short &&
            !(is_short(block.programmed, input_resolution_) && is_contour_line(block));
   }
-  [[nodiscard]] std::size_t look_ahead() const { return most_held + 1; }
 
   // Whether rounding may decide about a corner of the line.
   [[nodiscard]] static bool is_short(const MotionBlock& motion, double input_resolution);

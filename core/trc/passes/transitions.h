@@ -25,7 +25,7 @@ namespace trc {
 // P is the programmed corner. What is inserted: table of rule 4.2, G25 and
 // G26; where the contour begins and ends: the rules of the selection modes in
 // selection/. Does not see further than the next relevant block, or where that may be the short one
-// of a bow tie, the one behind it.
+// of a bow tie, the one behind it: holds no more than two that are not masked.
 class Transitions {
  public:
   Transitions(const Tolerances& tolerances, Diagnostics& diagnostics, RefusedWay& refused_way)
@@ -33,7 +33,6 @@ class Transitions {
 
   bool feed(PathBlockPtr&& block, PathBlocks& out);
   bool drain(PathBlocks& out);
-  [[nodiscard]] std::size_t look_ahead() const { return 2; }
   // The block whose end is still open, if nothing waits behind it. ShortWay goes on from it.
   [[nodiscard]] PathBlock* open_block() {
     return masked_.empty() && !short_ ? held_.get() : nullptr;
