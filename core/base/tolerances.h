@@ -2,11 +2,16 @@
 
 namespace trc {
 
-// Every small number of core/, and the limits of what is accepted. Lengths in mm, angles in rad.
+// Tolerances of geometry stand here, and the limits of what is accepted. A constant that only
+// bounds rounding of one expression stands beside it and says what it bounds. The verification
+// measures with numbers of its own. Lengths in mm, angles in rad.
 struct Tolerances {
   // Closer than this is one point. A path that merges two such points is wrong
   // by less than a hundredth of the finest increment a control commands.
   double same_point = 1e-6;
+  // Closer than this along a block of a contour is one place, where its walls are looked for: as
+  // much may be a lead, or a wall, that is not.
+  double same_place = 1e-7;
   // A gouge shallower than this is none: 0.1 um, the internal unit of the
   // reference control (D-14).
   double on_contour = 1e-4;

@@ -11,10 +11,10 @@
 namespace trc {
 namespace {
 
-std::function<std::shared_ptr<const EntryHelp>(const selection::RefusedWay&)> helper(
+std::function<std::shared_ptr<const EntryHelp>(const RefusedWay&)> helper(
     const CompensatorSetup& setup) {
   if (!setup.helps_with_entries) return {};
-  return [setup](const selection::RefusedWay& way) { return selection::help_with(way, setup); };
+  return [setup](const RefusedWay& way) { return selection::help_with(way, setup); };
 }
 
 }  // namespace
@@ -27,6 +27,7 @@ VerifiedCompensator::VerifiedCompensator(const CompensatorSetup& setup, Verify v
       verify::VerificationSetup{.verify = verify,
                                 .clearance = {.allowed = setup.tolerances.on_contour,
                                               .leads = setup.leads,
+                                              .tolerances = setup.tolerances,
                                               .uncut = std::move(needs.uncut),
                                               .known_walls = needs.known_walls,
                                               .progress = std::move(needs.progress)},

@@ -14,8 +14,8 @@
 
 namespace trc {
 
-// Programmed blocks in, compensated blocks out. The order of the passes is the
-// list in Compensator::step (compensator.cpp) – start reading there.
+// Programmed blocks in, compensated blocks out. The order of the passes is the list in
+// `Passes::find_path`, continued by `finish_path` (compensator.cpp) – start reading there.
 class Compensator {
  public:
   Compensator(const CompensatorSetup& setup, Diagnostics& diagnostics);
@@ -49,8 +49,6 @@ class Compensator {
   void load(StateReader& archive);
 
   [[nodiscard]] const Summary& summary() const;
-  // The most relevant blocks ever held back: the sum over the passes.
-  [[nodiscard]] std::size_t look_ahead() const;
 
  private:
   // Takes the first block, or as many as nothing can be reported of. Returns how many.

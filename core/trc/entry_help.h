@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "core/base/entry_help.h"
-#include "core/trc/selection/refused_way.h"
+#include "core/trc/result/refused_way.h"
 #include "core/trc/setup.h"
 
 namespace trc::selection {

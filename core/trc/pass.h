@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <concepts>
-#include <cstddef>
 #include <span>
 #include <utility>
 #include <vector>
@@ -15,17 +14,35 @@ namespace trc {
 //
 //   feed(item, out)  takes one item, appends to `out` all that has become certain
 //   drain(out)       no more items: appends all that was held back
-//   look_ahead()     the most items the pass ever holds back
 //
 // feed and drain return false once the stream must stop; Diagnostics then says
 // why. Certain means: no later block can change it any more. Nothing in `out` is
-// ever patched.
+// ever patched. What a pass holds back stands at its head.
 template <class P, class In, class Out>
-concept Pass = requires(P pass, const P& view, In item, std::vector<Out>& out) {
+concept Pass = requires(P pass, In item, std::vector<Out>& out) {
   { pass.feed(std::move(item), out) } -> std::same_as<bool>;
   { pass.drain(out) } -> std::same_as<bool>;
-  { view.look_ahead() } -> std::same_as<std::size_t>;
 };
+
+// A pass that may set free a whole selection at once. That leaves in portions, so that it does not
+// lie in the vectors between all passes.
+//
+//   feed(item, out)    as of a Pass; what is fed while a selection is leaving waits behind it
+//   end()              no more items: what was held back begins to leave
+//   is_leaving()       release_some() has more to append, before the passes behind may drain
+//   release_some(out)  appends a portion
+//
+// All but is_leaving return false once the stream must stop.
+template <class P, class In, class Out>
+concept ReleasingPass = requires(P pass, const P& view, In item, std::vector<Out>& out) {
+  { pass.feed(std::move(item), out) } -> std::same_as<bool>;
+  { pass.end() } -> std::same_as<bool>;
+  { view.is_leaving() } -> std::same_as<bool>;
+  { pass.release_some(out) } -> std::same_as<bool>;
+};
+
+template <class P, class In, class Out>
+concept AnyPass = Pass<P, In, Out> || ReleasingPass<P, In, Out>;
 
 // A pass that is seldom at work says which blocks mean nothing to it as it stands: it lets them
 // pass as they are, and holds nothing they would have to wait for.
@@ -43,18 +60,22 @@ concept InPlacePass = requires(P pass, Owner& owner) {
 enum class Input { more, ended };
 
 template <class P, class In, class Out>
-requires Pass<P, In, Out>
+requires AnyPass<P, In, Out>
 [[nodiscard]] bool advance(P& pass, std::span<In> in, std::vector<Out>& out, Input input,
                            Checkpoint& checkpoint) {
   for (In& item : in) {
     checkpoint.pass();
     if (!pass.feed(std::move(item), out)) return false;
   }
-  return input == Input::more || pass.drain(out);
+  if (input == Input::more) return true;
+  if constexpr (Pass<P, In, Out>)
+    return pass.drain(out);
+  else
+    return pass.end();
 }
 
 template <class P, class In, class Out>
-requires Pass<P, In, Out>
+requires AnyPass<P, In, Out>
 [[nodiscard]] bool advance(P& pass, std::vector<In>& in, std::vector<Out>& out, Input input,
                            Checkpoint& checkpoint) {
   const bool goes_on = advance(pass, std::span(in), out, input, checkpoint);
@@ -80,7 +101,7 @@ template <class P, class Owner>
 // What an idle pass ignores stays where it is, as nearly every block does; what happens else is
 // kept out of the way of that.
 template <class P, class Owner>
-requires Pass<P, Owner, Owner>
+requires AnyPass<P, Owner, Owner>
 [[nodiscard]] inline bool advance(P& pass, OnTheWay<Owner>& way, Input input,
                                   Checkpoint& checkpoint) {
   bool works = input == Input::ended || !IdlePass<P, Owner>;

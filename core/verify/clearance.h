@@ -7,11 +7,12 @@
 #include <span>
 
 #include "core/base/checkpoint.h"
+#include "core/base/tolerances.h"
 #include "core/geometry/plane.h"
 #include "core/nc/state/block.h"
 #include "core/trc/result/compensated_block.h"
 #include "core/trc/walls/walls.h"
-#include "core/verify/held_path.h"
+#include "core/verify/measured_path.h"
 
 namespace trc::verify {
 
@@ -63,6 +64,7 @@ using UncutSink = std::function<void(const UncutWall&)>;
 struct ClearanceSettings {
   double allowed = 0;  // how much nearer than the tool radius the path may come, mm
   LeadSettings leads{};
+  Tolerances tolerances{};
   UncutSink uncut{};  // none: nobody wants to know
   // What is kept of the walls from one path to another one; null: nothing.
   KnownWalls* known_walls = nullptr;
@@ -71,10 +73,10 @@ struct ClearanceSettings {
 };
 
 // Measures every block of the compensated path between approach and retract against all walls of
-// its selection, with the exact distance of lines and arcs. Shares no code with the compensation
-// and decides nothing by it: only source positions link path and contour. What is a wall is data:
-// it follows from the program alone (D-38). Looks across a change of side, but for the blocks at
-// the change itself (D-42).
+// its selection, with the exact distance of lines and arcs. Has distances and an index of its own,
+// and decides nothing by the compensation: only source positions link path and contour. From the
+// core it takes what follows from the program alone: blocks, and which of them are walls (D-38).
+// Looks across a change of side, but for the blocks at the change itself (D-42).
 //
 // Where the tool radius changes, the smaller one is required. The smallest margin is found up to
 // `margin_resolution`: where the whole path runs at one distance, all of it is as near.
@@ -86,8 +88,8 @@ inline constexpr double margin_resolution = 1e-5;  // mm
                                                 std::span<const CompensatedBlock> path,
                                                 const ClearanceSettings& settings);
 
-// The same of what is held, as far as it stems from programmed pieces before the number `end`.
-[[nodiscard]] ClearanceReport measure_clearance(const HeldPath& held, std::size_t end,
+// Measures held pieces before the number `end`, and the path that stems from them.
+[[nodiscard]] ClearanceReport measure_clearance(const MeasuredPath& held, std::size_t end,
                                                 const ClearanceSettings& settings,
                                                 Checkpoint& checkpoint);
 

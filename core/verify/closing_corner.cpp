@@ -5,7 +5,6 @@
 #include <variant>
 #include <vector>
 
-#include "core/base/tolerances.h"
 #include "core/geometry/segment.h"
 
 namespace trc::verify {
@@ -49,11 +48,10 @@ bool is_within(const std::vector<Point>& ring, const Point& point) {
 
 }  // namespace
 
-ClosingCorner closing_corner(const selection::RefusedWay& way) {
+ClosingCorner closing_corner(const RefusedWay& way, double input_resolution) {
   const Segment& first = way.blocks[1].path;
   const Segment& last = way.blocks.back().path;
-  if ((end_of(last) - start_of(first)).norm() > Tolerances{}.input_resolution)
-    return ClosingCorner::none;
+  if ((end_of(last) - start_of(first)).norm() > input_resolution) return ClosingCorner::none;
   if (cross(tangent_at_end(last), tangent_at_start(first)) * way.shift <= 0)
     return ClosingCorner::none;
   const std::vector<Point> ring = chords_of(way.blocks);

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "core/trc/selection/refused_way.h"
+#include "core/trc/result/refused_way.h"
 
 namespace trc::verify {
 
@@ -14,7 +14,8 @@ enum class ClosingCorner : std::uint8_t {
 
 // Whether the contour closes in an inside corner, and whether the tool comes from the other side of
 // it than it is to cut on: most often the other side is meant then (G41 against G42). `way`: the
-// approach, and behind it the whole contour, of lines and arcs.
-[[nodiscard]] ClosingCorner closing_corner(const selection::RefusedWay& way);
+// approach, and behind it the whole contour, of lines and arcs, which closes where its ends are no
+// farther apart than `input_resolution`, mm.
+[[nodiscard]] ClosingCorner closing_corner(const RefusedWay& way, double input_resolution);
 
 }  // namespace trc::verify

@@ -54,8 +54,8 @@ Stretch beside(const Piece& programmed, const Piece& path, double required) {
   return programmed.is_arc() ? along_arc(programmed, path) : along_line(programmed, path);
 }
 
-// The same of two lines, by the middle of what lies beside the wall: at a mitre the path reaches
-// far beyond its end.
+// What of a line another line is beside, by the middle of what lies beside it: at a mitre the path
+// reaches far beyond the end of the wall. Nothing where it is not that far from it.
 Stretch beside_lines(const Piece& programmed, const Piece& path, double required) {
   const double length = programmed.length();
   const Vector along = (programmed.end - programmed.start) / length;
@@ -91,7 +91,7 @@ bool is_all_beside(const Piece& programmed, const Piece& path, double required) 
   return least > 0 && at_start * at_end > 0 && is_that_far(at_start) && is_that_far(at_end);
 }
 
-// The same of arcs about one centre that are not short.
+// Whether the path is beside all of the wall, of arcs about one centre that are not short.
 bool is_arc_all_beside(const Piece& programmed, const Piece& path, double required) {
   const double reach = required + most_apart;
   const double square = reach * reach;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "core/verify/held_path.h"
+#include "core/verify/measured_path.h"
 
 namespace trc::verify {
 
@@ -11,7 +11,7 @@ namespace trc::verify {
 // least distance of the path, mm.
 class FineSteps {
  public:
-  FineSteps(const HeldPath& held, double input_resolution)
+  FineSteps(const MeasuredPath& held, double input_resolution)
       : held_(held), input_resolution_(input_resolution) {}
 
   // mm. A line no longer than that is as short as rounding leaves it where nothing was meant.
@@ -42,7 +42,7 @@ class FineSteps {
     return (block.piece.end - block.piece.start).squaredNorm() <= longest;
   }
 
-  const HeldPath& held_;
+  const MeasuredPath& held_;
   double input_resolution_;  // mm
 };
 

@@ -109,7 +109,7 @@ class FourWalls {
 
  private:
   friend class FourRings;
-  static constexpr double slack = 2e-6;
+  static constexpr double slack = 2e-6;  // a part: more than the rounding of floats all in all
 
   // The square of what is shorter is none in floats.
   static constexpr float shortest = 1e-15F;  // mm
@@ -195,7 +195,8 @@ class FourRings {
   }
 
  private:
-  static constexpr double slack = 1e-6;
+  static constexpr double slack = 1e-6;  // a part: more than the rounding of floats all in all
+  // Floats put a number off by up to 1.2e-7 of itself.
   static float rounded_up(double value) {
     return static_cast<float>(value + 2e-7 * std::abs(value));
   }

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/verify/clearance.h"
-#include "core/verify/held_path.h"
+#include "core/verify/measured_path.h"
 
 namespace trc::verify {
 
@@ -26,7 +26,7 @@ class Margins {
   };
 
   // `allowed`: how much nearer than required the path may come, mm.
-  Margins(const HeldPath& held, double allowed) : held_(held), allowed_(allowed) {}
+  Margins(const MeasuredPath& held, double allowed) : held_(held), allowed_(allowed) {}
 
   void begin_piece() { gouges_ = false; }
   // Something of the piece does.
@@ -49,7 +49,7 @@ class Margins {
  private:
   [[nodiscard]] Clearance clearance_of(const PathPiece& path, const Near& near) const;
 
-  const HeldPath& held_;
+  const MeasuredPath& held_;
   double allowed_;
   bool gouges_ = false;
   double least_ = std::numeric_limits<double>::infinity();        // margin that was seen, mm

@@ -9,7 +9,7 @@
 
 #include "core/base/checkpoint.h"
 #include "core/verify/four_walls.h"
-#include "core/verify/held_path.h"
+#include "core/verify/measured_path.h"
 #include "core/verify/nearest.h"
 #include "core/verify/wall_tree.h"
 
@@ -21,7 +21,7 @@ class NearWalls {
  public:
   static constexpr std::size_t most_of_group = 32;
 
-  NearWalls(const HeldPath& held, const WallTree& tree, Checkpoint& checkpoint)
+  NearWalls(const MeasuredPath& held, const WallTree& tree, Checkpoint& checkpoint)
       : held_(held), tree_(tree), checkpoint_(checkpoint) {}
 
   // Forgets the group.
@@ -97,7 +97,7 @@ class NearWalls {
   // Between which distances from the middle of all walls the group lies.
   [[nodiscard]] Ring ring_of_group();
 
-  const HeldPath& held_;
+  const MeasuredPath& held_;
   const WallTree& tree_;
   Checkpoint& checkpoint_;
   bool is_known_ = false;

@@ -72,7 +72,8 @@ class Bow {
     return is_beyond && distance >= 0 && square_between(start_, line) >= square &&
            square_between(end_, line) >= square;
   }
-  // The same of another arc, by what it lies within.
+  // All of another arc lies beyond the ends of this one, and no nearer to them than `distance`, mm,
+  // by what it lies within. False: it may be so, or not.
   [[nodiscard]] bool ends_before(const Bow& other, double distance) const {
     // An arc that does not end on its circle is not all within that.
     if (!is_minor_ || !other.is_minor_ || other.outer() - other.inner() > same_radius) return false;
@@ -176,7 +177,8 @@ Gap gap_of(const Line& line, const Bow& arc, double enough) {
   return least;
 }
 
-// The same of two arcs, or where the line through both centres meets them.
+// Two arcs are nearest at an end of one, where they cross, or where the line through both centres
+// meets them.
 Gap gap_of(const Bow& a, const Bow& b, double enough) {
   const Vector between = b.center() - a.center();
   const double distance = between.norm();

@@ -54,7 +54,8 @@ struct Circles {
   return beyond <= 0 || square >= beyond * beyond || (within >= 0 && square <= within * within);
 }
 
-// The same of such circles and a line.
+// The line lies beyond the circles or within them, and nowhere nearer to them than `distance`, mm.
+// False: it may be nearer, or not.
 [[nodiscard]] inline bool are_apart(const Circles& circles, const Piece& line, double distance) {
   const Vector start = line.start - circles.center;
   const Vector end = line.end - circles.center;

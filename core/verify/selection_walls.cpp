@@ -4,15 +4,15 @@
 
 namespace trc::verify {
 
-SelectionWalls::SelectionWalls(const HeldPath& held, std::size_t begin, std::size_t end,
-                               const LeadSettings& settings, Checkpoint& checkpoint)
-    : held_(&held), begin_(begin), end_(end) {
+SelectionWalls::SelectionWalls(const MeasuredPath& held, std::size_t begin, std::size_t end,
+                               const ClearanceSettings& settings, Checkpoint& checkpoint)
+    : held_(&held), begin_(begin), end_(end), tolerances_(settings.tolerances) {
   find_contour(checkpoint);
   const ContourView view = contour(checkpoint);
   if (changes_.empty())
-    sides_.sides.push_back(find_walls(view, settings, largest_radius()));
+    sides_.sides.push_back(find_walls(view, settings.leads, largest_radius()));
   else
-    sides_ = find_walls(view, changes_, settings, largest_radius());
+    sides_ = find_walls(view, changes_, settings.leads, largest_radius());
   are_plain_ = sides_.sides.size() == 1 && sides_.sides.front().are_plain();
   tree_.emplace(held, begin, end, sides_, checkpoint);
   count_walls(checkpoint);
@@ -62,6 +62,7 @@ ContourView SelectionWalls::contour(Checkpoint& checkpoint) const {
   }
   view.length = contour_length_;
   view.shortest_step = shortest_step_;
+  view.tolerances = tolerances_;
   view.checkpoint = &checkpoint;
   return view;
 }
@@ -83,14 +84,14 @@ Stretch SelectionWalls::part_of(const ProgrammedPiece& block) const {
   return part ? Stretch{part->from, std::min(part->to, length)} : Stretch{0, length};
 }
 
-void SelectionWalls::move_to(const HeldPath& held, std::size_t begin, Checkpoint& checkpoint) {
+void SelectionWalls::move_to(const MeasuredPath& held, std::size_t begin, Checkpoint& checkpoint) {
   held_ = &held;
   end_ = begin + (end_ - begin_);
   begin_ = begin;
   tree_->move_to(held, begin, checkpoint);
 }
 
-bool KnownWalls::are_same(const std::vector<WallPiece>& pieces, const HeldPath& held,
+bool KnownWalls::are_same(const std::vector<WallPiece>& pieces, const MeasuredPath& held,
                           std::size_t begin, Checkpoint& checkpoint) {
   auto others = held.programmed().from(begin);
   return std::all_of(pieces.begin(), pieces.end(), [&](const WallPiece& own) {
@@ -104,13 +105,13 @@ bool KnownWalls::are_same(const std::vector<WallPiece>& pieces, const HeldPath& 
   });
 }
 
-const SelectionWalls& KnownWalls::of(const HeldPath& held, std::size_t begin, std::size_t end,
-                                     const LeadSettings& settings, Checkpoint& checkpoint) {
+const SelectionWalls& KnownWalls::of(const MeasuredPath& held, std::size_t begin, std::size_t end,
+                                     const ClearanceSettings& settings, Checkpoint& checkpoint) {
   Known& known = known_[held.programmed()[begin].source.index];
   if (known.walls && known.pieces.size() == end - begin &&
       are_same(known.pieces, held, begin, checkpoint)) {
     known.walls->move_to(held, begin, checkpoint);
-    if (known.walls->by_radius(settings, checkpoint) == known.by_radius) return *known.walls;
+    if (known.walls->by_radius(settings.leads, checkpoint) == known.by_radius) return *known.walls;
   }
   known.pieces.clear();
   known.pieces.reserve(end - begin);
@@ -126,7 +127,7 @@ const SelectionWalls& KnownWalls::of(const HeldPath& held, std::size_t begin, st
                             .role = piece.role});
   }
   known.walls = std::make_unique<SelectionWalls>(held, begin, end, settings, checkpoint);
-  known.by_radius = known.walls->by_radius(settings, checkpoint);
+  known.by_radius = known.walls->by_radius(settings.leads, checkpoint);
   return *known.walls;
 }
 

@@ -9,9 +9,11 @@
 #include <vector>
 
 #include "core/base/checkpoint.h"
+#include "core/base/tolerances.h"
 #include "core/trc/walls/sided_walls.h"
+#include "core/verify/clearance.h"
 #include "core/verify/coverage.h"
-#include "core/verify/held_path.h"
+#include "core/verify/measured_path.h"
 #include "core/verify/wall_tree.h"
 
 namespace trc::verify {
@@ -20,8 +22,8 @@ namespace trc::verify {
 class SelectionWalls {
  public:
   // The pieces are those from `begin` to `end`. `held` must outlive it, or what it moves to.
-  SelectionWalls(const HeldPath& held, std::size_t begin, std::size_t end,
-                 const LeadSettings& settings, Checkpoint& checkpoint);
+  SelectionWalls(const MeasuredPath& held, std::size_t begin, std::size_t end,
+                 const ClearanceSettings& settings, Checkpoint& checkpoint);
   SelectionWalls(const SelectionWalls&) = delete;
   SelectionWalls& operator=(const SelectionWalls&) = delete;
 
@@ -39,7 +41,7 @@ class SelectionWalls {
 
   // Goes over to the pieces of another path, from `begin` on, whose tool radius may be another one.
   // The contour has to be the same, and by_radius().
-  void move_to(const HeldPath& held, std::size_t begin, Checkpoint& checkpoint);
+  void move_to(const MeasuredPath& held, std::size_t begin, Checkpoint& checkpoint);
   [[nodiscard]] WallsByRadius by_radius(const LeadSettings& settings,
                                         Checkpoint& checkpoint) const {
     return walls_by_radius(contour(checkpoint), changes_, settings, largest_radius());
@@ -58,9 +60,10 @@ class SelectionWalls {
     return held_->programmed()[begin_ + contour_[number]];
   }
 
-  const HeldPath* held_;
+  const MeasuredPath* held_;
   std::size_t begin_;
   std::size_t end_;
+  Tolerances tolerances_;
   std::vector<std::uint32_t> contour_;  // which pieces are contour blocks, counted from `begin_`
   std::vector<std::size_t> changes_;    // of side, among these
   bool has_roles_ = false;
@@ -79,8 +82,9 @@ class SelectionWalls {
 class KnownWalls {
  public:
   // Those of these pieces, known or new. Of use until it is asked for that selection again.
-  [[nodiscard]] const SelectionWalls& of(const HeldPath& held, std::size_t begin, std::size_t end,
-                                         const LeadSettings& settings, Checkpoint& checkpoint);
+  [[nodiscard]] const SelectionWalls& of(const MeasuredPath& held, std::size_t begin,
+                                         std::size_t end, const ClearanceSettings& settings,
+                                         Checkpoint& checkpoint);
 
  private:
   // What a piece is to the walls.
@@ -99,7 +103,7 @@ class KnownWalls {
   };
 
   // The pieces of the same number from `begin` on are to the walls what these are.
-  [[nodiscard]] static bool are_same(const std::vector<WallPiece>& pieces, const HeldPath& held,
+  [[nodiscard]] static bool are_same(const std::vector<WallPiece>& pieces, const MeasuredPath& held,
                                      std::size_t begin, Checkpoint& checkpoint);
 
   std::map<std::uint64_t, Known> known_;  // by Source::index of the first piece

@@ -2,7 +2,7 @@
 
 #include "core/trc/state_archive.h"
 #include "core/verify/clearance.h"
-#include "core/verify/held_path.h"
+#include "core/verify/measured_path.h"
 
 namespace trc::verify {
 

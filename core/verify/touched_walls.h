@@ -18,7 +18,7 @@ class TouchedWalls {
     std::size_t end = 0;
   };
   // `keep_places`: else only how much it is can be told.
-  TouchedWalls(const HeldPath& held, const SelectionWalls& walls, const Range& pieces,
+  TouchedWalls(const MeasuredPath& held, const SelectionWalls& walls, const Range& pieces,
                bool keep_places)
       : held_(held), walls_(walls), pieces_(pieces) {
     if (keep_places) touched_.resize(pieces.end - pieces.begin);
@@ -37,7 +37,7 @@ class TouchedWalls {
   void tell_uncut(const ProgrammedPiece& block, const Stretch& stretch,
                   const UncutSink& uncut) const;
 
-  const HeldPath& held_;
+  const MeasuredPath& held_;
   const SelectionWalls& walls_;
   Range pieces_;
   double length_ = 0;

@@ -8,7 +8,7 @@
 #include <variant>
 
 #include "core/base/tolerances.h"
-#include "core/trc/selection/selection_limit.h"
+#include "core/trc/result/selection_limit.h"
 #include "core/verify/closing_corner.h"
 
 namespace trc::verify {
@@ -17,14 +17,18 @@ namespace {
 // Of a longer contour nobody looks for a way in.
 constexpr std::size_t most_blocks_helped = 1000;
 
+// Without the place on the contour, which comes last of the values.
+Diagnostic too_near(Code code, const Clearance& place) {
+  Diagnostic problem = diagnostic(code, place.path);
+  problem.values = {{"clearance", place.distance}, {"tool_radius", place.required}};
+  problem.point = DiagnosticPoint{.x = place.place[0], .y = place.place[1], .z = place.place[2]};
+  return problem;
+}
+
 Diagnostic gouge(const ClearanceReport& found) {
-  const Clearance& worst = *found.gouge;
-  Diagnostic problem = diagnostic(Code::clearance_violated, worst.path);
-  problem.values = {{"clearance", worst.distance},
-                    {"tool_radius", worst.required},
-                    {"blocks", static_cast<double>(found.gouging)}};
-  append_place(problem.values, "other", worst.contour);
-  problem.point = DiagnosticPoint{.x = worst.place[0], .y = worst.place[1], .z = worst.place[2]};
+  Diagnostic problem = too_near(Code::clearance_violated, *found.gouge);
+  problem.values.push_back({"blocks", static_cast<double>(found.gouging)});
+  append_place(problem.values, "other", found.gouge->contour);
   return problem;
 }
 
@@ -42,15 +46,12 @@ std::string reason_at(ClosingCorner corner) {
 
 // Where the contour closes, and does not quite: the path comes nearer there by more than rounding
 // makes. That stops nothing, whatever is told of gouges (D-101).
-std::optional<Diagnostic> open_closing(const ClearanceReport& found) {
-  if (found.gouging > 0 || !found.worst || found.worst->margin() >= -Tolerances{}.on_top)
+std::optional<Diagnostic> open_closing(const ClearanceReport& found, const Tolerances& tolerances) {
+  if (found.gouging > 0 || !found.worst || found.worst->margin() >= -tolerances.on_top)
     return std::nullopt;
-  const Clearance& worst = *found.worst;
-  Diagnostic warning = diagnostic(Code::bottleneck, worst.path);
+  Diagnostic warning = too_near(Code::bottleneck, *found.worst);
   warning.severity = Severity::warning;
-  warning.values = {{"clearance", worst.distance}, {"tool_radius", worst.required}};
-  append_place(warning.values, "other", worst.contour);
-  warning.point = DiagnosticPoint{.x = worst.place[0], .y = worst.place[1], .z = worst.place[2]};
+  append_place(warning.values, "other", found.worst->contour);
   return warning;
 }
 
@@ -90,7 +91,7 @@ bool Verification::programmed(const Block& block) {
     return true;
   }
   too_long_ = motion->mode->selection_number;
-  held_ = HeldPath();
+  held_ = MeasuredPath();
   approaches_.clear();
   unmeasured_ = motion->source;
   is_untold_ = true;
@@ -124,12 +125,14 @@ bool Verification::measure_before(std::uint64_t end) {
   const std::size_t behind = held_.first_from(end);
   const ClearanceReport found = measure_clearance(held_, behind, setup_.clearance, checkpoint_);
   report_.add(found);
-  if (auto warning = open_closing(found)) diagnostics_.report(std::move(*warning));
+  if (auto warning = open_closing(found, setup_.clearance.tolerances))
+    diagnostics_.report(std::move(*warning));
   Diagnostic problem;
   if (found.gouging > 0) {
     problem = gouge(found);
     if (const auto way = way_that_closes_at(*found.gouge)) {
-      problem.detail = reason_at(closing_corner(*way));
+      problem.detail =
+          reason_at(closing_corner(*way, setup_.clearance.tolerances.input_resolution));
       if (setup_.help) problem.entry_help = setup_.help(*way);
     }
   }
@@ -142,8 +145,7 @@ bool Verification::measure_before(std::uint64_t end) {
   return found.gouging == 0 || tell(std::move(problem));
 }
 
-std::optional<selection::RefusedWay> Verification::way_that_closes_at(
-    const Clearance& worst) const {
+std::optional<RefusedWay> Verification::way_that_closes_at(const Clearance& worst) const {
   const auto& programmed = held_.programmed();
   const auto approach =
       std::find_if(approaches_.rbegin(), approaches_.rend(),
@@ -151,7 +153,7 @@ std::optional<selection::RefusedWay> Verification::way_that_closes_at(
   if (approach == approaches_.rend()) return std::nullopt;
   const std::size_t begin = held_.first_from(approach->source.index);
   const std::uint32_t rule = programmed[begin].rule;
-  selection::RefusedWay way{.in_corner = true};
+  RefusedWay way{.in_corner = true};
   way.blocks.push_back(*approach);
   way.shift = held_.rule_of(programmed[begin]).radius;
   for (std::size_t place = begin + 1; place < programmed.end(); ++place) {

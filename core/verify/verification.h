@@ -12,9 +12,9 @@
 #include "core/base/checkpoint.h"
 #include "core/base/diagnostics.h"
 #include "core/trc/result/compensated_block.h"
-#include "core/trc/selection/refused_way.h"
+#include "core/trc/result/refused_way.h"
 #include "core/verify/clearance.h"
-#include "core/verify/held_path.h"
+#include "core/verify/measured_path.h"
 
 namespace trc {
 
@@ -35,16 +35,15 @@ struct VerificationSetup {
   Checkpoint::Interrupt interrupt{};  // of long work
   // Looks for another way in where the path comes too near to where its contour begins and closes;
   // none: nobody does.
-  std::function<std::shared_ptr<const EntryHelp>(const selection::RefusedWay&)> help{};
+  std::function<std::shared_ptr<const EntryHelp>(const RefusedWay&)> help{};
 };
 
 // Measures a path as it comes out: what is programmed is given first, then the path it has
 // become. A selection is held until all of its path is there, and measured then.
 //
 // Where the path comes nearer to the walls than the tool radius, that is 900216. A selection of
-// more blocks than may be held is not measured: 900212, as severe. As a warning that waits for the
-// path of its block: where the selection cannot be compensated either, that is the same as an
-// error.
+// more blocks than may be held is not measured: 900212, as severe. As a warning it is told with the
+// path of that block. If the selection is refused, it is not told.
 class Verification {
  public:
   Verification(VerificationSetup setup, Diagnostics& diagnostics)
@@ -76,8 +75,7 @@ class Verification {
   // What was programmed before `end` has all come out.
   bool measure_before(std::uint64_t end);
   // The way in and the contour, where that begins and closes at the worst place.
-  [[nodiscard]] std::optional<selection::RefusedWay> way_that_closes_at(
-      const Clearance& worst) const;
+  [[nodiscard]] std::optional<RefusedWay> way_that_closes_at(const Clearance& worst) const;
   bool tell_unmeasured();
   // A diagnostic that tells of what was measured, or not.
   bool tell(Diagnostic problem);
@@ -85,7 +83,7 @@ class Verification {
   VerificationSetup setup_;
   Diagnostics& diagnostics_;
   Checkpoint checkpoint_;
-  HeldPath held_;                       // the motions of selections, and their path
+  MeasuredPath held_;                   // the motions of selections, and their path
   std::deque<MotionBlock> approaches_;  // the first motion of each of these selections
   std::deque<std::uint64_t> ends_;      // the first motion behind each selection that has ended
   std::uint32_t too_long_ = 0;          // the selection that is not held; 0: none

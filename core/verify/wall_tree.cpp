@@ -17,7 +17,7 @@ bool is_winding(const Box& box, const Ring& about_middle) {
 
 }  // namespace
 
-WallTree::WallTree(const HeldPath& held, std::size_t begin, std::size_t end,
+WallTree::WallTree(const MeasuredPath& held, std::size_t begin, std::size_t end,
                    const SidedWalls& sides, Checkpoint& checkpoint)
     : held_(&held), begin_(begin), end_(end), sides_(sides) {
   find_special();
@@ -37,7 +37,7 @@ WallTree::WallTree(const HeldPath& held, std::size_t begin, std::size_t end,
   build_fours(checkpoint);
 }
 
-void WallTree::move_to(const HeldPath& held, std::size_t begin, Checkpoint& checkpoint) {
+void WallTree::move_to(const MeasuredPath& held, std::size_t begin, Checkpoint& checkpoint) {
   held_ = &held;
   end_ = begin + (end_ - begin_);
   begin_ = begin;

@@ -12,7 +12,7 @@
 #include "core/base/checkpoint.h"
 #include "core/trc/walls/sided_walls.h"
 #include "core/verify/four_walls.h"
-#include "core/verify/held_path.h"
+#include "core/verify/measured_path.h"
 
 namespace trc::verify {
 
@@ -34,12 +34,12 @@ struct Probe {
 class WallTree {
  public:
   // Over the walls among the pieces from `begin` to `end` of one selection, which must not change.
-  WallTree(const HeldPath& held, std::size_t begin, std::size_t end, const SidedWalls& sides,
+  WallTree(const MeasuredPath& held, std::size_t begin, std::size_t end, const SidedWalls& sides,
            Checkpoint& checkpoint);
 
   // Goes over to the same walls in another path that is held, where they may require something
   // else: pieces from `begin` on that are what its own are, as far as walls go.
-  void move_to(const HeldPath& held, std::size_t begin, Checkpoint& checkpoint);
+  void move_to(const MeasuredPath& held, std::size_t begin, Checkpoint& checkpoint);
 
   // A piece of path to be compared.
   [[nodiscard]] Probe probe(const Piece& path) const {
@@ -65,7 +65,8 @@ class WallTree {
   // The leaves that may be nearer to the box than `reach`, in their order, for several pieces of
   // path there; some that lie beside such a leaf are among them. False: they are too many.
   bool find_near(const Box& box, double reach, std::vector<std::size_t>& found) const;
-  // The same of what is in the box and in the ring, which is about the middle of all walls.
+  // The leaves that may be nearer than `reach` to what is both in the box and in the ring, which is
+  // about the middle of all walls; else as above.
   bool find_near(const Box& box, const Ring& about_middle, double reach,
                  std::vector<std::size_t>& found) const;
   [[nodiscard]] Ring about_middle(const Piece& path) const { return ring_of(path, rings_.middle); }
@@ -229,7 +230,7 @@ class WallTree {
   // What the walls of each node require, and nothing else of it.
   void find_required(Checkpoint& checkpoint);
 
-  const HeldPath* held_;
+  const MeasuredPath* held_;
   std::size_t begin_;
   std::size_t end_;
   const SidedWalls& sides_;

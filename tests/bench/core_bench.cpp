@@ -15,8 +15,8 @@
 #include "core/trc/passes/relevant_blocks.h"
 #include "core/trc/passes/reporting.h"
 #include "core/trc/passes/transitions.h"
+#include "core/trc/result/refused_way.h"
 #include "core/trc/selection/inside_corner.h"
-#include "core/trc/selection/refused_way.h"
 #include "core/trc/selection/split.h"
 #include "tests/bench/part.h"
 #include "tests/bench/timed.h"
@@ -94,7 +94,7 @@ class Passes {
 
   Diagnostics diagnostics_;
   Checkpoint checkpoint_{{}};
-  selection::RefusedWay refused_way_{};
+  RefusedWay refused_way_{};
   RelevantBlocks relevant_blocks_{setup(), diagnostics_, refused_way_};
   ConvertCircles convert_circles_{setup().tolerances};
   KerfMasking kerf_masking_{true, setup().tolerances};

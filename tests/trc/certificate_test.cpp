@@ -63,7 +63,8 @@ TEST(Certificate, ChainsAreAsLongAsLessThanHalfATurnLetsThem) {
     const std::vector<Course> courses = winding(random, most);
     Certificate certificate{Tolerances{}};
     for (std::size_t number = 0; number < courses.size(); ++number) {
-      certificate.append(block_of(courses[number]), number == 0);
+      certificate.append(block_of(courses[number]),
+                         number == 0 ? Certificate::Begin::behind_gap : Certificate::Begin::joined);
       const std::size_t first = certificate.chain_before(number);
       ASSERT_LE(first, number);
       ASSERT_LT(width_of(courses, first, number), pi) << number;
@@ -75,10 +76,11 @@ TEST(Certificate, ChainsAreAsLongAsLessThanHalfATurnLetsThem) {
 TEST(Certificate, AnArcOfHalfATurnOrMoreStandsAlone) {
   for (const double sweep : {pi, -pi, 1.5 * pi, -2 * pi}) {
     Certificate certificate{Tolerances{}};
-    certificate.append(block_of({.at_start = 0.3, .sweep = 0}), true);
-    certificate.append(block_of({.at_start = 0.3, .sweep = sweep}), false);
-    certificate.append(block_of({.at_start = 0.3 + sweep, .sweep = 0}), false);
-    certificate.append(block_of({.at_start = 0.3 + sweep, .sweep = 0.1}), false);
+    certificate.append(block_of({.at_start = 0.3, .sweep = 0}), Certificate::Begin::behind_gap);
+    certificate.append(block_of({.at_start = 0.3, .sweep = sweep}), Certificate::Begin::joined);
+    certificate.append(block_of({.at_start = 0.3 + sweep, .sweep = 0}), Certificate::Begin::joined);
+    certificate.append(block_of({.at_start = 0.3 + sweep, .sweep = 0.1}),
+                       Certificate::Begin::joined);
     EXPECT_EQ(certificate.chain_behind(0), 0U) << sweep;
     EXPECT_EQ(certificate.chain_before(1), 1U) << sweep;
     EXPECT_EQ(certificate.chain_behind(1), 1U) << sweep;

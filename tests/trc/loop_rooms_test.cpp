@@ -36,7 +36,7 @@ class LoopRoom : public ::testing::Test {
       block.at_start = block.at_end = {.active = true, .shift = 1};
       const Certificate::Block course = Certificate::block_of(block);
       path_.append(block);
-      obstacles_.append(course, bounding_box(programmed), false);
+      obstacles_.append(course, Certificate::Begin::joined, bounding_box(programmed));
     }
   }
 

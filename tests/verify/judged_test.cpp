@@ -279,7 +279,7 @@ TEST(Judged, ShapesWithRoomCostTheSameABlock) {
 TEST(Judged, IsInterruptedAllTheTime) {
   for (const BigShape shape : {BigShape::wave, BigShape::gear, BigShape::spiral}) {
     const Measured given = measured_with_room(shape, 100'000);
-    verify::HeldPath held;
+    verify::MeasuredPath held;
     for (const Block& block : given.programmed) held.add(std::get<MotionBlock>(block));
     for (const CompensatedBlock& block : given.path) held.add(block);
     const std::size_t all = held.path().end() - held.path().begin();
@@ -315,7 +315,7 @@ TEST(Judged, IsInterruptedAllTheTime) {
 // An exception that the checkpoint throws ends the measurement.
 TEST(Judged, IsMeasuredNoFurtherOnceNobodyWaits) {
   const Measured given = measured_with_room(BigShape::wave, 100'000);
-  verify::HeldPath held;
+  verify::MeasuredPath held;
   for (const Block& block : given.programmed) held.add(std::get<MotionBlock>(block));
   for (const CompensatedBlock& block : given.path) held.add(block);
   struct Gone {};

@@ -8,7 +8,8 @@
 namespace trc {
 
 std::optional<BowTie> bow_tie_of(const Segment& before, const Segment& between,
-                                 const Segment& after, double largest) {
+                                 const Segment& after, double largest,
+                                 const Tolerances& tolerances) {
   const double longest = longest_in_bow_tie(largest);
   if (length_of(between) > longest) return std::nullopt;
   const Point& begin = start_of(between);
@@ -17,7 +18,7 @@ std::optional<BowTie> bow_tie_of(const Segment& before, const Segment& between,
   const double of_end = distance(end, before);
   if (std::min(of_begin, of_end) > largest) return std::nullopt;
   // Places along a block count as one up to here, mm.
-  const double slack = 0.01 * Tolerances{}.same_point;
+  const double slack = 0.01 * tolerances.same_point;
   for (const Crossing& crossing : crossings(Track(before), Track(after), slack)) {
     const Vector to_begin = begin - crossing.point;
     const Vector to_end = end - crossing.point;

@@ -33,6 +33,7 @@ struct BowTie {
 
 // Nothing where they do not cross, or by more than `largest`.
 [[nodiscard]] std::optional<BowTie> bow_tie_of(const Segment& before, const Segment& between,
-                                               const Segment& after, double largest);
+                                               const Segment& after, double largest,
+                                               const Tolerances& tolerances);
 
 }  // namespace trc

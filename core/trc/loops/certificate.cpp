@@ -90,11 +90,11 @@ void Certificate::drop_before(std::size_t block) {
   last_of_chain_.drop_before(block);
 }
 
-void Certificate::append(const Block& block, bool gap) {
+void Certificate::append(const Block& block, Begin begin) {
   const std::size_t index = size();
   const double at_start = counted_on(on_square(block.tangent_at_start));
   const double at_end = block.sweep == 0 ? at_start : counted_on(on_square(block.tangent_at_end));
-  const bool breaks = gap || block.shift_at_start != shift_;
+  const bool breaks = begin == Begin::behind_gap || block.shift_at_start != shift_;
   shift_ = block.shift_at_end;
   const std::size_t before = index > 0 ? index - 1 : 0;
   const bool is_left =

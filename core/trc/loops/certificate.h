@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 
@@ -38,9 +39,11 @@ class Certificate {
   };
   [[nodiscard]] static Block block_of(const PathBlock& block);
 
-  // Appends a contour block; `gap`: its equidistant does not meet that of the
-  // block before.
-  void append(const Block& block, bool gap);
+  // Whether the equidistant of a contour block meets that of the block before it.
+  enum class Begin : std::uint8_t { joined, behind_gap };
+
+  // Appends a contour block.
+  void append(const Block& block, Begin begin);
   [[nodiscard]] std::size_t size() const { return first_of_chain_.end(); }
   // Nobody will ask about blocks before this one any more.
   void drop_before(std::size_t block);

@@ -25,9 +25,10 @@ void HeldPath::append(PathBlock& block) {
                          .cuts = {block.cut_at_start, block.cut_at_end},
                          .source = block.programmed.source});
   const Number setting = note_setting(block);
+  const Reach reach = block.unreachable ? Reach::unreachable : Reach::reachable;
   std::visit(
       [&](const auto& path) {
-        keep_path(path, setting, block.role, block.origin, block.unreachable).has_own = has_own;
+        keep_path(path, setting, block.role, block.origin, reach).has_own = has_own;
       },
       block.tool_path);
 }

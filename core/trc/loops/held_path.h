@@ -28,6 +28,7 @@ class HeldPath {
   using Number = held::Number;
   using Setting = held::Setting;
   using Cuts = held::Cuts;
+  using Reach = held::Reach;
   static constexpr std::size_t most_blocks = std::numeric_limits<Number>::max();
 
   // A contour block or one inserted between two.
@@ -54,13 +55,13 @@ class HeldPath {
   // `Programmed` is what the path of the block holds, a Line or an Arc, and so is `Path`.
   template <class Programmed, class Path>
   void append_contour(const MotionBlock& block, const Programmed& programmed, const Path& path,
-                      const Cuts& cuts, bool unreachable);
+                      const Cuts& cuts, Reach reach);
   // Behind a contour block that has nothing to it that what is inserted has not.
   template <class Path>
-  void append_transition(const Path& path, bool unreachable);
+  void append_transition(const Path& path, Reach reach);
   // With the setting given.
   template <class Path>
-  void append_transition(const MotionBlock& inserted, const Path& path, bool unreachable);
+  void append_transition(const MotionBlock& inserted, const Path& path, Reach reach);
   // Whether the last block was compensated as this one is.
   [[nodiscard]] bool follows_like(const PathBlock& block) const;
 
@@ -203,8 +204,7 @@ class HeldPath {
   template <class Programmed>
   void keep_contour(const MotionBlock& block, const Programmed& programmed, const Cuts& cuts);
   template <class Path>
-  KeptBlock& keep_path(const Path& path, Number setting, Role role, Origin origin,
-                       bool unreachable);
+  KeptBlock& keep_path(const Path& path, Number setting, Role role, Origin origin, Reach reach);
   // As box_about(), of an arc between the corners of `ends`.
   static Box about_arc(const Box& ends, const KeptBlock& kept, const KeptArc& arc);
   [[nodiscard]] bool needs_own_data(const PathBlock& inserted) const;

@@ -12,21 +12,20 @@ template <class Programmed, class Path>
 [[gnu::always_inline]] inline void HeldPath::append_contour(const MotionBlock& block,
                                                             const Programmed& programmed,
                                                             const Path& path, const Cuts& cuts,
-                                                            bool unreachable) {
+                                                            Reach reach) {
   keep_contour(block, programmed, cuts);
-  keep_path(path, note_setting_like_last(block), Role::contour, Origin::programmed, unreachable);
+  keep_path(path, note_setting_like_last(block), Role::contour, Origin::programmed, reach);
 }
 
 template <class Path>
-[[gnu::always_inline]] inline void HeldPath::append_transition(const Path& path, bool unreachable) {
-  keep_path(path, last_setting(), Role::inserted, Origin::transition, unreachable);
+[[gnu::always_inline]] inline void HeldPath::append_transition(const Path& path, Reach reach) {
+  keep_path(path, last_setting(), Role::inserted, Origin::transition, reach);
 }
 
 template <class Path>
 [[gnu::always_inline]] inline void HeldPath::append_transition(const MotionBlock& inserted,
-                                                               const Path& path, bool unreachable) {
-  keep_path(path, note_setting_like_last(inserted), Role::inserted, Origin::transition,
-            unreachable);
+                                                               const Path& path, Reach reach) {
+  keep_path(path, note_setting_like_last(inserted), Role::inserted, Origin::transition, reach);
 }
 
 template <class Programmed>
@@ -53,8 +52,7 @@ template <class Programmed>
 template <class Path>
 [[gnu::always_inline]] inline HeldPath::KeptBlock& HeldPath::keep_path(const Path& path,
                                                                        Number setting, Role role,
-                                                                       Origin origin,
-                                                                       bool unreachable) {
+                                                                       Origin origin, Reach reach) {
   const auto arc = static_cast<Number>(arcs_.end());
   if constexpr (std::is_same_v<Path, Arc>) arcs_.push_back({path.center, path.sweep});
   return blocks_.push_made([&] {
@@ -66,7 +64,7 @@ template <class Path>
                      .role = role,
                      .origin = origin,
                      .is_arc = std::is_same_v<Path, Arc>,
-                     .unreachable = unreachable};
+                     .unreachable = reach == Reach::unreachable};
   });
 }
 

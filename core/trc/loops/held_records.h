@@ -14,6 +14,9 @@ namespace trc::held {
 // There are many: numbers are as narrow as they can be.
 using Number = std::uint32_t;
 
+// Whether anything of a block can be travelled, as in PathBlock.
+enum class Reach : std::uint8_t { reachable, unreachable };
+
 // What one block after the other has in common.
 struct Setting {
   std::shared_ptr<const TrcMode> mode{};

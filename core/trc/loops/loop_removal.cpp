@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/trc/corner/bow_tie.h"
-#include "core/trc/selection/selection_limit.h"
+#include "core/trc/result/selection_limit.h"
 #include "core/trc/walls/closing.h"
 
 namespace trc {
@@ -26,9 +26,11 @@ bool is_compensated(const PathBlock& block) {
 
 }  // namespace
 
+static_assert(ReleasingPass<LoopRemoval, PathBlockPtr, PathBlockPtr>);
+
 bool LoopRemoval::feed(PathBlockPtr block, PathBlocks& out) {
-  if (leaving_) {
-    behind_.push_back(std::move(block));
+  if (phase_ == Phase::leaving) {
+    behind_.blocks.push_back(std::move(block));
     return true;
   }
   const bool enters = block->role == Role::inserted && block->origin == Origin::approach;
@@ -36,32 +38,33 @@ bool LoopRemoval::feed(PathBlockPtr block, PathBlocks& out) {
                        (block->role == Role::approach || enters || is_compensated(*block));
   // A change of side ends the contour, also on the spot (D-42).
   const bool changes_side =
-      end_of_contour() > 0 && path_.mode_of(end_of_path() - 1).side != block->mode().side;
-  const bool goes_on =
-      is_compensated(*block) && !block->perpendicular_entry && !(is_holding() && changes_side);
-  if (is_holding() && (!belongs || (!goes_on && end_of_contour() > 0))) {
-    behind_.push_back(std::move(block));
+      end_of_contour() > 0 && held_.path.mode_of(end_of_path() - 1).side != block->mode().side;
+  const bool goes_on = is_compensated(*block) && !block->perpendicular_entry && !changes_side;
+  if (phase_ == Phase::holding && (!belongs || (!goes_on && end_of_contour() > 0))) {
+    behind_.blocks.push_back(std::move(block));
     return end_selection();
   }
   if (!belongs) {
     out.push_back(std::move(block));
     return true;
   }
+  phase_ = Phase::holding;
   if (!is_compensated(*block)) {
-    entering_.push_back(std::move(block));
+    held_.entering.push_back(std::move(block));
     return true;
   }
   return hold(*block) && (window_ == 0 || proceed(out));
 }
 
-bool LoopRemoval::drain(PathBlocks& /*out*/) {
-  ended_ = true;
-  return leaving_ || end_selection();
+bool LoopRemoval::end() {
+  if (phase_ != Phase::leaving) return end_selection();
+  behind_.input = Input::ended;
+  return true;
 }
 
 bool LoopRemoval::end_selection() {
-  if (!is_holding()) return true;
-  leaving_ = true;
+  if (phase_ != Phase::holding) return true;
+  phase_ = Phase::leaving;
   find_walls();
   walk_.end_contour();
   if (!walk_.go_on()) return false;
@@ -75,8 +78,8 @@ bool LoopRemoval::end_selection() {
 }
 
 void LoopRemoval::release_entry(PathBlocks& out) {
-  for (PathBlockPtr& block : entering_) out.push_back(std::move(block));
-  entering_.clear();
+  for (PathBlockPtr& block : held_.entering) out.push_back(std::move(block));
+  held_.entering.clear();
 }
 
 bool LoopRemoval::release_some(PathBlocks& out) {
@@ -86,44 +89,40 @@ bool LoopRemoval::release_some(PathBlocks& out) {
     // What stands in place of an arc begins where the block before it ends, and what is left out
     // behind a block may begin on it.
     const std::size_t next = release_.next();
-    path_.forget_path_before(next - std::min<std::size_t>(next - path_.begin(), 1));
+    held_.path.forget_path_before(next - std::min<std::size_t>(next - held_.path.begin(), 1));
     return true;
   }
   release_.leave_out_rest(walk_.at().start, out);
-  begin_selection();
+  forget_selection();
   // Some of it may come to lie behind the next selection.
-  were_behind_.clear();
-  were_behind_.swap(behind_);
-  for (PathBlockPtr& block : were_behind_)
+  behind_.taken.swap(behind_.blocks);
+  for (PathBlockPtr& block : behind_.taken)
     if (!feed(std::move(block), out)) return false;
-  return !ended_ || leaving_ || end_selection();
+  behind_.taken.clear();
+  return behind_.input == Input::more || end();
 }
 
-void LoopRemoval::begin_selection() {
-  entering_.clear();
-  path_.clear();
-  largest_radius_ = 0;
-  farthest_reach_ = 0;
-  gap_ = false;
-  has_linear_ = false;
-  has_short_ = false;
+void LoopRemoval::forget_selection() {
+  held_.clear();
   obstacles_.clear();
   obstacles_.set_walls({});
   walked_.clear();
   walk_.begin();
   release_.begin();
-  leaving_ = false;
+  phase_ = Phase::idle;
 }
 
 void LoopRemoval::find_walls() {
-  if (path_.empty() || path_.begin_of_contour() > 0) return;
+  if (held_.path.empty() || held_.path.begin_of_contour() > 0) return;
   ContourView view{.count = end_of_contour(),
                    .segment = [this](std::size_t number) { return contour(number).programmed; },
-                   .tool_side = path_.mode_of(end_of_path() - 1).cutting_side(),
+                   .tool_side = held_.path.mode_of(end_of_path() - 1).cutting_side(),
+                   .tolerances = tolerances_,
                    .checkpoint = &checkpoint_};
-  if (path_.has_roles()) view.role = [this](std::size_t number) { return contour(number).role; };
-  if (has_short_) view.shift = path_.setting_of(end_of_path() - 1).at_end.shift;
-  Walls walls = trc::find_walls(view, lead_settings_, largest_radius_);
+  if (held_.path.has_roles())
+    view.role = [this](std::size_t number) { return contour(number).role; };
+  if (held_.has_short) view.shift = held_.path.setting_of(end_of_path() - 1).at_end.shift;
+  Walls walls = trc::find_walls(view, lead_settings_, held_.largest_radius);
   if (walls.are_plain()) return;
   obstacles_.set_walls(std::move(walls));
   // What has been walked in a window, with leads for walls, is walked again.
@@ -136,15 +135,14 @@ void LoopRemoval::find_walls() {
 
 bool LoopRemoval::hold(PathBlock& block) {
   if (!has_room_for(block.programmed.source)) return false;
-  largest_radius_ =
-      std::max({largest_radius_, std::abs(block.at_start.shift), std::abs(block.at_end.shift)});
-  has_linear_ = has_linear_ || LinearTransitions::are_asked_for(block.mode());
+  held_.largest_radius = std::max(
+      {held_.largest_radius, std::abs(block.at_start.shift), std::abs(block.at_end.shift)});
+  held_.has_linear = held_.has_linear || LinearTransitions::are_asked_for(block.mode());
   // What stands in place of an arc makes the block behind it longer by that.
-  farthest_reach_ = std::max(
-      farthest_reach_,
-      has_linear_ ? largest_radius_ * (1 + block.mode().options.stretch_factor) : largest_radius_);
-  path_.append(block);
-  if (path_.end() == 1) linear_.begin_at(start_of(block.tool_path));
+  const double stretch = held_.has_linear ? block.mode().options.stretch_factor : 0;
+  held_.farthest_reach = std::max(held_.farthest_reach, held_.largest_radius * (1 + stretch));
+  held_.path.append(block);
+  if (held_.path.end() == 1) linear_.begin_at(start_of(block.tool_path));
   if (block.role == Role::contour) {
     note_contour_block(bounding_box(block.programmed.path), Certificate::block_of(block));
   } else {
@@ -152,18 +150,20 @@ bool LoopRemoval::hold(PathBlock& block) {
     // way: nothing is certified about that.
     const auto* arc = std::get_if<Arc>(&block.tool_path);
     const bool goes_far_round = arc != nullptr && std::abs(arc->sweep) > std::numbers::pi;
-    gap_ = gap_ || block.unreachable || goes_far_round;
+    held_.gap = held_.gap || block.unreachable || goes_far_round;
   }
   return true;
 }
 
 void LoopRemoval::note_contour_block(const Box& programmed, const Certificate::Block& course) {
-  obstacles_.append(course, programmed, std::exchange(gap_, false));
-  has_short_ = has_short_ ||
-               programmed.sizes().maxCoeff() <= longest_in_bow_tie(tolerances_.input_resolution);
+  const bool behind_gap = std::exchange(held_.gap, false);
+  obstacles_.append(
+      course, behind_gap ? Certificate::Begin::behind_gap : Certificate::Begin::joined, programmed);
+  held_.has_short = held_.has_short || programmed.sizes().maxCoeff() <=
+                                           longest_in_bow_tie(tolerances_.input_resolution);
   if (window_ == 0) return;
   release_.note_contour_block(length_of(contour(end_of_contour() - 1).programmed));
-  walk_.note_contour_block(programmed, farthest_reach_);
+  walk_.note_contour_block(programmed, held_.farthest_reach);
 }
 
 [[gnu::noinline]] bool LoopRemoval::proceed(PathBlocks& out) {
@@ -178,11 +178,11 @@ void LoopRemoval::note_contour_block(const Box& programmed, const Certificate::B
 }
 
 std::size_t LoopRemoval::settle(std::size_t due) {
-  if (!has_linear_) return due;
+  if (!held_.has_linear) return due;
   for (std::size_t piece = walked_.begin(); piece < due; ++piece) {
     if (!linear_.may_replace(piece)) continue;
     const std::size_t next = walked_.kept(piece).block + 1;
-    if (!leaving_) {
+    if (phase_ == Phase::holding) {
       if (piece + 1 == walked_.end()) return std::max(piece, walked_.begin() + 1) - 1;
       if (walk_.at().block == next) continue;
     }
@@ -196,21 +196,21 @@ std::size_t LoopRemoval::settle(std::size_t due) {
 void LoopRemoval::forget() {
   walked_.drop_boxes_before(walked_.begin());
   if (release_.next() >= end_of_path()) return;
-  const std::size_t number = path_.number_of(release_.next());
+  const std::size_t number = held_.path.number_of(release_.next());
   // Some more than the window, now and then.
   const std::size_t some = std::min<std::size_t>(window_ / 8, 64);
-  if (number <= path_.begin_of_contour() + window_ + 1 + some) return;
+  if (number <= held_.path.begin_of_contour() + window_ + 1 + some) return;
   const std::size_t keep = number - window_ - 1;
-  path_.forget_before(keep);
+  held_.path.forget_before(keep);
   obstacles_.drop_before(keep);
 }
 
-selection::RefusedWay LoopRemoval::refused_way() const {
-  if (entering_.empty() || path_.empty() || path_.begin_of_contour() > 0) return {};
-  const PathBlock& approach = *entering_.front();
+RefusedWay LoopRemoval::refused_way() const {
+  if (held_.entering.empty() || held_.path.empty() || held_.path.begin_of_contour() > 0) return {};
+  const PathBlock& approach = *held_.entering.front();
   if (approach.role != Role::approach) return {};
   const Walls& walls = obstacles_.walls();
-  selection::RefusedWay refused{
+  RefusedWay refused{
       .shift = approach.at_end.shift, .removes_loops = true, .at_begin = walked_.empty()};
   const std::size_t end = end_of_contour();
   for (const Walls::Range& leads : walls.leads) {
@@ -220,7 +220,7 @@ selection::RefusedWay LoopRemoval::refused_way() const {
   refused.blocks.push_back(approach.programmed);
   for (std::size_t number = refused.leads_in; number < end; ++number) {
     const HeldPath::ContourBlock block = contour(number);
-    const HeldPath::Setting& setting = path_.setting_of(block.block);
+    const HeldPath::Setting& setting = held_.path.setting_of(block.block);
     refused.blocks.push_back({.source = block.source,
                               .path = block.programmed,
                               .normal = setting.normal,

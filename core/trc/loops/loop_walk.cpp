@@ -378,7 +378,7 @@ void LoopWalk::jump(const LoopExit& exit) {
 }
 
 bool LoopWalk::refuse(const Onset& onset) {
-  Diagnostic refusal = refusal_of(path_, obstacles_, at_.block, onset, ended_, tolerances_);
+  Diagnostic refusal = refusal_of(path_, obstacles_, {at_.block, onset, ended_}, tolerances_);
   if (path_.mode_of(at_.block).options.ignore_cont_damage) {
     refusal.severity = Severity::warning;
     advance();

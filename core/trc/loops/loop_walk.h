@@ -32,11 +32,18 @@ namespace trc {
 // it: from there the path is walked again.
 class LoopWalk {
  public:
-  LoopWalk(const CompensatorSetup& setup, const HeldPath& path, Obstacles& obstacles,
-           WalkedPath& walked, Diagnostics& diagnostics, Checkpoint& checkpoint)
-      : path_(path),
-        obstacles_(obstacles),
-        walked_(walked),
+  // What it goes along, what is in its way, and what it has walked.
+  struct Rooms {
+    const HeldPath& path;
+    Obstacles& obstacles;
+    WalkedPath& walked;
+  };
+
+  LoopWalk(const CompensatorSetup& setup, const Rooms& rooms, Diagnostics& diagnostics,
+           Checkpoint& checkpoint)
+      : path_(rooms.path),
+        obstacles_(rooms.obstacles),
+        walked_(rooms.walked),
         window_(setup.limits.look_ahead_blocks),
         tolerances_(setup.tolerances),
         diagnostics_(diagnostics),

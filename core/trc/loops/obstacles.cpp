@@ -13,7 +13,8 @@ namespace {
 // Up to so many blocks are compared with one another.
 constexpr std::size_t few = 4;
 
-// Of distances from boxes, for all that may be so near to the point.
+// Of distances from boxes, for all that may be so near to the point. Floats put a coordinate off by
+// up to 1.2e-7 of itself, and a square of a distance by less than 4e-6.
 float squared_with_slack(double distance, const Point& point) {
   const double farthest = distance + 2e-7 * point.lpNorm<1>();
   return rounded_up((1 + 4e-6) * farthest * farthest);
@@ -21,8 +22,9 @@ float squared_with_slack(double distance, const Point& point) {
 
 }  // namespace
 
-void Obstacles::append(const Certificate::Block& course, const Box& area, bool gap) {
-  certificate_.append(course, gap);
+void Obstacles::append(const Certificate::Block& course, Certificate::Begin begin,
+                       const Box& area) {
+  certificate_.append(course, begin);
   boxes_.append(area);
 }
 

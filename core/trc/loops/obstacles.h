@@ -40,9 +40,8 @@ class Obstacles {
         checkpoint_(checkpoint),
         certificate_(tolerances) {}
 
-  // The contour block that has been appended to the path; `gap`: its equidistant does not meet
-  // that of the block before.
-  void append(const Certificate::Block& course, const Box& area, bool gap);
+  // The contour block that has been appended to the path.
+  void append(const Certificate::Block& course, Certificate::Begin begin, const Box& area);
   [[nodiscard]] const Walls& walls() const { return walls_; }
   // Which of them are walls, and for whose path; all for all until it is said (D-38).
   void set_walls(Walls walls) {

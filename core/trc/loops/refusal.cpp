@@ -30,7 +30,7 @@ bool has_room(const Point& center, double radius, const HeldPath& path, const Ob
 // one lies inside it.
 std::optional<double> largest_radius_at(const End& end, double radius, const HeldPath& path,
                                         const Obstacles& obstacles, const Tolerances& tolerances) {
-  constexpr double exact_to = 1e-4;  // mm
+  constexpr double exact_to = 1e-4;  // mm, of a radius that is told to a micrometre
   const Vector outward = end.of_path - end.of_contour;
   const bool touches = std::abs(outward.norm() - radius) <= tolerances.on_contour;
   if (!touches || has_room(end.of_path, radius, path, obstacles, tolerances)) return {};
@@ -46,8 +46,9 @@ std::optional<double> largest_radius_at(const End& end, double radius, const Hel
 
 }  // namespace
 
-Diagnostic refusal_of(const HeldPath& path, const Obstacles& obstacles, std::size_t block,
-                      const Obstacles::Onset& onset, bool ended, const Tolerances& tolerances) {
+Diagnostic refusal_of(const HeldPath& path, const Obstacles& obstacles, const DeadEnd& dead_end,
+                      const Tolerances& tolerances) {
+  const auto& [block, onset, is_all_known] = dead_end;
   const HeldPath::ContourBlock own = path.contour_block(path.number_of(block));
   const TrcMode& mode = path.mode_of(block);
   const double radius = path.radius_of_tool(block);
@@ -65,7 +66,7 @@ Diagnostic refusal_of(const HeldPath& path, const Obstacles& obstacles, std::siz
     look_at({obstacles.is_lead(0) ? "the tool has no room where the lead-in begins"
                                   : "the tool has no room at the first point of the contour",
              start_of(path.contour_block(0).programmed), path.begins_at(0)});
-  if (ended)
+  if (is_all_known)
     look_at({obstacles.is_lead(path.end_of_contour() - 1)
                  ? "the tool has no room where the lead-out ends"
                  : "the tool has no room at the last point of the contour",

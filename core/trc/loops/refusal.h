@@ -9,11 +9,16 @@
 
 namespace trc {
 
-// Why REMOVE_MASKED_BLOCKS takes the tool no further than to an onset in a block of the path. An
-// end of the contour at which the tool has no room is named, with `largest_radius`, mm: of the tool
-// that has, to a micrometre. `ended`: the last point of the contour is known.
+// Where REMOVE_MASKED_BLOCKS takes the tool no further.
+struct DeadEnd {
+  std::size_t block = 0;  // of the path
+  Obstacles::Onset onset{};
+  bool is_all_known = false;  // the contour, to its last point
+};
+
+// Why it does not. An end of the contour at which the tool has no room is named, with
+// `largest_radius`, mm: of the tool that has, to a micrometre.
 [[nodiscard]] Diagnostic refusal_of(const HeldPath& path, const Obstacles& obstacles,
-                                    std::size_t block, const Obstacles::Onset& onset, bool ended,
-                                    const Tolerances& tolerances);
+                                    const DeadEnd& dead_end, const Tolerances& tolerances);
 
 }  // namespace trc

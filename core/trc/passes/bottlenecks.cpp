@@ -8,7 +8,7 @@
 #include "core/geometry/along.h"
 #include "core/geometry/box_tree.h"
 #include "core/geometry/distance.h"
-#include "core/trc/selection/selection_limit.h"
+#include "core/trc/result/selection_limit.h"
 #include "core/trc/walls/closing.h"
 
 namespace trc {
@@ -96,6 +96,7 @@ void Bottlenecks::find_walls() {
   ContourView view{.count = contour_.size(),
                    .segment = [this](std::size_t number) { return contour_[number].path; },
                    .tool_side = contour_.front().mode->cutting_side(),
+                   .tolerances = tolerances_,
                    .checkpoint = &checkpoint_};
   if (has_roles) view.role = [this](std::size_t number) { return contour_[number].role; };
   walls_ = trc::find_walls(view, changes_, lead_settings_, radius);

@@ -41,7 +41,6 @@ class Bottlenecks {
     return is_empty() &&
            (block.removes_loops() || (!implicit_ && block.mode().masking == Masking::off));
   }
-  [[nodiscard]] std::size_t look_ahead() const { return window_; }
 
   template <class Archive>
   void serialize(Archive& archive) {

@@ -10,9 +10,7 @@
 #include "core/geometry/parallel.h"
 #include "core/trc/passes/joints.h"
 #include "core/trc/passes/reach.h"
-#include "core/trc/selection/selection_limit.h"
-#include "core/trc/walls/closing.h"
-#include "core/trc/walls/sided_walls.h"
+#include "core/trc/result/selection_limit.h"
 
 namespace trc {
 namespace {
@@ -64,8 +62,9 @@ std::optional<PathBlock::Rejoin> join_in_line(const OffsetCurve& before, const O
       .cut_before = back > std::numbers::pi ? back - 2 * std::numbers::pi : back};
 }
 
-// The same of two lines that are in line but for the rounding of their ends, which tells the more,
-// the shorter they are and the farther from one another (D-44). A line leads over.
+// Two lines are in line but for the rounding of their ends, which tells the more, the shorter they
+// are and the farther from one another (D-44). The first one goes on to about where the second one
+// begins, and a line leads over.
 std::optional<PathBlock::Rejoin> join_nearly_in_line(const PathBlock& before,
                                                      const PathBlock& after, double resolution) {
   if (is_arc(before.programmed.path) || is_arc(after.programmed.path)) return std::nullopt;
@@ -261,106 +260,6 @@ bool ContourMasking::mask_last_kept(std::size_t joining) {
   block.rejoin.reset();
   kept_.pop_back();
   return true;
-}
-
-void ContourMasking::find_walls() {
-  if (base_ > 0) return;
-  const std::size_t first = is_contour(*held_.front()) ? 0 : 1;
-  double radius = 0;
-  bool has_roles = false;
-  for (const PathBlockPtr& block : held_) {
-    radius = std::max(radius, std::abs(block->at_end.shift));
-    has_roles = has_roles || block->programmed.role != ContourRole::unspecified;
-  }
-  ContourView view{
-      .count = held_.size() - first,
-      .segment = [&](std::size_t number) { return held(first + number).programmed.path; },
-      .checkpoint = &checkpoint_};
-  if (view.count > 0) view.tool_side = held(first).mode().cutting_side();
-  if (has_roles)
-    view.role = [&](std::size_t number) { return held(first + number).programmed.role; };
-  walls_ = trc::find_walls(view, lead_settings_, radius);
-}
-
-double ContourMasking::wall_length(std::size_t index) const {
-  const PathBlock& block = held(index);
-  if (!is_contour(block)) return 0;
-  const std::size_t number = number_of(index);
-  if (walls_.is_lead(number)) return 0;
-  return length_of(part_of(block.programmed.path, walls_.part_of(number)));
-}
-
-LeftOut ContourMasking::left_out(std::size_t first, std::size_t& end) const {
-  LeftOut stretch{
-      .first = held(first).programmed.source,
-      .tool_radius = held(first).mode().cutting_radius(std::abs(held(first).at_end.shift))};
-  std::size_t index = first;
-  for (; index < end && held(index).masked; ++index) {
-    stretch.length += wall_length(index);
-    stretch.last = held(index).programmed.source;
-  }
-  end = index;
-  return stretch;
-}
-
-// One note for each run of masked blocks.
-void ContourMasking::report_masked(std::size_t first, std::size_t end) {
-  for (std::size_t index = first; index < end; ++index) {
-    if (!held(index).masked) {
-      if (window_ > 0) contour_length_ += wall_length(index);
-      continue;
-    }
-    std::size_t behind = end;
-    const LeftOut stretch = left_out(index, behind);
-    if (window_ > 0) {
-      contour_length_ += stretch.length;
-      longest_left_out_.add(stretch);
-    }
-    diagnostics_.report(note_of(stretch));
-    index = behind - 1;
-  }
-}
-
-bool ContourMasking::holds_a_whole(std::size_t first, std::size_t end,
-                                   const LeftOut& stretch) const {
-  // The lap of a small post is shorter than what is long.
-  if (holds_a_lap(walls_, number_of(first), number_of(end - 1), stretch)) return true;
-  if (!stretch.is_long()) return false;
-  const auto moves = [](const PassiveBlock& block) { return block.normal.moves(); };
-  for (std::size_t index = first; index < end; ++index)
-    if (std::any_of(held(index).passive.begin(), held(index).passive.end(), moves)) return true;
-  return false;
-}
-
-bool ContourMasking::check_left_out() {
-  LeftOut longest = std::exchange(longest_left_out_, {});
-  double of_walls = std::exchange(contour_length_, 0);
-  if (largest_masked_share_ >= 1) return true;
-  for (std::size_t index = base_; index < base_ + held_.size(); ++index) {
-    if (!held(index).masked) {
-      of_walls += wall_length(index);
-      continue;
-    }
-    std::size_t behind = base_ + held_.size();
-    const LeftOut stretch = left_out(index, behind);
-    of_walls += stretch.length;
-    longest.add(stretch);
-    index = behind - 1;
-  }
-  if (longest.length == 0) return true;
-  longest.of_walls = of_walls;
-  const std::size_t end = base_ + held_.size();
-  for (std::size_t index = base_; index < end; ++index) {
-    if (!held(index).masked) continue;
-    std::size_t behind = end;
-    LeftOut stretch = left_out(index, behind);
-    stretch.of_walls = of_walls;
-    if (holds_a_whole(index, behind, stretch))
-      return diagnostics_.report(refusal_of(stretch, std::nullopt));
-    index = behind - 1;
-  }
-  if (!longest.is_more_than(largest_masked_share_)) return true;
-  return diagnostics_.report(refusal_of(longest, largest_masked_share_));
 }
 
 // The block at fault is the one that asks for the smallest tool; the first or last one, which could

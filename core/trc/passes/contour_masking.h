@@ -46,7 +46,6 @@ class ContourMasking {
   [[nodiscard]] bool ignores(const PathBlock& block) const {
     return held_.empty() && !(block.at_end.active && masks(block));
   }
-  [[nodiscard]] std::size_t look_ahead() const { return window_; }
 
   template <class Archive>
   void serialize(Archive& archive) {

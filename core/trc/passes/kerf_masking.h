@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -19,6 +18,9 @@ namespace trc {
 // The programmed contour itself is changed, before it is offset and also where it is
 // not (SUPPRESS_TRC, D-17). P-CHAN-00284 = 0 is the older method (D-33): between two
 // lines, up to 90 degrees; that G141 and G140 switch it then is a matter of the program.
+//
+// Holds two blocks of such a contour: a corner waits for the block behind it, which tells what the
+// next corner takes.
 class KerfMasking {
  public:
   KerfMasking(bool circular, const Tolerances& tolerances)
@@ -29,8 +31,6 @@ class KerfMasking {
   [[nodiscard]] bool ignores(const PathBlock& block) const {
     return held_.empty() && !wanted(block);
   }
-  // A corner waits for the block behind it, which tells what the next corner takes.
-  [[nodiscard]] std::size_t look_ahead() const { return 2; }
 
   template <class Archive>
   void serialize(Archive& archive) {

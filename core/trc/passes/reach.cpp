@@ -50,7 +50,7 @@ bool is_reached(const PathBlock& before, const PathBlock& block, const PathBlock
 
 double largest_radius_for(const PathBlock& before, const PathBlock& block, const PathBlock& after,
                           const Tolerances& tolerances) {
-  constexpr double micrometre = 1e-3;
+  constexpr double micrometre = 1e-3;  // mm, to which the radius is told
   double high = std::abs(block.at_end.shift);
   if (is_reached(before, block, after, high, tolerances)) return high;
   double low = 0;
@@ -65,7 +65,7 @@ double largest_radius_for(const PathBlock& before, const PathBlock& block, const
 }
 
 double slot_width(const Segment& before, const Segment& after) {
-  constexpr double parallel = 1e-6;  // rad
+  constexpr double parallel = 1e-6;  // rad, more than rounding turns walls written as parallel
   if (is_arc(before) || is_arc(after)) return 0;
   const Vector along = tangent_at_start(before);
   const Vector back = tangent_at_start(after);

@@ -8,7 +8,7 @@
 #include "core/base/diagnostics.h"
 #include "core/nc/state/block.h"
 #include "core/trc/path_block.h"
-#include "core/trc/selection/refused_way.h"
+#include "core/trc/result/refused_way.h"
 #include "core/trc/setup.h"
 
 namespace trc {
@@ -23,13 +23,11 @@ namespace trc {
 // with it too.
 class RelevantBlocks {
  public:
-  RelevantBlocks(const CompensatorSetup& setup, Diagnostics& diagnostics,
-                 selection::RefusedWay& refused_way)
+  RelevantBlocks(const CompensatorSetup& setup, Diagnostics& diagnostics, RefusedWay& refused_way)
       : setup_(setup), diagnostics_(diagnostics), refused_way_(refused_way) {}
 
   bool feed(Block&& block, PathBlocks& out);
   bool drain(PathBlocks& out);
-  [[nodiscard]] std::size_t look_ahead() const { return 1; }
 
   // The block held back, if there is one. ShortWay puts a later one of the same mode in its
   // place.
@@ -75,7 +73,7 @@ class RelevantBlocks {
 
   CompensatorSetup setup_;
   Diagnostics& diagnostics_;
-  selection::RefusedWay& refused_way_;
+  RefusedWay& refused_way_;
   PathBlockPtr held_;
   // What the motion block before left behind.
   Compensation last_{};

@@ -46,7 +46,7 @@ class Reporting {
   template <class Path>
   CompensatedBlock& put_out(const Source& source, const Motion& motion, Origin origin,
                             const Path& tool_path, std::vector<CompensatedBlock>& out);
-  // The same. Takes the tracking axes out of what is programmed.
+  // One block of the path, with its tracking axes: takes them out of what is programmed.
   template <class Path>
   CompensatedBlock& put_out(MotionBlock& programmed, const TrcMode& mode, Origin origin,
                             const Path& tool_path, std::vector<CompensatedBlock>& out);
@@ -56,7 +56,6 @@ class Reporting {
     return arc != nullptr ? put_out(programmed, mode, origin, *arc, out)
                           : put_out(programmed, mode, origin, std::get<Line>(tool_path), out);
   }
-  [[nodiscard]] std::size_t look_ahead() const { return 0; }
 
   [[nodiscard]] Summary& summary() { return summary_; }
 

@@ -52,7 +52,9 @@ double squared_length_of_short(const TrcMode& mode, double input_resolution) {
 constexpr double most_of_joined = 0.97;
 
 // mm that corners may take of a line that stays as it is: below 0.1 µm nothing is damaged (D-14).
-double room_of_single(double length) { return length + 0.9 * Tolerances{}.on_contour; }
+double room_of_single(double length, const Tolerances& tolerances) {
+  return length + 0.9 * tolerances.on_contour;
+}
 
 // With G239 the program has gone on from the end of the compensated path, which therefore must not
 // be turned any more.
@@ -153,7 +155,8 @@ bool RoundedInput::is_used_up(std::size_t chord, const std::optional<Vector>& be
     taken += taken_at_start(chord + 1);
   else if (behind && direction.dot(*behind) > 0)
     taken += taken_between(direction, *behind);
-  return taken > (chords_[chord].count > 1 ? most_of_joined * length : room_of_single(length));
+  return taken >
+         (chords_[chord].count > 1 ? most_of_joined * length : room_of_single(length, tolerances_));
 }
 
 // Between its ends: a tool that goes no farther than to a point has no room at an end that points
@@ -278,7 +281,7 @@ void RoundedInput::release_first(const std::optional<Vector>& behind_all, PathBl
   const double taken = chord.count > 1 ? 0 : taken_at_start(0);
   if (chord.count > 1) lay_onto(line, chord.count, behind);
   const Segment& last = held_[chord.count - 1]->programmed.path;
-  room_before_ = room_of_single(length_of(last)) - taken;
+  room_before_ = room_of_single(length_of(last), tolerances_) - taken;
   before_ = direction;
   const auto end = held_.begin() + static_cast<std::ptrdiff_t>(chord.count);
   std::move(held_.begin(), end, std::back_inserter(out));

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/tolerances.h"
 #include "core/trc/path_block.h"
 
 namespace trc {
@@ -23,10 +24,13 @@ namespace trc {
 //
 // Under REMOVE_MASKED_BLOCKS a contour keeps every digit but between its ends: such corners are
 // loops that go by themselves.
+//
+// Holds such lines, at most `most_held` and one more, and the line before the first.
 class RoundedInput {
  public:
   // `input_resolution` in mm; 0: every line is meant.
-  explicit RoundedInput(double input_resolution) : input_resolution_(input_resolution) {}
+  RoundedInput(double input_resolution, const Tolerances& tolerances)
+      : input_resolution_(input_resolution), tolerances_(tolerances) {}
 
   bool feed(PathBlockPtr block, PathBlocks& out);
   bool drain(PathBlocks& out);
@@ -34,7 +38,6 @@ class RoundedInput {
     return held_.empty() && !block.before_short &&
            !(is_short(block.programmed, input_resolution_) && is_contour_line(block));
   }
-  [[nodiscard]] std::size_t look_ahead() const { return most_held + 1; }
 
   // Whether rounding may decide about a corner of the line.
   [[nodiscard]] static bool is_short(const MotionBlock& motion, double input_resolution);
@@ -89,6 +92,7 @@ class RoundedInput {
   void release_some(PathBlocks& out);
 
   double input_resolution_;
+  Tolerances tolerances_;
   PathBlocks held_;
   std::vector<Chord> chords_;
   std::vector<Chord> before_even_;

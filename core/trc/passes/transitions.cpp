@@ -129,7 +129,7 @@ bool Transitions::take_short(PathBlock* after, PathBlocks& out) {
                        continues(*after) && after->at_start == between->at_end;
   if (goes_on) {
     const auto tie = bow_tie_of(held_->programmed.path, between->programmed.path,
-                                after->programmed.path, largest_bow_tie_for(*between));
+                                after->programmed.path, largest_bow_tie_for(*between), tolerances_);
     if (tie && tie->turns_left == (between->at_start.shift > 0))
       (tie->tip_at_end ? *after : *between).behind_tip = true;
   }
@@ -307,7 +307,9 @@ bool Transitions::tell_depth(const PathBlock& before, const PathBlock& after, co
   const Point& corner = start_of(after.programmed.path);
   const Vector across = left_of(tangent_at_end(before.programmed.path)) +
                         left_of(tangent_at_start(after.programmed.path));
-  constexpr double reverses = 1e-2;  // no corner one could speak of
+  // mm of the sum of two unit vectors: below that the path goes back, which is no corner one could
+  // speak of.
+  constexpr double reverses = 1e-2;
   if (across.norm() < reverses) return true;
   const double shift = std::abs(after.at_start.shift);
   const Vector outward = (after.at_start.shift < 0 ? -1 : 1) * across.normalized();

@@ -9,7 +9,7 @@
 #include "core/trc/corner/corner.h"
 #include "core/trc/passes/joints.h"
 #include "core/trc/path_block.h"
-#include "core/trc/selection/refused_way.h"
+#include "core/trc/result/refused_way.h"
 
 namespace trc {
 
@@ -25,16 +25,14 @@ namespace trc {
 // P is the programmed corner. What is inserted: table of rule 4.2, G25 and
 // G26; where the contour begins and ends: the rules of the selection modes in
 // selection/. Does not see further than the next relevant block, or where that may be the short one
-// of a bow tie, the one behind it.
+// of a bow tie, the one behind it: holds no more than two that are not masked.
 class Transitions {
  public:
-  Transitions(const Tolerances& tolerances, Diagnostics& diagnostics,
-              selection::RefusedWay& refused_way)
+  Transitions(const Tolerances& tolerances, Diagnostics& diagnostics, RefusedWay& refused_way)
       : tolerances_(tolerances), diagnostics_(diagnostics), refused_way_(refused_way) {}
 
   bool feed(PathBlockPtr&& block, PathBlocks& out);
   bool drain(PathBlocks& out);
-  [[nodiscard]] std::size_t look_ahead() const { return 2; }
   // The block whose end is still open, if nothing waits behind it. ShortWay goes on from it.
   [[nodiscard]] PathBlock* open_block() {
     return masked_.empty() && !short_ ? held_.get() : nullptr;
@@ -82,7 +80,7 @@ class Transitions {
 
   Tolerances tolerances_;
   Diagnostics& diagnostics_;
-  selection::RefusedWay& refused_way_;
+  RefusedWay& refused_way_;
   PathBlockPtr held_;
   PathBlockPtr short_;  // behind the held block, of a bow tie where the next one crosses that
   PathBlocks masked_;   // behind the held block

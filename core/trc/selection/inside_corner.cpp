@@ -7,7 +7,7 @@
 
 #include "core/geometry/distance.h"
 #include "core/trc/corner/corner.h"
-#include "core/trc/selection/selection_limit.h"
+#include "core/trc/result/selection_limit.h"
 
 namespace trc::selection {
 namespace {

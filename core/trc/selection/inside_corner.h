@@ -7,7 +7,7 @@
 #include "core/base/diagnostics.h"
 #include "core/base/tolerances.h"
 #include "core/trc/path_block.h"
-#include "core/trc/selection/refused_way.h"
+#include "core/trc/result/refused_way.h"
 
 namespace trc::selection {
 
@@ -37,8 +37,6 @@ class InsideCorner {
   [[nodiscard]] bool ignores(const PathBlock& block) const {
     return held_.empty() && !begins(block);
   }
-  // Of the selections it holds as a whole; nothing else.
-  [[nodiscard]] std::size_t look_ahead() const { return 0; }
 
   template <class Archive>
   void serialize(Archive& archive) {

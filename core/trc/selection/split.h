@@ -18,7 +18,6 @@ class Split {
   bool feed(PathBlockPtr block, PathBlocks& out);
   [[nodiscard]] bool ignores(const PathBlock& block) const { return !block.splittable; }
   bool drain(PathBlocks& /*out*/) { return true; }
-  [[nodiscard]] std::size_t look_ahead() const { return 0; }
 };
 
 }  // namespace trc::selection

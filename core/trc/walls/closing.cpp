@@ -19,8 +19,8 @@ namespace trc {
 namespace {
 
 // Whether what closes the contour in the other point are leads that begin and end there, or cross.
-bool lies_within(const Closing& inner, const Closing& outer) {
-  const auto is_before = [](const ContourPlace& a, const ContourPlace& b) {
+bool lies_within(const Closing& inner, const Closing& outer, double same_place) {
+  const auto is_before = [&](const ContourPlace& a, const ContourPlace& b) {
     return a.number != b.number ? a.number < b.number : a.along < b.along - same_place;
   };
   return is_before(outer.first, inner.first) && is_before(inner.second, outer.second);
@@ -38,7 +38,7 @@ std::optional<Closing> search_inward(const ContourView& contour, const Meetings&
   std::ranges::copy_if(meetings, std::back_inserter(some), [&](const EndsMeeting& meeting) {
     return may_close(meeting) && !is_lead_across_walls(contour, meeting, tolerance, tool_radius);
   });
-  return search_inward(contour, some, meetings, tolerance, overruns, memory);
+  return search_inward(contour, {.may_close = some, .all = meetings}, tolerance, overruns, memory);
 }
 
 std::optional<Closing> between_long_leads(const ContourView& contour, const Meetings& meetings,
@@ -103,8 +103,9 @@ std::optional<Closing> closing_of_all(const ContourView& contour, double closing
     if (auto repeated = closing_of_repeated(contour, closing_tolerance, tool_radius))
       return repeated;
   const auto long_leads = between_long_leads(contour, meetings, closing_tolerance, tool_radius);
-  if (!closing || (long_leads && lies_within(*long_leads, *closing) &&
-                   visits_of(contour, *closing, closing_tolerance, memory).size() == 2))
+  if (!closing ||
+      (long_leads && lies_within(*long_leads, *closing, contour.tolerances.same_place) &&
+       visits_of(contour, *closing, closing_tolerance, memory).size() == 2))
     return long_leads;
   return closing;
 }

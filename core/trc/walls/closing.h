@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/base/checkpoint.h"
+#include "core/base/tolerances.h"
 #include "core/geometry/segment.h"
 #include "core/nc/state/block.h"
 #include "core/trc/walls/walls.h"
@@ -24,6 +25,7 @@ struct ContourView {
   double length = 0;  // of all blocks, mm; 0: it has not been measured
   // Start and end of no block are nearer than that to each other along both axes, mm.
   double shortest_step = 0;
+  Tolerances tolerances{};
   // Passed by while the contour is looked at; null: it is looked at in one go.
   Checkpoint* checkpoint = nullptr;
 
@@ -31,9 +33,6 @@ struct ContourView {
     if (checkpoint != nullptr) checkpoint->pass();
   }
 };
-
-// Up to here two places on a contour are one, mm.
-inline constexpr double same_place = 1e-7;
 
 // A place on a contour block.
 struct ContourPlace {
@@ -64,8 +63,8 @@ struct Closing {
   double gap = 0;
   std::size_t joins = 0;  // the first block at the end that lies on the begin
   bool is_alone = false;  // between the two the contour does not come by there
-  // The same lap with the same leads so many times: behind each lap what leads to the next one
-  // (D-107).
+  // How many times the contour goes over one lap with one set of leads: behind each lap comes what
+  // leads to the next one (D-107).
   std::size_t repeated_laps = 0;
   // Whole turns lead in, or out (D-106).
   bool has_turns_in = false;

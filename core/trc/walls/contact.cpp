@@ -33,7 +33,7 @@ void find_contacts(const Segment& first, const Segment& second, double tolerance
   for (const double along : {0.0, length_of(second)})
     for_places_near(first, point_along(second, along), tolerance,
                     [&](double along_first) { note(along_first, along); });
-  constexpr double slack = 1e-9;
+  constexpr double slack = 1e-9;  // mm, by which rounding puts a crossing beyond an end
   for (const Crossing& crossing : crossings(Track(first), Track(second), slack))
     note(crossing.along_first, crossing.along_second);
 }

@@ -89,7 +89,7 @@ std::pmr::vector<EndsMeeting> meetings_of_ends(const ContourView& contour, doubl
   const double reach = reach_in_radii * tool_radius;
   const Ends first = first_blocks(contour, reach, memory);
   const Ends last = last_blocks(contour, reach, memory);
-  const double most = 0.5 * length + 2 * closing_tolerance + same_place;
+  const double most = 0.5 * length + 2 * closing_tolerance + contour.tolerances.same_place;
   const NearEnds ends(first);
   std::pmr::vector<EndsMeeting> meetings(memory);
   std::pmr::vector<Contact> contacts(memory);

@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/tolerances.h"
 #include "core/geometry/along.h"
 #include "core/geometry/distance.h"
 #include "core/trc/corner/bow_tie.h"
@@ -23,7 +22,7 @@ bool is_overrun(const ContourView& contour, std::size_t number, std::size_t firs
   const Segment block = contour.segment(number);
   const Point middle = point_along(block, length_of(block) / 2);
   for (std::size_t wall = first_wall; wall < std::min(first_wall + few, number); ++wall)
-    if (distance(middle, contour.segment(wall)) <= Tolerances{}.on_top) return true;
+    if (distance(middle, contour.segment(wall)) <= contour.tolerances.on_top) return true;
   return false;
 }
 
@@ -34,7 +33,7 @@ Closing closing_between(const ContourView& contour, const LeadSettings& settings
   const Point begin = start_of(contour.segment(first));
   double gap = (end_of(contour.segment(last)) - begin).norm();
   if (settings.blocks_out > 0 && is_overrun(contour, last + 1, first))
-    gap = std::max(gap, Tolerances{}.on_top);
+    gap = std::max(gap, contour.tolerances.on_top);
   return {.first = {first, 0},
           .second = {last, length_of(contour.segment(last))},
           .point = begin,
@@ -62,21 +61,25 @@ std::optional<Closing> closing_of(const ContourView& contour, const LeadSettings
 class Leads {
  public:
   Leads(const ContourView& contour, std::pmr::memory_resource* memory)
-      : contour_(contour), ranges_(memory), parts_(memory), walls_(memory) {}
+      : contour_(contour),
+        same_place_(contour.tolerances.same_place),
+        ranges_(memory),
+        parts_(memory),
+        walls_(memory) {}
 
   void add_before(const ContourPlace& end) { add({0, 0}, end); }
   void add_behind(const ContourPlace& begin) { add(begin, {contour_.count, 0}); }
   // All between two places.
   void add(const ContourPlace& begin, const ContourPlace& end) {
     std::size_t first = begin.number;
-    if (begin.along > same_place) {
-      if (begin.along < length_of(contour_.segment(first)) - same_place)
+    if (begin.along > same_place_) {
+      if (begin.along < length_of(contour_.segment(first)) - same_place_)
         limit({.number = first, .from = 0, .to = begin.along});
       ++first;
     }
     std::size_t behind = end.number;
-    if (end.along > same_place && end.number < contour_.count) {
-      if (end.along < length_of(contour_.segment(behind)) - same_place)
+    if (end.along > same_place_ && end.number < contour_.count) {
+      if (end.along < length_of(contour_.segment(behind)) - same_place_)
         limit({.number = behind, .from = end.along});
       else
         ++behind;
@@ -133,6 +136,7 @@ class Leads {
   }
 
   const ContourView& contour_;
+  double same_place_;
   std::pmr::vector<Walls::Range> ranges_;
   std::pmr::vector<Walls::Part> parts_;
   std::pmr::vector<std::size_t> walls_;  // marked
@@ -140,7 +144,8 @@ class Leads {
 
 // The block that goes on from there.
 std::size_t block_from(const ContourView& contour, const ContourPlace& place) {
-  const bool is_at_end = place.along >= length_of(contour.segment(place.number)) - same_place;
+  const bool is_at_end =
+      place.along >= length_of(contour.segment(place.number)) - contour.tolerances.same_place;
   return place.number + (is_at_end ? 1 : 0);
 }
 
@@ -219,7 +224,8 @@ double kink_in(const ContourView& contour, const Closing& closing, double tool_r
     const double nearer = tool_radius * sine * sine / (1 + cosine);
     // By so much rounding of their ends turns blocks so short.
     const double by_rounding = 2 * input_resolution * (1 / one.length + 1 / other.length);
-    const double most = std::abs(sine) <= by_rounding ? Tolerances{}.on_top : input_resolution;
+    const double most =
+        std::abs(sine) <= by_rounding ? contour.tolerances.on_top : input_resolution;
     return nearer <= most ? nearer : 0;
   };
   double kink = 0;
@@ -240,7 +246,7 @@ void reach_along_leads(const ContourView& contour, const Closing& closing, doubl
     const double apart = distance(end, lead);
     // A coordinate is off by up to half of the resolution, two of them by its diagonal.
     if (apart <= 1.5 * input_resolution) walls.touch = std::max(walls.touch, apart);
-    return apart <= Tolerances{}.on_top;
+    return apart <= contour.tolerances.on_top;
   };
   const std::size_t out = block_from(contour, closing.second);
   if (out < contour.count)
@@ -248,7 +254,8 @@ void reach_along_leads(const ContourView& contour, const Closing& closing, doubl
            note_wall_beside(end_of(contour.segment(walls.head.end - 2)), contour.segment(out)))
       ++walls.head.end;
   walls.blocks_beside_lead = walls.head.end - (closing.first.number + 2);
-  const std::size_t in = closing.first.number + (closing.first.along > same_place ? 1 : 0);
+  const std::size_t in =
+      closing.first.number + (closing.first.along > contour.tolerances.same_place ? 1 : 0);
   if (in > 0)
     while (
         walls.head.end < walls.tail.first &&
@@ -268,11 +275,12 @@ Closing where_laps_meet(Closing closing) {
 
 // Of a bow tie nothing is a wall but the tip the tool goes round: what is beyond the crossing goes.
 // Where both corners are outside, the path keeps clear of all of it.
-void untie(std::size_t number, double length, const BowTie& tie, Walls& walls) {
+void untie(const ContourView& contour, std::size_t number, const BowTie& tie, Walls& walls) {
   for (const std::size_t one : {number - 1, number, number + 1})
     if (walls.is_lead(one) || walls.part_of(one)) return;
   // Of the short block: as much as has a direction.
-  const double tip = std::min(same_place, length);
+  const double length = length_of(contour.segment(number));
+  const double tip = std::min(contour.tolerances.same_place, length);
   std::array<Walls::Part, 2> parts{
       {{.number = number - 1, .to = tie.along_before}, {.number = number, .from = length - tip}}};
   if (!tie.tip_at_end)
@@ -291,9 +299,9 @@ void untie(const ContourView& contour, double largest, Walls& walls) {
     contour.pass();
     const Segment between = contour.segment(number);
     if ((end_of(between) - start_of(between)).cwiseAbs().maxCoeff() > longest) continue;
-    const auto tie =
-        bow_tie_of(contour.segment(number - 1), between, contour.segment(number + 1), largest);
-    if (tie && tie->turns_left == is_left) untie(number, length_of(between), *tie, walls);
+    const auto tie = bow_tie_of(contour.segment(number - 1), between, contour.segment(number + 1),
+                                largest, contour.tolerances);
+    if (tie && tie->turns_left == is_left) untie(contour, number, *tie, walls);
   }
 }
 
@@ -313,7 +321,7 @@ Walls find_walls(const ContourView& contour, const LeadSettings& settings, doubl
     reach_along_leads(contour, *closing, settings.input_resolution, walls);
     if (closing->has_turns_in) walls.turns_in = {0, closing->first.number + 1};
     if (closing->has_turns_out) walls.turns_out = {closing->second.number, contour.count};
-    walls.touch_of_turns = std::min(Tolerances{}.on_top, settings.closing_tolerance);
+    walls.touch_of_turns = std::min(contour.tolerances.on_top, settings.closing_tolerance);
     // What comes by once goes over nothing of its own.
     if (!closing->is_alone || closing->overrun) {
       const double tolerance = settings.closing_tolerance;
@@ -327,7 +335,7 @@ Walls find_walls(const ContourView& contour, const LeadSettings& settings, doubl
                               block_from(contour, closing->overrun->first);
     }
     if (!walls.rings.empty())
-      walls.touch_of_rings = std::min(Tolerances{}.on_top, settings.closing_tolerance);
+      walls.touch_of_rings = std::min(contour.tolerances.on_top, settings.closing_tolerance);
   }
   if (contour.role)
     for (std::size_t number = 0; number < contour.count; ++number) {
@@ -337,7 +345,7 @@ Walls find_walls(const ContourView& contour, const LeadSettings& settings, doubl
   leads.give_to(walls);
   // Where a lead meets the contour, rounding has it cut in by next to nothing (D-44).
   if (walls.touch > 0 || !walls.leads.empty())
-    walls.touch = std::max({walls.touch, Tolerances{}.on_contour, settings.input_resolution});
+    walls.touch = std::max({walls.touch, contour.tolerances.on_contour, settings.input_resolution});
   if (contour.shift != 0)
     untie(contour, largest_bow_tie(settings.input_resolution, tool_radius), walls);
   return walls;

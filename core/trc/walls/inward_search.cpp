@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/tolerances.h"
 #include "core/geometry/along.h"
 #include "core/trc/walls/outline.h"
 #include "core/trc/walls/rings.h"
@@ -21,6 +20,7 @@ std::optional<Closing::Overrun> overrun_to(const ContourView& contour, const End
                                            std::span<const EndsMeeting> candidates,
                                            double tolerance) {
   std::optional<Closing::Overrun> overrun;
+  const double same_place = contour.tolerances.same_place;
   double longest = tolerance;
   for (const EndsMeeting& begin : candidates) {
     contour.pass();
@@ -40,6 +40,7 @@ class InwardSearch {
   InwardSearch(const ContourView& contour, double tolerance, Overruns overruns,
                std::pmr::memory_resource* memory)
       : contour_(contour),
+        same_place_(contour.tolerances.same_place),
         tolerance_(tolerance),
         overruns_(overruns),
         memory_(memory),
@@ -49,13 +50,13 @@ class InwardSearch {
     if (!best_) return take(next);
     const double later = next.before - best_->before;
     const double earlier = next.behind - best_->behind;
-    if (std::abs(later) <= same_place && std::abs(earlier) <= same_place) return note(next);
+    if (std::abs(later) <= same_place_ && std::abs(earlier) <= same_place_) return note(next);
     // What is before the one and behind the other is a loop of the leads, or a whole lap.
     const double between = later + earlier;
     if (between > tolerance_ && between >= 0.5 * longest_ring()) return;
     if (earlier < 0) {
       // The end goes on along the begin: an overrun, or both part in an acute angle.
-      if (next.gap > std::max(best_->gap, Tolerances{}.on_top)) return;
+      if (next.gap > std::max(best_->gap, contour_.tolerances.on_top)) return;
       // Where leads between laps begin in one point, the laps close inside of that.
       const bool is_lap =
           overruns_ == Overruns::along_the_last_lap && -earlier >= 0.5 * longest_ring();
@@ -63,7 +64,7 @@ class InwardSearch {
       if (-earlier > tolerance_ && !runs_along(next)) {
         // A lead-in that crosses the last walls, or comes near them, does not hide the start of the
         // contour.
-        const bool is_beside = !is_junction(*best_) && best_->gap > next.gap + same_place;
+        const bool is_beside = !is_junction(*best_) && best_->gap > next.gap + same_place_;
         if ((is_crossing(*best_) || is_beside) && is_junction(next)) take(next);
         return;
       }
@@ -72,7 +73,7 @@ class InwardSearch {
       return note(next);
     }
     if (goes_round_a_part(next)) return;
-    // The same end of an overrun, met by the lead-out too.
+    // The lead-out meets the end of the overrun once more.
     const bool is_same_end = later <= tolerance_ && earlier <= tolerance_;
     if (overrun_.size() > 1 && is_same_end) {
       best_ = overrun_.back() = next;
@@ -91,14 +92,18 @@ class InwardSearch {
   }
 
  private:
+  // How far passes on top of each other are apart at most, mm.
+  [[nodiscard]] double most_on_top() const {
+    return std::min(contour_.tolerances.on_top, tolerance_);
+  }
   [[nodiscard]] bool is_block_end(const ContourPlace& place) const {
-    return place.along <= same_place ||
-           place.along >= length_of(contour_.segment(place.number)) - same_place;
+    return place.along <= same_place_ ||
+           place.along >= length_of(contour_.segment(place.number)) - same_place_;
   }
   // In the middle of a last block, and of a first one or where the contour begins.
   [[nodiscard]] bool is_crossing(const EndsMeeting& candidate) const {
     const ContourPlace& first = candidate.first;
-    const bool is_begin = first.number == 0 && first.along <= same_place;
+    const bool is_begin = first.number == 0 && first.along <= same_place_;
     return (is_begin || !is_block_end(first)) && !is_block_end(candidate.second);
   }
   [[nodiscard]] bool is_junction(const EndsMeeting& candidate) const {
@@ -133,7 +138,7 @@ class InwardSearch {
     const double later = next.before - best_->before;
     // Of that way, where begin and end part in an acute angle and an overrun ends on the begin.
     const double share = is_crossing(*best_) || !is_block_end(next.second) ? 0 : 0.02;
-    const double most = std::min(tolerance_, Tolerances{}.on_top) + share * later;
+    const double most = most_on_top() + share * later;
     return stay_together(best_->first, later, best_->second, on, most);
   }
   // Whether two ways along the contour are nowhere farther apart than `most`, mm.
@@ -160,11 +165,11 @@ class InwardSearch {
   }
   // Of a way that goes on from there.
   [[nodiscard]] double share_to_block_end(const ContourPlace& place, double way) const {
-    const bool ends_there = way <= same_place || place.number + 1 == contour_.count;
+    const bool ends_there = way <= same_place_ || place.number + 1 == contour_.count;
     return ends_there ? 1 : left_of(place) / way;
   }
   void go_on(ContourPlace& place, double way, double share) const {
-    const bool ends = share * way >= left_of(place) - same_place;
+    const bool ends = share * way >= left_of(place) - same_place_;
     if (ends && place.number + 1 < contour_.count)
       place = {place.number + 1, 0};
     else
@@ -215,8 +220,8 @@ class InwardSearch {
     if (is_block_end(out)) return;
     const auto begins_there = [&](const EndsMeeting& candidate) {
       const auto& [number, along] = candidate.second;
-      if (number == out.number) return along <= same_place;
-      return number + 1 == out.number && is_block_end(candidate.second) && along > same_place;
+      if (number == out.number) return along <= same_place_;
+      return number + 1 == out.number && is_block_end(candidate.second) && along > same_place_;
     };
     const auto begin = std::find_if(overrun_.rbegin(), overrun_.rend(), begins_there);
     if (begin != overrun_.rend()) overrun_.erase(begin.base(), overrun_.end());
@@ -226,8 +231,7 @@ class InwardSearch {
   void stay_with_all_laps() {
     const auto laps_at = [&](const EndsMeeting& candidate) {
       best_ = candidate;
-      return laps_of(
-          visits_of(contour_, closing(), std::min(Tolerances{}.on_top, tolerance_), memory_));
+      return laps_of(visits_of(contour_, closing(), most_on_top(), memory_));
     };
     const std::size_t laps = overrun_.size() > 1 ? laps_at(overrun_.front()) : 1;
     if (laps <= 1) {
@@ -239,14 +243,14 @@ class InwardSearch {
         [&](const EndsMeeting& candidate) { return laps_at(candidate) >= laps; });
     best_ = *std::prev(behind);
     // The end lies on the last lap as exactly as that was told.
-    gap_ = std::max(gap_, Tolerances{}.on_top) + std::min(Tolerances{}.on_top, tolerance_);
+    gap_ = std::max(gap_, contour_.tolerances.on_top) + most_on_top();
   }
   [[nodiscard]] Closing closing() const {
     const bool overruns = best_->before > overrun_.front().before + tolerance_;
     return {.first = best_->first,
             .second = best_->second,
             .point = best_->point,
-            .gap = overruns ? std::max(gap_, std::min(Tolerances{}.on_top, tolerance_)) : gap_,
+            .gap = overruns ? std::max(gap_, most_on_top()) : gap_,
             .joins = joins_};
   }
   [[nodiscard]] double longest_ring() {
@@ -256,6 +260,7 @@ class InwardSearch {
   }
 
   const ContourView& contour_;
+  double same_place_;
   double tolerance_;
   Overruns overruns_;
   std::pmr::memory_resource* memory_;
@@ -269,13 +274,12 @@ class InwardSearch {
 
 }  // namespace
 
-std::optional<Closing> search_inward(const ContourView& contour,
-                                     std::span<const EndsMeeting> may_close,
-                                     std::span<const EndsMeeting> all, double tolerance,
-                                     Overruns overruns, std::pmr::memory_resource* memory) {
+std::optional<Closing> search_inward(const ContourView& contour, const MeetingsOfEnds& meetings,
+                                     double tolerance, Overruns overruns,
+                                     std::pmr::memory_resource* memory) {
   InwardSearch inward(contour, tolerance, overruns, memory);
-  for (const EndsMeeting& meeting : may_close) inward.consider(meeting);
-  return inward.result(all);
+  for (const EndsMeeting& meeting : meetings.may_close) inward.consider(meeting);
+  return inward.result(meetings.all);
 }
 
 }  // namespace trc

@@ -12,12 +12,16 @@ namespace trc {
 // at their corners.
 enum class Overruns { along_the_begin, along_the_last_lap };
 
-// Where a contour closes, of the meetings of its ends that it may close in; `all`: all of them,
-// from the outermost one inward, among which an overrun may begin.
+// From the outermost one inward.
+struct MeetingsOfEnds {
+  std::span<const EndsMeeting> may_close{};  // the contour may close in one of these
+  std::span<const EndsMeeting> all{};        // an overrun may begin in one of these
+};
+
+// Where a contour closes.
 [[nodiscard]] std::optional<Closing> search_inward(const ContourView& contour,
-                                                   std::span<const EndsMeeting> may_close,
-                                                   std::span<const EndsMeeting> all,
-                                                   double tolerance, Overruns overruns,
+                                                   const MeetingsOfEnds& meetings, double tolerance,
+                                                   Overruns overruns,
                                                    std::pmr::memory_resource* memory);
 
 }  // namespace trc

@@ -12,7 +12,7 @@ void give_values(const LeftOut& stretch, Diagnostic& found) {
   append_place(found.values, "first", stretch.first);
   append_place(found.values, "last", stretch.last);
   found.values.push_back({"tool_radius", stretch.tool_radius});
-  // Leads and blocks without a length bound no wall.
+  // Leads and blocks without a length bound no wall; rounding of the sum may leave so much.
   constexpr double nothing = 1e-9;  // mm
   if (stretch.length > nothing) found.values.push_back({"left_out_length", stretch.length});
   if (stretch.of_walls > 0) found.values.push_back({"wall_length", stretch.of_walls});

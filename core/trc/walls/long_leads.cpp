@@ -36,7 +36,7 @@ bool leads_out_of(const Segment& contour, const Segment& lead) {
 // where the first ones do.
 bool is_left_by_lead(const ContourView& contour, const EndsMeeting& closing, double tolerance) {
   std::size_t wall = closing.first.number;
-  if (closing.first.along > same_place) ++wall;
+  if (closing.first.along > contour.tolerances.same_place) ++wall;
   for (std::size_t number = closing.second.number + 1; number < contour.count; ++number, ++wall) {
     const Segment out = contour.segment(number);
     if ((end_of(out) - end_of(contour.segment(wall))).norm() > tolerance)
@@ -47,13 +47,15 @@ bool is_left_by_lead(const ContourView& contour, const EndsMeeting& closing, dou
 
 // What comes to where the contour closes and goes on from there; nothing: it begins or ends there.
 std::optional<Vector> into(const ContourView& contour, const ContourPlace& place) {
-  if (place.along > same_place) return tangent_along(contour.segment(place.number), place.along);
+  if (place.along > contour.tolerances.same_place)
+    return tangent_along(contour.segment(place.number), place.along);
   if (place.number == 0) return std::nullopt;
   return tangent_at_end(contour.segment(place.number - 1));
 }
 std::optional<Vector> out_of(const ContourView& contour, const ContourPlace& place) {
   const Segment block = contour.segment(place.number);
-  if (place.along < length_of(block) - same_place) return tangent_along(block, place.along);
+  if (place.along < length_of(block) - contour.tolerances.same_place)
+    return tangent_along(block, place.along);
   if (place.number + 1 == contour.count) return std::nullopt;
   return tangent_at_start(contour.segment(place.number + 1));
 }
@@ -112,8 +114,8 @@ bool are_few_outside(const ContourView& contour, std::size_t first, std::size_t 
 bool is_between_long_leads(const ContourView& contour, const EndsMeeting& closing, double tolerance,
                            double tool_radius) {
   const auto is_end = [&](const ContourPlace& place) {
-    return place.along <= same_place ||
-           place.along >= length_of(contour.segment(place.number)) - same_place;
+    return place.along <= contour.tolerances.same_place ||
+           place.along >= length_of(contour.segment(place.number)) - contour.tolerances.same_place;
   };
   if (contour.tool_side == Side::off ||
       !are_few_outside(contour, closing.first.number, closing.second.number) ||

@@ -8,8 +8,8 @@
 namespace trc {
 namespace {
 
-bool are_same(const Segment& one, const Segment& other) {
-  constexpr double near = Tolerances{}.on_contour;
+bool are_same(const Segment& one, const Segment& other, const Tolerances& tolerances) {
+  const double near = tolerances.on_contour;
   const auto* arc = std::get_if<Arc>(&one);
   const auto* other_arc = std::get_if<Arc>(&other);
   if ((arc == nullptr) != (other_arc == nullptr)) return false;
@@ -22,7 +22,8 @@ bool are_same(const Segment& one, const Segment& other) {
 bool repeats(const ContourView& contour, std::size_t blocks) {
   for (std::size_t number = blocks; number < contour.count; ++number) {
     contour.pass();
-    if (!are_same(contour.segment(number), contour.segment(number - blocks))) return false;
+    if (!are_same(contour.segment(number), contour.segment(number - blocks), contour.tolerances))
+      return false;
   }
   return true;
 }
@@ -38,7 +39,7 @@ std::optional<RepeatedLaps> repeated_laps(const ContourView& contour) {
   int tries = 0;
   for (std::size_t blocks = 1; blocks < contour.count && tries < most_tries; ++blocks) {
     contour.pass();
-    if (!are_same(contour.segment(blocks), first)) continue;
+    if (!are_same(contour.segment(blocks), first, contour.tolerances)) continue;
     ++tries;
     if (repeats(contour, blocks))
       return RepeatedLaps{.blocks = blocks, .last = (contour.count - 1) / blocks * blocks};

@@ -26,7 +26,7 @@ Visits visits_of(const ContourView& contour, const Closing& closing, double tole
     const double length = length_of(segment);
     if (number == first.number) visits.push_back({.place = first, .way = way + first.along});
     // Most blocks are farther away than they are long.
-    const double within = (length + near) * (1 + 1e-9);
+    const double within = (length + near) * (1 + 1e-9);  // more than rounding of the squares
     const bool may_be_near = (start_of(segment) - point).squaredNorm() <= within * within;
     if (number >= first.number && may_be_near && distance(point, segment) <= near) {
       const double along = nearest_along(segment, point);

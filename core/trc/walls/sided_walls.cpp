@@ -58,6 +58,7 @@ ContourView side_of(const ContourView& contour, const std::vector<std::size_t>& 
     part.role = [&contour, begin](std::size_t number) { return contour.role(begin + number); };
   part.shift = side % 2 == 0 ? contour.shift : -contour.shift;
   part.shortest_step = contour.shortest_step;
+  part.tolerances = contour.tolerances;
   part.checkpoint = contour.checkpoint;
   part.tool_side = side % 2 == 0 ? contour.tool_side : opposite(contour.tool_side);
   return part;

@@ -61,8 +61,8 @@ struct Walls {
   Range head{};
   Range tail{};
   double touch = 0;
-  // The same, mm, for the path of one ring and the walls of later ones, which lie on top of it, and
-  // for the end of each ring on its begin.
+  // How much nearer, mm, the path of one ring may come to the walls of later ones, which lie on top
+  // of it, and the end of each ring to its begin.
   double touch_of_rings = 0;
   // How many blocks more than its first two the lead-out goes along at the begin of the contour.
   std::size_t blocks_beside_lead = 0;

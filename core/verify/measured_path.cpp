@@ -1,4 +1,4 @@
-#include "core/verify/held_path.h"
+#include "core/verify/measured_path.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +34,7 @@ bool is_before(const Source& one, const Source& other) {
 
 }  // namespace
 
-std::uint32_t HeldPath::number_of(const std::shared_ptr<const TrcMode>& shared) {
+std::uint32_t MeasuredPath::number_of(const std::shared_ptr<const TrcMode>& shared) {
   if (shared == last_mode_ && !rules_.empty()) return static_cast<std::uint32_t>(rules_.size() - 1);
   last_mode_ = shared;
   const TrcMode& mode = *shared;
@@ -55,7 +55,7 @@ std::uint32_t HeldPath::number_of(const std::shared_ptr<const TrcMode>& shared) 
 
 // The approach block is no contour, and neither is the block that carries the
 // change to the other side, unless the side changes at its corner (REVERSE).
-bool HeldPath::is_contour(const MotionBlock& block, Side side) const {
+bool MeasuredPath::is_contour(const MotionBlock& block, Side side) const {
   const TrcMode& mode = *block.mode;
   const Rule* before = programmed_.empty() ? nullptr : &rule_of(programmed_.back());
   if (before == nullptr || before->selection != mode.selection_number)
@@ -64,7 +64,7 @@ bool HeldPath::is_contour(const MotionBlock& block, Side side) const {
   return mode.options.reverse;
 }
 
-void HeldPath::add(const MotionBlock& block) {
+void MeasuredPath::add(const MotionBlock& block) {
   if (!is_finite(block.path)) return;
   const std::uint32_t rule = number_of(block.mode);
   const Rule& own = rules_[rule];
@@ -87,7 +87,7 @@ void HeldPath::add(const MotionBlock& block) {
   before->crosses_behind = piece.is_contour && rule_before.side != own.side;
 }
 
-void HeldPath::put_at_part(ProgrammedPiece& last) {
+void MeasuredPath::put_at_part(ProgrammedPiece& last) {
   const Rule& rule = rules_[last.rule];
   PartWall wall = part_wall(last.piece, rule.side, rule.nominal);
   wall.exists = wall.exists && last.is_contour;
@@ -111,7 +111,7 @@ void HeldPath::put_at_part(ProgrammedPiece& last) {
   last.is_contour = wall.exists;
 }
 
-void HeldPath::add(const CompensatedBlock& block) {
+void MeasuredPath::add(const CompensatedBlock& block) {
   if (!is_measured(block.origin) || programmed_.empty() || !is_finite(block.path)) return;
   const ProgrammedPiece* stems_from = find(block.source);
   if (stems_from == nullptr) return;
@@ -126,11 +126,11 @@ void HeldPath::add(const CompensatedBlock& block) {
   });
 }
 
-std::size_t HeldPath::first_from(std::uint64_t index) const {
+std::size_t MeasuredPath::first_from(std::uint64_t index) const {
   return first_from(Source{.index = index});
 }
 
-std::size_t HeldPath::first_from(const Source& source) const {
+std::size_t MeasuredPath::first_from(const Source& source) const {
   std::size_t low = programmed_.begin();
   std::size_t high = programmed_.end();
   while (low < high) {
@@ -144,7 +144,7 @@ std::size_t HeldPath::first_from(const Source& source) const {
 }
 
 // The path follows the program, but for the seam of a closed contour: the next one is near.
-const ProgrammedPiece* HeldPath::find(const Source& source) {
+const ProgrammedPiece* MeasuredPath::find(const Source& source) {
   last_ = std::max(last_, programmed_.begin());
   // Mostly it is the last one or the one behind it.
   for (std::size_t number = last_; number < std::min(last_ + 2, programmed_.end()); ++number) {
@@ -162,13 +162,13 @@ const ProgrammedPiece* HeldPath::find(const Source& source) {
   return nullptr;
 }
 
-void HeldPath::forget_before(std::size_t number) {
+void MeasuredPath::forget_before(std::size_t number) {
   programmed_.drop_before(number);
   path_.drop_before(path_.end());
   if (programmed_.empty()) rules_.clear();
 }
 
-std::size_t HeldPath::bytes() const {
+std::size_t MeasuredPath::bytes() const {
   return programmed_.size() * sizeof(ProgrammedPiece) + path_.size() * sizeof(PathPiece) +
          rules_.capacity() * sizeof(Rule) + WallTree::bytes_for(programmed_.size()) +
          programmed_.size() * sizeof(std::size_t);

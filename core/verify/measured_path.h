@@ -50,7 +50,7 @@ struct PathPiece {
 
 // Programmed blocks under TRC and the path they have become, as little of both as measuring needs,
 // until that is done.
-class HeldPath {
+class MeasuredPath {
  public:
   // A block under TRC, in the order of the program.
   void add(const MotionBlock& block);

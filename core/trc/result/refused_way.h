@@ -7,7 +7,7 @@
 #include "core/geometry/segment.h"
 #include "core/nc/state/block.h"
 
-namespace trc::selection {
+namespace trc {
 
 // What the pass that refuses a selection or deselection block knows of it, for whoever looks for a
 // way that would do.
@@ -38,4 +38,4 @@ struct RefusedWay {
   bool starts_on_tool_side = false;
 };
 
-}  // namespace trc::selection
+}  // namespace trc

@@ -1,0 +1,62 @@
+#include <utility>
+
+#include "core/trc/compensator_passes.h"
+#include "core/trc/entry_help.h"
+
+// Where blocks leave the list of passes: the short ways, and the way a refused entry could go.
+
+namespace trc {
+namespace {
+
+// What LoopRemoval refuses, which leads that the tool does not fit into may be the cause of.
+bool may_be_of_leads(Code code) {
+  return code == Code::line_reversed || code == Code::arc_wrapped || code == Code::most_left_out;
+}
+
+}  // namespace
+
+std::size_t Compensator::Passes::run(std::span<Block> blocks, std::vector<CompensatedBlock>& out) {
+  PathBlock* held = relevant_blocks.held();
+  PathBlock* open = transitions.open_block();
+  if (blocks.size() < ways.least_in || held == nullptr || open == nullptr) return 0;
+  if (diagnostics.stopped() || !short_way.may_begin(*open, *held) || !are_idle_for(*held)) return 0;
+  const std::size_t count = short_way.take(*open, *held, blocks, out);
+  if (count == 0) return 0;
+  relevant_blocks.go_on_from_held();
+  transitions.goes_on_behind(short_way.last_out());
+  return count;
+}
+
+bool Compensator::Passes::are_idle_for(const PathBlock& block) const {
+  return !relevant_blocks.counts_for_window(block) && rounded_input.ignores(block) &&
+         kerf_masking.ignores(block) && inside_corner.ignores(block) &&
+         contour_masking.ignores(block) &&
+         (short_way.goes_into_loop_removal() ||
+          (loop_removal.ignores(block) && bottlenecks.ignores(block)));
+}
+
+// Blocks that leave a selection as they came go straight into the result; where one does not, a few
+// go through the passes.
+bool Compensator::Passes::release(std::vector<CompensatedBlock>& out) {
+  checkpoint.pass();
+  const bool is_idle = path.blocks.empty() && bottlenecks.is_empty();
+  if (is_idle && ways.short_out && short_release.put_out(out, out.size() + some)) return true;
+  return loop_removal.release_some(path.blocks) && finish_path(Input::more, out);
+}
+
+void Compensator::Passes::help_with_entry() {
+  if (!setup.helps_with_entries || diagnostics.pending().empty()) return;
+  RefusedWay refused = std::exchange(refused_way, {});
+  if (may_be_of_leads(diagnostics.pending().back().code)) refused = loop_removal.refused_way();
+  const bool left_out = diagnostics.pending().back().code == Code::most_left_out;
+  if (refused.removes_loops && !refused.at_begin && !left_out) return;
+  if (refused.blocks.empty()) return;
+  const PathBlock* next = relevant_blocks.held();
+  const bool goes_on = !refused.leaves && !refused.target && !refused.removes_loops &&
+                       next != nullptr && next->role == Role::contour &&
+                       start_of(next->programmed.path) == end_of(refused.blocks.back().path);
+  if (goes_on) refused.blocks.push_back(next->programmed);
+  diagnostics.help_with_entry(selection::help_with(refused, setup));
+}
+
+}  // namespace trc

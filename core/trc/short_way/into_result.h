@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "core/base/tolerances.h"
+#include "core/nc/state/block.h"
+#include "core/trc/corner/corner.h"
+#include "core/trc/passes/reporting.h"
+#include "core/trc/result/compensated_block.h"
+#include "core/trc/short_way/at_corner.h"
+
+namespace trc {
+
+// The end of the short way where no loops are removed: Reporting.
+class IntoResult {
+ public:
+  IntoResult(const Tolerances& tolerances, Reporting& reporting)
+      : tolerances_(tolerances), reporting_(reporting) {}
+
+  // Puts out the block before the corner and what is inserted behind it. Returns false, and does
+  // nothing, where the passes have to do it: a contour violation, or what is out of range.
+  bool put_out(const AtCorner& at, const Joint& joint, std::vector<CompensatedBlock>& out);
+
+ private:
+  template <class Path>
+  bool put_out(const Path& path, const AtCorner& at, const Joint& joint,
+               std::vector<CompensatedBlock>& out);
+
+  Tolerances tolerances_;
+  Reporting& reporting_;
+  MotionBlock inserted_{};  // one after the other
+};
+
+}  // namespace trc
