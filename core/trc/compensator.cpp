@@ -136,7 +136,7 @@ struct Compensator::Passes {
             (loop_removal.ignores(block) && bottlenecks.ignores(block)));
   }
 
-  // What would do in place of the block that was refused. Looks for it once.
+  // What would do in place of the block that was refused (D-122). Looks for it once.
   void help_with_entry() {
     if (!setup.helps_with_entries || diagnostics.pending().empty()) return;
     selection::RefusedWay refused = std::exchange(refused_way, {});

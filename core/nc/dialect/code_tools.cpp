@@ -260,7 +260,7 @@ bool take_only_spindle_tool(Reading& reading) {
                                            Code::tool_unknown, "T" + std::to_string(tool));
 }
 
-// Sinumerik: T is the tool, D its edge; D0 is none.
+// Sinumerik: T is the tool, D its edge (D-138); D0 is none.
 bool choose_tool_of_edge(Reading& reading, ProgramLine& line, BlockWords& block) {
   CodeModes& modes = reading.code_modes;
   // A tool change chooses the first one; where M6 changes tools, T alone makes one ready (D-56).

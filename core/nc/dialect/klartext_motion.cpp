@@ -76,7 +76,7 @@ bool take_pole_across(Reading& reading, ProgramLine& line, const KlartextBlock& 
   return true;
 }
 
-// CC: the pole, also where it is told from where the tool stands.
+// CC: the pole, also where it is told from where the tool stands (D-131).
 bool take_klartext_pole(Reading& reading, ProgramLine& line, KlartextBlock& block) {
   const PlaneAxes axes = axes_of(reading.state.mode().plane);
   if (!block.tracking.empty())
@@ -145,7 +145,7 @@ bool find_polar_end(Reading& reading, ProgramLine& line, KlartextBlock& block, c
   return true;
 }
 
-// APPR and DEP.
+// APPR and DEP (D-129).
 bool lead_in_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block) {
   const PlaneAxes axes = axes_of(reading.state.mode().plane);
   const bool approaches = block.is(KlartextStatement::approach);
@@ -337,7 +337,7 @@ bool apply_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block) {
   if (!apply_klartext_modes(reading, line, block)) return false;
   const bool approaches = block.is(KlartextStatement::approach) && selects;
   const bool departs = block.is(KlartextStatement::departure) && reading.trc_active();
-  // IZ-3 from a height that is not known: outside of contours nothing hangs on it.
+  // IZ-3 from a height that is not known: outside of contours nothing hangs on it (D-127).
   const PlaneAxes plane = axes_of(reading.state.mode().plane);
   const bool plunges = block.is(KlartextStatement::straight) && !selects &&
                        !reading.contour_open() && block.end[plane.third] &&
