@@ -36,7 +36,7 @@ namespace fs = std::filesystem;
 
 enum class Result : std::uint8_t { not_begun, unchanged, done, refused, failed, interrupted };
 
-// A program, its result and its record.
+// A program, its result and its record (D-154).
 struct Item {
   std::string file{};
   std::string output{};

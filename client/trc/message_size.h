@@ -21,8 +21,8 @@ class MessageSize {
     return static_cast<std::size_t>(std::min<std::uint64_t>(most_bytes_, 64U * 1024U)) - 64;
   }
 
-  // Blocks: where a further one costs next to nothing, and more only adds delay; any server takes as
-  // many in a batch (D-58). A plain block takes 45 bytes, one with many axes is counted here.
+  // Blocks: where a further one costs next to nothing, and more only adds delay; any server takes
+  // as many in a batch (D-58). A plain block takes 45 bytes, one with many axes is counted here.
   [[nodiscard]] std::size_t blocks() const {
     return static_cast<std::size_t>(std::clamp<std::uint64_t>(most_bytes_ / 128, 1, 1024));
   }

@@ -59,7 +59,7 @@ void PathSession::work_off(std::uint64_t end, Answers& out) {
     Diagnostic& next = to_tell_[told++];
     const std::uint64_t item = next.source.index;
     compensate_before(std::min(item, compensated_before), out);
-    // Where nothing is selected, all that was given before an error is certain.
+    // Where nothing is selected, all that was given before an error is certain (D-144).
     if (next.severity == Severity::error && !program_.contour_open()) this->end(out);
     diagnostics_.report(std::move(next));
     // Errors that were found together are told together.

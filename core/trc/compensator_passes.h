@@ -93,7 +93,7 @@ struct Compensator::Passes {
   // Whether none of the passes that the short way leaves out is at work on the block.
   [[nodiscard]] bool are_idle_for(const PathBlock& block) const;
 
-  // What would do in place of the block that was refused. Looks for it once.
+  // What would do in place of the block that was refused (D-122). Looks for it once.
   void help_with_entry();
 
   // The passes that hold something. Nothing lies between them when a call has ended.

@@ -60,6 +60,11 @@ const FieldDescriptor* field_of(const Descriptor* type, const std::string& name)
   return nullptr;
 }
 
+// As Protobuf takes it without quotes. Of all else it says that it is no name, and where.
+bool begins_name(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '$';
+}
+
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
 class Reader {
@@ -95,7 +100,7 @@ class Reader {
         is_name_ = !open_.back().is_list;
       } else if (c == ':') {
         is_name_ = false;
-      } else if (is_name_ && !is_space(c)) {
+      } else if (is_name_ && begins_name(c)) {
         return place() + "a name stands in \"";
       }
       if (!is_space(json_[at_])) before_ = json_[at_];

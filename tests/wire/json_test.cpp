@@ -102,9 +102,9 @@ TEST(JsonFault, NamesThePlaceInTheText) {
   EXPECT_EQ(fault_of("{\"setup\":{\"toolRadius\":tru}}"), "line 1, column 24: this is no value");
   EXPECT_EQ(fault_of("{} x"), "line 1, column 4: something stands behind the end");
   // What stands there more than once is shown.
-  const std::string block = R"({"linear":{"end":{"x":1 "y":2},"feed":100}},)";
-  EXPECT_EQ(fault_of(R"({"batch":{"blocks":[)" + block + block + "]}}").rfind("at \"y\":2}", 0), 0U)
-      << fault_of(R"({"batch":{"blocks":[)" + block + block + "]}}");
+  const std::string block = R"({"linear":{"end":{"x":1 "y":2},"feed":100}})";
+  const std::string fault = fault_of(R"({"batch":{"blocks":[)" + block + "," + block + "]}}");
+  EXPECT_EQ(fault.rfind("at \"y\":2}", 0), 0U) << fault;
 }
 
 TEST(JsonFault, IsThereInGerman) {

@@ -298,6 +298,7 @@ bool move(Reading& reading, ProgramLine& line, MoveRequest& request) {
   request.feed = reading.feed_mode == 94 ? reading.feed : 0;
   if (reading.inch) scale(reading, request);
   // Of an arc of Fanuc that has both, R is what counts.
+  // R counts beside I and J (D-126).
   if (reading.dialect.name == DialectName::fanuc && request.radius) request.center = {};
   // Many post-processors write all three centre words.
   auto& across = request.center[axes_of(reading.state.mode().plane).third];

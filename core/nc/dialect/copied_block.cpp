@@ -48,7 +48,7 @@ void copy_for(GGroup group, AxisBits forget, BlockWords& block, NotWhileActive& 
 void copy_for_functions(Reading& reading, BlockWords& block, AxisBits named,
                         NotWhileActive& found) {
   const AxisBits third = main_axis_bit(axes_of(reading.state.mode().plane).third);
-  // G28 Z and G53 Z: the tool stays beside the contour, and the next line may end TRC.
+  // G28 Z and G53 Z: the tool stays beside the contour, and the next line may end TRC (D-135).
   const bool leaves_across = reading.dialect.name == DialectName::fanuc && named == third &&
                              !block.center && !block.to_skip &&
                              (block.of(single_move).is(28) || block.of(single_move).is(30) ||

@@ -63,12 +63,13 @@ void take_klartext_function(Reading& reading, int m, KlartextBlock& block) {
     case 109:
     case 110:
     case 111:
+      // M110 and CFIN where it makes the feed slower (D-125).
       block.adapts_feed = m == 109   ? FeedAdaptation::on
                           : m == 110 ? FeedAdaptation::inside
                                      : FeedAdaptation::off;
       break;
     case 120:
-      block.masks = false;  // LA says how far
+      block.masks = false;  // LA says how far (D-134)
       break;
     case 136:
       block.feed_per_turn = true;

@@ -16,7 +16,8 @@
 namespace trc {
 namespace {
 
-// Which line calls the section that a label begins, and which one makes it the contour of cycles.
+// Which line calls the section that a label begins, and which one makes it the contour of cycles
+// (D-132).
 void enter_section(Reading& reading, const std::string& label) {
   const bool ends = label == "0";
   if (ends)
@@ -32,7 +33,7 @@ void enter_section(Reading& reading, const std::string& label) {
 }
 
 // CALL LBL 1 runs the label to its LBL 0, CALL LBL 1 REP 3 all from the label to here. What a call
-// repeats is not written anew, so that no contour may be within it.
+// repeats is not written anew, so that no contour may be within it (D-133).
 bool call_label(Reading& reading, ProgramLine& line, std::size_t begin,
                 std::string_view statement) {
   const std::string label = label_of(line.text, begin, statement);

@@ -61,7 +61,7 @@ bool apply_klartext_modes(Reading& reading, ProgramLine& line, KlartextBlock& bl
   return reading.state.deselect(line.source) && (!ends || block.masks || mask(false));
 }
 
-// APPR and DEP.
+// APPR and DEP (D-129).
 bool lead_in_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block) {
   const PlaneAxes axes = axes_of(reading.state.mode().plane);
   const bool approaches = block.is(KlartextStatement::approach);
@@ -251,7 +251,7 @@ bool apply_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block) {
   if (!apply_klartext_modes(reading, line, block)) return false;
   const bool approaches = block.is(KlartextStatement::approach) && selects;
   const bool departs = block.is(KlartextStatement::departure) && reading.trc_active();
-  // IZ-3 from a height that is not known: outside of contours nothing hangs on it.
+  // IZ-3 from a height that is not known: outside of contours nothing hangs on it (D-127).
   const PlaneAxes plane = axes_of(reading.state.mode().plane);
   const bool plunges = block.is(KlartextStatement::straight) && !selects &&
                        !reading.contour_open() && block.end[plane.third] &&

@@ -9,7 +9,7 @@ namespace trc {
 
 inline constexpr double radians_per_degree = std::numbers::pi / 180;
 
-// CC: the pole, also where it is told from where the tool stands.
+// CC: the pole, also where it is told from where the tool stands (D-131).
 bool take_klartext_pole(Reading& reading, ProgramLine& line, KlartextBlock& block);
 
 // Where PR and PA lead from `start`, in the plane, mm.

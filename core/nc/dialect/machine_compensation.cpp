@@ -56,6 +56,7 @@ bool take_cycle_with_register(Reading& reading, ProgramLine& line, BlockWords& b
   return reading.diagnostics.report(std::move(warned));
 }
 
+// What they change is not known here (D-104).
 void take_parameters_of_control(Reading& reading, ProgramLine& line, BlockWords& block) {
   const bool begins = block.has(tool_data) && block.l_word &&
                       (block.l_word->value == 50 || block.l_word->value == 52);

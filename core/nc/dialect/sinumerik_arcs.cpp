@@ -215,6 +215,7 @@ bool resolve_references(Reading& reading, ProgramLine& line, BlockWords& block) 
          (!block.arc.is_through || take_point_between(reading, line, block));
 }
 
+// CT goes on where the programmed contour has led (D-103).
 bool take_tangent(Reading& reading, ProgramLine& line, BlockWords& block) {
   const PlaneAxes axes = axes_of(reading.state.mode().plane);
   MoveRequest& move = block.move;

@@ -10,7 +10,7 @@
 
 // Smooth approach and retraction of Sinumerik: G147 … G348 with DISR=, DISCL= and FAD=. Programming
 // manual of SINUMERIK ONE, 2.10.4: P0 is where the tool comes from or goes to, P4 where the contour
-// begins or ends, and the lead itself lies between P3 and P4.
+// begins or ends, and the lead itself lies between P3 and P4 (D-130).
 
 namespace trc {
 namespace {

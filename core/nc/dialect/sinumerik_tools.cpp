@@ -5,7 +5,7 @@
 
 #include "core/nc/dialect/tool_data.h"
 
-// Tools of Sinumerik and their edges: T is the tool, D its edge; D0 is none.
+// Tools of Sinumerik and their edges: T is the tool, D its edge (D-138); D0 is none.
 
 namespace trc {
 namespace {

@@ -41,7 +41,7 @@ bool ProgramState::refuse_open_lead() {
                 "APPR or G147, G247, G347 without a contour behind it");
 }
 
-// Only between motions of the contour itself, along which nothing else moves.
+// Only between motions of the contour itself, along which nothing else moves (D-124).
 bool ProgramState::check_corner(const MoveRequest& request, bool alone) {
   return !request.corner || request.corner->modal || (alone && is_in_contour()) ||
          refuse_corner(request.source);

@@ -132,7 +132,8 @@ bool ProgramState::set_tangfeed_minimum(double radius, const Source& source) {
 
 bool ProgramState::set_plane(Plane plane, const Source& source) {
   if (plane == programmed_plane()) return true;
-  // Behind a bare G40 the next straight motion leaves the contour first, in the plane of that.
+  // Behind a bare G40 the next straight motion leaves the contour first, in the plane of that
+  // (D-128).
   if (setup_.dialect != DialectName::isg && retract_pending_ && !mode_.active()) {
     next_plane_ = plane;
     return true;

@@ -182,6 +182,7 @@ bool ProgramState::move(const MoveRequest& request) {
   if (!find_end(request, end)) return refuse(request.source, end_out_of_range(request));
   if (!all_known())
     if (auto refusal = unknown_start(request)) return refuse(request.source, std::move(*refusal));
+  // 0 is none said; F0 is found where words are read (D-139).
   if (request.feed != 0 && !is_feed(request.feed))
     return report(request.source, Code::field_invalid, "feed", {{"feed", request.feed}});
   if (next_plane_ && is_circle(request.kind))
@@ -337,7 +338,7 @@ bool ProgramState::end(const Source& source) {
   if (lead_) return refuse_open_lead();
   if (corner_.is_asked_for()) return refuse_held_corner();
   corner_.release(blocks_);
-  // Both axes may have been led away by copied motions, such as G53 X0 Y0.
+  // Both axes may have been led away by copied motions, such as G53 X0 Y0 (D-142).
   const bool has_left = retract_is_lost() && std::ranges::none_of(beside_contour_, std::identity{});
   if (std::exchange(ended_, true) || !contour_open() || has_left) return !diagnostics_.stopped();
   const char* const ended = setup_.dialect == DialectName::heidenhain

@@ -15,7 +15,7 @@ namespace {
 // mm; a reader takes the start of a copied arc for the programmed one.
 constexpr double same_start = 1e-9;
 
-// Under a radius of 0, and as a whole.
+// Under a radius of 0 (D-119), and as a whole.
 bool is_programmed_path(const NcWriter::Meaning& meaning, const CompensatedBlock& block) {
   const bool may_be = block.origin == Origin::programmed || block.origin == Origin::approach ||
                       block.origin == Origin::retract;

@@ -70,7 +70,7 @@ std::optional<LoopExit> LoopExits::first_here(const PathPiece& piece,
 LoopExits::Stretch LoopExits::stretch_about(std::size_t obstacle, std::size_t at) const {
   const std::size_t begin =
       obstacle > path_.begin_of_contour() ? contour(obstacle - 1).block : path_.begin();
-  // Leads are in nobody's way: the path may leave the obstacle by any of them (D-38).
+  // Leads are in nobody's way: the path may leave the obstacle by any of them (D-38, D-137).
   std::size_t behind = obstacle + 1;
   while (behind < end_of_contour() && obstacles_.is_lead(behind)) ++behind;
   const std::size_t end = behind < end_of_contour() ? contour(behind).block + 1 : path_.end();

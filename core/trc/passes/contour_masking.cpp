@@ -196,7 +196,7 @@ std::optional<ContourMasking::Meeting> ContourMasking::meet(std::size_t before,
 }
 
 // In line, or the nearest meeting of the two equidistants; at an outside corner of two lines
-// the crossing of their extensions, as far as STRETCH_FACTOR lets them.
+// the crossing of their extensions, as far as STRETCH_FACTOR lets them (D-153).
 std::optional<PathBlock::Rejoin> ContourMasking::join_anew(std::size_t before_index,
                                                            std::size_t after_index) const {
   const PathBlock& before = held(before_index);
@@ -262,8 +262,8 @@ bool ContourMasking::mask_last_kept(std::size_t joining) {
   return true;
 }
 
-// The block at fault is the one that asks for the smallest tool; the first or last one, which could
-// not be masked, is mostly sound.
+// The block at fault is the one that asks for the smallest tool (D-146); the first or last one,
+// which could not be masked, is mostly sound.
 bool ContourMasking::refuse_to_mask(std::size_t first, std::size_t last) {
   std::size_t worst = last;
   std::optional<double> largest_radius;

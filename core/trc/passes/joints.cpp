@@ -101,6 +101,7 @@ JointResult approach(const PathBlock& before, const PathBlock& after, const Corn
 
 JointResult retract(const PathBlock& after, Selection mode, const Corner& corner,
                     const Tolerances& tolerances) {
+  // The transition is that of the block behind the corner (D-149).
   if (after.mode().tangential) {
     const Point& target = end_of(after.programmed.path);
     auto path =
@@ -210,8 +211,8 @@ Corner corner_between(const PathBlock& before, const PathBlock& after,
 
 JointResult joint_between(const PathBlock& before, const PathBlock& after, const Corner& corner,
                           const Tolerances& tolerances) {
-  // REVERSE: at a reversal both equidistants end in one point (rule 9), at any other corner the
-  // tool goes straight across it (D-22).
+  // REVERSE: at a reversal both equidistants end in one point (rule 9, D-141), at any other corner
+  // the tool goes straight across it (D-22).
   if (is_contour(before) && is_contour(after) && before.at_end.shift * after.at_start.shift < 0)
     return JoinedBlocks{.joint = turns_back(corner.before.tangent, corner.after.tangent, tolerances)
                                      ? tangential_joint(corner)

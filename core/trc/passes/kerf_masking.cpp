@@ -15,7 +15,7 @@ namespace {
 
 bool is_contour(const PathBlock& block) { return block.role == Role::contour; }
 
-// What a corner asks of a block. Under SUPPRESS_TRC the tool is as wide as ever here.
+// What a corner asks of a block. Under SUPPRESS_TRC (D-155) the tool is as wide as ever here.
 PathBlock outline_of(const PathBlock& block) {
   PathBlock outline;
   outline.programmed.path = block.programmed.path;

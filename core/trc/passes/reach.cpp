@@ -9,7 +9,7 @@
 namespace trc {
 namespace {
 
-// What a corner asks of a block, for another radius.
+// What a corner asks of a block, for another radius (D-145).
 PathBlock with_radius(const PathBlock& block, double radius) {
   PathBlock changed;
   changed.programmed.path = block.programmed.path;

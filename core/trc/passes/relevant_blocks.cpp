@@ -19,7 +19,8 @@ bool continues(const TrcMode& before, const TrcMode* after) {
   return after != nullptr && after->active() && after->selection_number == before.selection_number;
 }
 
-// Whether the mode takes the tool off the contour in the motion block after G40.
+// Whether the mode takes the tool off the contour in the motion block after G40. In dialects other
+// than ISG's one of no length does (D-123).
 bool retracts_in_a_block(Selection deselection) {
   return deselection != Selection::perpendicular && deselection != Selection::without_block;
 }
@@ -161,7 +162,8 @@ bool RelevantBlocks::continue_selection(PathBlock& block) {
   block.origin = Origin::programmed;
   if (counts_for_window(block)) count_for_window(block);
   if (mode.side == last_mode_->side) return true;
-  // Both sides of such a block lie on a contour: there is no free end to begin the arc of G05 at.
+  // Both sides of such a block lie on a contour: there is no free end to begin the arc of G05 at
+  // (D-151).
   if (mode.tangential) return refuse(Code::not_available, block, "G05 with a change of side");
   if (mode.selection == Selection::inside_corner)
     return refuse(Code::side_change_under_inside_corner, block);
@@ -206,7 +208,7 @@ void RelevantBlocks::keep_refused_approach(const MotionBlock& next) {
 }
 
 // Under G238 the tool is not at the end of the last block: where it leaves is for the whole
-// contour to say.
+// contour to say (D-152).
 void RelevantBlocks::keep_refused_retract(const PathBlock& retract) {
   if (last_mode_->selection == Selection::inside_corner ||
       end_of(last_path_) != start_of(retract.programmed.path))

@@ -347,7 +347,7 @@ void Transitions::change_radius_at_once(const Corner& corner, PathBlock& after,
 void Transitions::keep_refused_way(const Corner& corner, const PathBlock& after) {
   const PathBlock& before = *held_;
   const bool leaves = after.role == Role::retract;
-  // A change of side has a contour at both ends.
+  // A change of side has a contour at both ends (D-150).
   if (!leaves && before.role != Role::approach) return;
   const PathBlock& block = leaves ? after : before;
   refused_way_ = {.leaves = leaves,

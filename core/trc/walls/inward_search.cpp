@@ -85,7 +85,7 @@ class InwardSearch {
   [[nodiscard]] std::optional<Closing> result(std::span<const EndsMeeting> candidates) {
     if (!best_) return std::nullopt;
     end_before_lead_out();
-    stay_with_all_laps();
+    stay_with_all_laps();  // each may touch its own begin (D-136)
     Closing found = closing();
     found.overrun = overrun_to(contour_, *best_, candidates, tolerance_);
     return found;
