@@ -120,14 +120,11 @@ bool check_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block) {
         Code::nc_number);
   const bool active = reading.trc_active();
   const bool selects = block.side && *block.side != Side::off;
+  // The time of one block, which becomes several.
+  if (selects && block.feed_per_turn && !block.not_in_contour)
+    return refuse_klartext(reading, line, block.begin,
+                           "FT or FMAXT, no feed per minute, while TRC is active");
   const bool moves = block.is_motion() || block.is_lead() || block.is_corner();
-  const auto adapts_feed = [&] {
-    return block.adapts_feed.value_or(reading.state.mode().feed_adaptation) != FeedAdaptation::off;
-  };
-  if (block.open_feed && active && adapts_feed())
-    return refuse_klartext(
-        reading, line, *block.open_feed,
-        word_at(line, *block.open_feed) + ", no feed per minute, while TRC is active");
   if (block.to_skip && (block.masks || block.adapts_feed))
     return refuse_klartext(reading, line, block.begin,
                            "feeds or masking of a contour that may be skipped",
