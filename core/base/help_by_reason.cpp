@@ -147,10 +147,24 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Vor der Kontur G94 und einen Vorschub je Minute schreiben, dahinter G93 neu: die Sätze der "
      "Bahn sind anders lang."},
     {"with the feed at the contour (G11, CFC)",
-     "Write CFTCP in front of the contour: the feed at the tool centre; or a feed per minute, "
-     "G94.",
-     "Vor der Kontur CFTCP schreiben: der Vorschub an der Werkzeugmitte; oder einen Vorschub je "
-     "Minute, G94."},
+     "Write in front of the contour G10 of ISG, CFTCP of SINUMERIK: the feed at the tool centre; "
+     "or a feed per minute, G94.",
+     "Vor der Kontur G10 bei ISG, CFTCP bei SINUMERIK schreiben: der Vorschub an der "
+     "Werkzeugmitte; oder einen Vorschub je Minute, G94."},
+    {"no feed per minute", "Write the feed as a number per minute, before the contour begins.",
+     "Den Vorschub als Zahl je Minute schreiben, bevor die Kontur beginnt."},
+    {"MCALL of a subprogram", "Write the call behind each of the motions, in place of MCALL.",
+     "Statt MCALL den Aufruf hinter jede der Bewegungen schreiben."},
+    {"a contour of a cycle", "Write the contour of the cycle with numbers alone, behind M30.",
+     "Die Kontur des Zyklus nur mit Zahlen schreiben, hinter M30."},
+    {"SAVE of PROC",
+     "Take SAVE out, and program behind the call the functions that held in front of it.",
+     "SAVE streichen und hinter dem Aufruf die Funktionen programmieren, die davor galten."},
+    {"without an end in the plane: G140",
+     "Write one of the functions that it names, or an end with both axes of the plane.",
+     "Eine der genannten Funktionen schreiben, oder einen Endpunkt mit beiden Achsen der Ebene."},
+    {"only feeds per minute are followed", "Write G94 and a feed per minute in front of it.",
+     "Davor G94 und einen Vorschub je Minute schreiben."},
     {"not in the program",
      "Take it out where it does not move the axes of the plane: what runs beside the program is "
      "not followed.",

@@ -54,7 +54,7 @@ TEST(Conversion, SaysMotionsFeedsAndToolsInTheWordsOfTheOther) {
       "4 CC X+6 Y+5\n5 C X+16 DR+\n6 L Z+2 M30\n7 END PGM A MM\n";
   EXPECT_EQ(told(converted(klartext, DialectName::heidenhain, DialectName::sinumerik)), "");
   EXPECT_EQ(converted(klartext, DialectName::heidenhain, DialectName::sinumerik).text,
-            "G17 G71 G40 G90 G94\nT4 M6 S2000\nG00 X0 Y5 M3\nG01 X-4 F300 ; go\n"
+            "G17 G71 G40 G90 G94\nT4 M6 S2000\nD1\nG00 X0 Y5 M3\nG01 X-4 F300 ; go\n"
             "G03 X16 Y5 I10 J0\nG01 Z2 M30\n");
 }
 
@@ -198,6 +198,7 @@ TEST(Conversion, OfEveryPairOfDialectsIsTheSamePathTo1e6) {
                                        << written.text;
         ProgramSessionSetup read;
         read.session.program.dialect = to.name;
+        read.session.program.tools = program.tools;
         const ProgramRun again = to_blocks(converted.text, read);
         ASSERT_FALSE(again.stopped) << again.report() << converted.text;
         expect_same(moving(again.blocks, 1e-6), path, converted.text);
@@ -375,7 +376,7 @@ TEST(Conversion, TellsAllThatItRefusesAtOnce) {
   const std::string text =
       "G0 X1\nG54 G43 H1 Z5\nT1 G28 Z0 M6\nM6\nG81 X2 Z-3 R1\nG54\nG80\nG0 X1\nM30\n";
   EXPECT_EQ(told(converted(text, DialectName::fanuc, DialectName::heidenhain)),
-            "G54 2\nG43 2\nH1 2\nG28 3\nZ0 3\nG81 5\nX2 5\nZ-3 5\nR1 5\n");
+            "G54 2\nG28 3\nZ0 3\nG81 5\nX2 5\nZ-3 5\nR1 5\n");
 }
 
 // D0 ends what D has begun, and another edge of Sinumerik has another length.
@@ -396,6 +397,46 @@ TEST(Conversion, LeavesOutTheRegisterOfTheRadiusAlone) {
     EXPECT_EQ(written.text.find('D'), std::string::npos) << written.text;
     EXPECT_EQ(told(written), goes_on ? "" : word + " 2\n");
   }
+}
+
+// The length of a tool is in force where it was, by the word that the other control has for it.
+TEST(Conversion, KeepsTheLengthOfTheTool) {  // D-94
+  const std::string by_d = "T1 M6\nD1\nS1000 M3\nG0 X-20 Y-20\nZ5\nG1 Z-5 F100\nM30\n";
+  const auto to = [](const std::string& text, DialectName from, DialectName other) {
+    ProgramSetup setup;
+    setup.dialect = from;
+    setup.decimals = 3;
+    setup.tools = {{1, 5.0}, {2, 5.0}};
+    const ConvertedProgram written = convert_program(text, setup, other);
+    return told(written) + written.text;
+  };
+  using enum DialectName;
+  EXPECT_EQ(to(by_d, sinumerik, fanuc),
+            "G17 G21 G40 G90 G94\nT1 M6\nS1000 M3\nG00 X-20. Y-20.\nG00 Z5. G43 H1\n"
+            "G01 Z-5. F100.\nM30\n");
+  EXPECT_EQ(to(by_d, sinumerik, linuxcnc),
+            "G17 G21 G40 G90 G91.1 G94\nT1 M6\nG43 H1\nS1000 M3\nG00 X-20 Y-20\nG00 Z5\n"
+            "G01 Z-5 F100\nM30\n");
+  EXPECT_EQ(to(by_d, sinumerik, isg),
+            "G17 G71 G40 G90 G94 G162\nT1 M6\nD1\nS1000 M3\nG00 X-20 Y-20\nG00 Z5\n"
+            "G01 Z-5 F100\nM30\n");
+  const std::string klartext =
+      "BEGIN PGM A MM\nTOOL CALL 2 Z S900\nL X+0 Y+0 Z+5 R0 FMAX M3\nL Z-1 F100 M30\nEND PGM A "
+      "MM\n";
+  EXPECT_EQ(to(klartext, heidenhain, fanuc),
+            "G17 G21 G40 G90 G94\nT2 M6 S900\nG00 X0. Y0. Z5. M3 G43 H2\nG01 Z-1. F100. M30\n");
+  EXPECT_EQ(to(klartext, heidenhain, isg),
+            "G17 G71 G40 G90 G94 G162\nT2 M6 S900\nD2\nG00 X0 Y0 Z5 M3\nG01 Z-1 F100 M30\n");
+  const std::string by_g43 = "T1 M6\nG0 X1. Y2.\nG43 H1 Z5.\nG49 Z50.\nM30\n";
+  EXPECT_EQ(to(by_g43, fanuc, sinumerik),
+            "G17 G71 G40 G90 G94\nT1 M6\nG00 X1 Y2\nD1\nG00 Z5\nD0\nG00 Z50\nM30\n");
+  EXPECT_EQ(to(by_g43, fanuc, linuxcnc),
+            "G17 G21 G40 G90 G91.1 G94\nT1 M6\nG00 X1 Y2\nG43 H1\nG00 Z5\nG49\nG00 Z50\nM30\n");
+  EXPECT_EQ(to(by_g43, fanuc, heidenhain), "G49 4\n");
+  EXPECT_EQ(to("T1 M6\nG43 H2 Z5.\nM30\n", fanuc, heidenhain), "G43 H2 with another tool 2\n");
+  EXPECT_EQ(to("T1 M6\nH1 Z5.\nM30\n", fanuc, linuxcnc), "H1 2\n");
+  EXPECT_EQ(to("D1\nG0 Z5\nM30\n", sinumerik, fanuc), "D1, the length of a tool without its T 1\n");
+  EXPECT_EQ(to("T1 M6\nG18\nG0 Z5\nM30\n", sinumerik, fanuc), "G18 with the length of a tool 2\n");
 }
 
 TEST(Conversion, LeavesOutWhatSaysHowTrcGoes) {  // D-94

@@ -57,6 +57,31 @@ TEST(KlartextOff, LinesAlongOneAxis) {
   EXPECT_EQ(code_of("L X-20 Y-20 R0 FMAX\nL X+0 Y-10 RL F200\nZ-5\nL Y+40\nL X-20 R0\n"), 900003);
 }
 
+// The values that are given hold at the begin, as those that the program gives.
+TEST(KlartextOff, ParametersAreKnownFromTheSetup) {
+  ProgramSessionSetup setup = computing_setup(DialectName::heidenhain, 5);
+  const std::string text =
+      "BEGIN PGM A MM\nTOOL CALL 5 Z S5000\nL X-20 Y-20 R0 FMAX\n"
+      "L X+0 Y-10 RL F200\nL Y+Q10\nCHF Q4\nL X+40\nL X+60 R0\nEND PGM A MM\n";
+  const ProgramRun refused = run_computing(text, setup, Output::nc_text);
+  ASSERT_EQ(refused.diagnostics.size(), 2U) << refused.report();
+  EXPECT_EQ(refused.diagnostics[0].detail, "Y+Q10, a variable, while TRC is active");
+  EXPECT_EQ(refused.diagnostics[1].detail, "CHF Q4, a variable, while TRC is active");
+  setup.session.program.variables = {{"q10", 40}, {"Q4", 5}};
+  const ProgramRun known = run_computing(text, setup, Output::blocks);
+  ASSERT_FALSE(known.stopped) << known.report();
+  std::string numbers = text;
+  numbers.replace(numbers.find("+Q10"), 4, "+40").replace(numbers.find(" Q4"), 3, " 5");
+  EXPECT_EQ(known.blocks.size(), run_computing(numbers, setup, Output::blocks).blocks.size());
+}
+
+TEST(KlartextOff, TheTipOfTheToolIsLedAlongNoSide) {
+  const std::string tcpm = "FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS\n";
+  EXPECT_EQ(
+      code_of(tcpm + "L X-20 Y-20 R0 FMAX\nFUNCTION RESET TCPM\nL X-20 Y-20 R0 FMAX\n" + contour),
+      0);
+}
+
 TEST(KlartextOff, CyclesThatMoveAtOnce) {
   for (const std::string moving :
        {"TCH PROBE 0.0 REF. PLANE Q5 X-\nTCH PROBE 0.1 X+5 Y+0 Z-5\n",

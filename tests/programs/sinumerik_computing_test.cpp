@@ -206,6 +206,11 @@ TEST(SinumerikCalls, RepeatWithP) {
             "; L10\nX=1\n; L10\nX=2\n; L10\nX=3\nM30\n");
   EXPECT_EQ(flat("R1=0\nG0 X1 SUB P=1+1\nM30\n%_N_SUB_SPF\nG91 Y1\nRET\n"),
             "G0 X1\n; SUB\nG91 Y1\n; SUB\nG91 Y1\nM30\n");
+  // The order of words is free.
+  EXPECT_EQ(flat("N5 P2 L10 ; go\nM30\n%_N_L10_SPF\nX1\nM17\n"),
+            "N5 ; L10 ; go\nX1\n; L10\nX1\nM30\n");
+  EXPECT_EQ(flat("R1=2\nG0 P=R1 X1 SUB\nM30\n%_N_SUB_SPF\nG91 Y1\nRET\n"),
+            "G0 X1\n; SUB\nG91 Y1\n; SUB\nG91 Y1\nM30\n");
 }
 
 TEST(SinumerikCalls, FindGivenSubprograms) {
@@ -233,6 +238,28 @@ TEST(SinumerikPrograms, EndWhereTheyReturn) {
   EXPECT_EQ(flat("R1=1\nG0 X=R1\nN9 RET\nX2\n"), "G0 X=1\nN9 M17\n");
   EXPECT_EQ(flat("R1=1\nG0 X=R1 M30\nX2\n"), "G0 X=1 M30\n");
   EXPECT_EQ(flat("PROC MAIN\nG0 X1\nM17\n"), "G0 X1\nM17\n");
+}
+
+// Cycles look for their contours in the program.
+TEST(SinumerikPrograms, KeepTheContoursOfTheirCycles) {
+  const std::string behind =
+      "E_LAB_A_1: ;#SM Z:3\n;#7__DlgK\nG17 G90 DIAMOF;*GP*\nG0 X0 Y0 ;*GP*\nG1 X100 ;*GP*\n"
+      "Y50 RND=5 ;*GP*\nE_LAB_E_1:\n";
+  EXPECT_EQ(flat("R1=3\nCYCLE62(,2,\"E_LAB_A_1\",\"E_LAB_E_1\")\nG0 X=R1\nM30\n" + behind),
+            "CYCLE62(,2,\"E_LAB_A_1\",\"E_LAB_E_1\")\nG0 X=3\nM30\n" + behind);
+  EXPECT_EQ(flat("CYCLE62(,2,\"E_LAB_A_1\",\"E_LAB_E_1\")\nR1=3\nG0 X=R1\nM30\n" + behind),
+            "CYCLE62(,2,\"E_LAB_A_1\",\"E_LAB_E_1\")\nG0 X=3\nM30\n" + behind);
+  EXPECT_EQ(flat("R1=3\nCYCLE62(\"1\",1,,)\nG0 X=R1\nM30\nX7\n" + behind + "X8\n"),
+            "CYCLE62(\"1\",1,,)\nG0 X=3\nM30\n" + behind);
+  EXPECT_EQ(flat("R1=3\nCYCLE72(\"E_LAB_A_1:E_LAB_E_1\",100)\nG0 X=R1\nM30\n" + behind),
+            "CYCLE72(\"E_LAB_A_1:E_LAB_E_1\",100)\nG0 X=3\nM30\n" + behind);
+  const std::string contour = "%_N_KON_SPF\n;$PATH=/_N_WKS_DIR\nG0 X0 Y0\nG1 X100\nM17\n";
+  EXPECT_EQ(flat("%_N_MAIN_MPF\nR1=3\nCYCLE62(\"KON\",0,,)\nSUB1\nG0 X=R1\nM30\n" + contour +
+                 "%_N_SUB1_SPF\nG0 Z50\nM17\n"),
+            "%_N_MAIN_MPF\nCYCLE62(\"KON\",0,,)\n; SUB1\nG0 Z50\nG0 X=3\nM30\n" + contour);
+  EXPECT_EQ(flat("R1=3\nCYCLE62(\"KON\",0,,)\nG0 X=R1\nRET\nPROC KON\nG1 X100\nRET\n"),
+            "CYCLE62(\"KON\",0,,)\nG0 X=3\nM17\nPROC KON\nG1 X100\nRET\n");
+  EXPECT_EQ(flat("R1=3\nMSG(\"KON\")\nG0 X=R1\nM30\n" + contour), "MSG(\"KON\")\nG0 X=3\nM30\n");
 }
 
 TEST(SinumerikPrograms, WithoutAnythingToComputePassAsTheyStand) {
@@ -299,7 +326,19 @@ TEST(SinumerikRefusals, NameWhatCannotBeFollowed) {
       {"SUB\nM30\nPROC SUB SAVE\nG0 X1\nRET\n", Code::nc_unsupported, 1, "SAVE of PROC SUB"},
       {"SUB\nM30\n%_N_SUB_SPF\nM30\n", Code::nc_unsupported, 4, "M30 in a subprogram"},
       {"MCALL SUB\nM30\n%_N_SUB_SPF\nRET\n", Code::nc_unsupported, 1, "MCALL of a subprogram"},
+      {"MCALL L77\nM30\n%_N_L77_SPF\nRET\n", Code::nc_unsupported, 1, "MCALL of a subprogram"},
+      {"G0 X1\nN5 MCALL L77 P2\nX5\nMCALL\nM30\n%_N_L77_SPF\nZ1\nM17\n", Code::nc_unsupported, 2,
+       "MCALL of a subprogram"},
+      {"P2 MCALL L77\nM30\n%_N_L77_SPF\nRET\n", Code::nc_unsupported, 1, "MCALL of a subprogram"},
+      {"P2 L77 P3\nM30\n%_N_L77_SPF\nRET\n", Code::expression_invalid, 1,
+       "P2, a second count of a call"},
       {"R1=1\nRET(\"LA\")\n", Code::nc_unsupported, 2, "RET with a target"},
+      {"R1=1\nCYCLE62(\"KON\",0,,)\nM30\nPROC KON\nG1 X=R1\nRET\n", Code::nc_unsupported, 5,
+       "a contour of a cycle that computes"},
+      {"R1=1\nCYCLE62(,2,\"LA\",\"LB\")\nLA: G1 X1\nLB:\nM30\n", Code::nc_unsupported, 3,
+       "a contour of a cycle that the program runs through"},
+      {"R1=1\nCYCLE62(\"KON\",0,,)\nG0 X5\n%_N_KON_SPF\nG1 X1\nM17\n", Code::block_structure, 3,
+       "a contour of a cycle behind a program without M30"},
       {"SUB(1,2)\nM30\nPROC SUB(REAL A1)\nRET\n", Code::value_invalid, 1,
        "SUB with more values than it takes"},
   };

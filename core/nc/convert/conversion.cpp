@@ -43,6 +43,10 @@ class Conversion {
   bool write_line(const ProgramLine& line, std::vector<Block>& blocks);
   void write_text(const std::string& text, RoleSet roles = 0);
   bool write_tool(const ProgramLine& line, PlainWords& words);
+  bool take_length(const ProgramLine& line, const PlainWords& words);
+  [[nodiscard]] bool waits_for_motion(const ProgramLine& line,
+                                      const std::vector<Block>& blocks) const;
+  [[nodiscard]] std::string length_word();
   bool write_motions(const ProgramLine& line, const std::vector<Block>& blocks,
                      const std::string& words, const std::string& comment);
   [[nodiscard]] LinePointer line_of_motion(const ProgramLine& line, std::string_view words,
@@ -64,6 +68,11 @@ class Conversion {
   Position place_;
   Plane plane_;
   std::int64_t tool_ = 0;  // of T, until it is loaded
+  // The tool in the spindle, where the program has said it, and the one made ready.
+  std::optional<std::int64_t> loaded_{};
+  std::optional<std::int64_t> ready_{};
+  std::int64_t length_ = 0;           // of this tool is in force; 0: none
+  bool has_length_to_write_ = false;  // the output has another one
   bool has_feed_ = false;
   bool ended_ = false;
 };
@@ -127,6 +136,46 @@ bool Conversion::write_tool(const ProgramLine& line, PlainWords& words) {
     write_text("TOOL CALL " + (words.loads_tool ? std::to_string(tool_) + " " : std::string()) +
                "Z" + (words.speed.empty() ? "" : " S" + words.speed));
   return true;
+}
+
+// Which length counts from the line on. SINUMERIK and HEIDENHAIN take that of the tool with its
+// change, the others by a word of their own.
+bool Conversion::take_length(const ProgramLine& line, const PlainWords& words) {
+  const bool comes_with_tool =
+      setup_.dialect == DialectName::sinumerik || setup_.dialect == DialectName::heidenhain;
+  if (words.tool) ready_ = words.tool;
+  if (words.loads_tool && ready_) loaded_ = ready_;
+  if (words.next_tool) ready_ = words.next_tool;
+  std::optional<std::int64_t> wanted = words.length;
+  if (words.begins_length && !wanted) wanted = loaded_;
+  if (words.ends_length && length_ != 0) wanted = 0;
+  if (comes_with_tool && words.loads_tool) wanted = loaded_;
+  if (words.names_edge && !loaded_ && to_.name != DialectName::sinumerik && !klartext_)
+    return words_.fail(line, "D1, the length of a tool without its T");
+  if (words.begins_length && !wanted) return words_.fail(line, "G43 without the number of a tool");
+  if (!wanted) return true;
+  // There the length is that of the tool in the spindle, and of no other.
+  const bool takes_own = klartext_ || to_.name == DialectName::sinumerik;
+  if (takes_own && *wanted != 0 && *wanted != loaded_)
+    return words_.fail(line, "G43 H" + std::to_string(*wanted) + " with another tool");
+  if (klartext_ && *wanted == 0 && words.ends_length) return words_.fail(line, "G49");
+  length_ = *wanted;
+  has_length_to_write_ = !klartext_;
+  return true;
+}
+
+std::string Conversion::length_word() {
+  has_length_to_write_ = false;
+  const std::string number = std::to_string(length_);
+  if (to_.name == DialectName::sinumerik) return length_ == 0 ? "D0" : "D1";
+  if (to_.name == DialectName::isg) return "D" + number;
+  return length_ == 0 ? "G49" : "G43 H" + number;
+}
+
+// FANUC: G43 in a block by itself moves some machines by the length, so that it stands beside the
+// next Z, as people write it.
+bool Conversion::waits_for_motion(const ProgramLine& line, const std::vector<Block>& blocks) const {
+  return to_.name == DialectName::fanuc && (blocks.empty() || (axes_named(line) & 4) == 0);
 }
 
 AxisSet Conversion::axes_named(const ProgramLine& line) const {
@@ -214,17 +263,33 @@ bool Conversion::write_line(const ProgramLine& line, std::vector<Block>& blocks)
     plane_ = *words.plane;
     write_text(std::string(name_of(plane_)), bit(WordRole::mode));
   }
-  if (!write_tool(line, words) || !said) return false;
+  const bool takes_length = said && take_length(line, words);
+  if (!write_tool(line, words) || !said || !takes_length) return false;
+  // The control turns the length with the plane.
+  if (plane_ != Plane::xy && length_ != 0 && setup_.dialect == DialectName::sinumerik)
+    return words_.fail(line, std::string(name_of(plane_)) + " with the length of a tool");
   std::string text = spelled(words);
   const std::string comment = spelled_comment(std::move(words.comment), to_.name);
   std::erase_if(blocks, [](const Block& block) {
     const auto* passive = std::get_if<PassiveBlock>(&block);
     return passive != nullptr && !passive->text.empty();
   });
+  const bool on_arc = std::ranges::any_of(blocks, [](const Block& block) {
+    const auto* motion = std::get_if<MotionBlock>(&block);
+    return motion != nullptr && is_arc(motion->path);
+  });
+  std::string length;
+  if (has_length_to_write_ && !waits_for_motion(line, blocks)) length = length_word();
+  if (!length.empty() && on_arc && to_.name == DialectName::fanuc)
+    return words_.fail(line, length + " in an arc");
+  if (!length.empty() && !blocks.empty() && (words.loads_tool || to_.name == DialectName::fanuc))
+    text += (text.empty() ? "" : " ") + std::exchange(length, {});
+  if (!length.empty() && !blocks.empty()) write_text(std::exchange(length, {}));
   if (blocks.empty()) {
     if (!text.empty() && !comment.empty()) text += ' ';
     text += comment;
     if (!text.empty()) write_text(text);
+    if (!length.empty()) write_text(length);
   } else if (!write_motions(line, blocks, text, comment)) {
     return false;
   }

@@ -103,6 +103,24 @@ bool PlainWordsReader::read_tool_call(const ProgramLine& line, std::string_view 
   return true;
 }
 
+// G43 H2, G49, D2 of ISG and D1 of SINUMERIK: whether the word says which length counts.
+bool PlainWordsReader::read_length(std::string_view word, PlainWords& words) const {
+  // An edge of Sinumerik has a length of its own, and without a tool there is none. The D of the
+  // others is that of the radius, which has been compensated.
+  if (const std::int64_t edge = whole_behind(word, 'D');
+      edge == 1 || (edge > 1 && from_.name != DialectName::sinumerik)) {
+    words.names_edge |= from_.name == DialectName::sinumerik;
+    if (from_.name == DialectName::isg) words.length = edge;
+    return true;
+  }
+  if (from_.name != DialectName::fanuc && from_.name != DialectName::linuxcnc) return false;
+  words.begins_length |= word == "G43";
+  words.ends_length |= word == "G49";
+  const std::int64_t offset = whole_behind(word, 'H');
+  if (offset >= 0) words.length = offset;
+  return word == "G43" || word == "G49" || offset >= 0;
+}
+
 bool PlainWordsReader::read_technology(const ProgramLine& line, std::string_view given,
                                        PlainWords& words) {
   const std::string word = in_capitals(given);
@@ -122,11 +140,7 @@ bool PlainWordsReader::read_technology(const ProgramLine& line, std::string_view
     words.loads_tool |= changes_by_t_;
     return true;
   }
-  // The radius of D has been compensated. An edge of Sinumerik has a length of its own, and without
-  // a tool there is none.
-  if (const std::int64_t edge = whole_behind(word, 'D');
-      edge == 1 || (edge > 1 && from_.name != DialectName::sinumerik))
-    return true;
+  if (read_length(word, words)) return true;
   const std::int64_t m = whole_behind(word, 'M');
   if (m == 6) {
     words.loads_tool = true;
@@ -168,7 +182,8 @@ bool PlainWordsReader::read(const ProgramLine& line, PlainWords& words) {
     return fail(line, "G50 with S, a limit of the speed");
   bool said = true;
   for (const WordRange& range : line.words) said &= read_word(line, range, words);
-  return said;
+  const bool is_alone = words.length && !words.begins_length && from_.name != DialectName::isg;
+  return is_alone ? fail(line, "H" + std::to_string(*words.length)) : said;
 }
 
 bool PlainWordsReader::read_word(const ProgramLine& line, const WordRange& range,

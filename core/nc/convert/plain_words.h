@@ -28,6 +28,12 @@ struct PlainWords {
   std::optional<std::int64_t> tool{};
   std::optional<std::int64_t> next_tool{};  // T2 M6 T3: made ready behind the change
   bool loads_tool = false;
+  // Of the length of a tool: G43, the number behind its H or behind the D of ISG; D1 of SINUMERIK;
+  // G49.
+  bool begins_length = false;
+  std::optional<std::int64_t> length{};
+  bool names_edge = false;
+  bool ends_length = false;
   std::string comment{};  // its text
   std::optional<Plane> plane{};
   bool ends_program = false;
@@ -54,6 +60,7 @@ class PlainWordsReader {
   bool read_word(const ProgramLine& line, const WordRange& range, PlainWords& words);
   bool read_mode(const ProgramLine& line, std::string_view given, PlainWords& words);
   bool read_technology(const ProgramLine& line, std::string_view given, PlainWords& words);
+  bool read_length(std::string_view word, PlainWords& words) const;
   bool read_tool_call(const ProgramLine& line, std::string_view given, PlainWords& words);
 
   const Dialect& from_;

@@ -75,6 +75,10 @@ bool read_klartext_feed(Reading& reading, const KlartextWord& word, ProgramLine&
     return refuse_klartext(reading, line, word.begin, text, Code::nc_word_twice);
   block.feed = {.value = word.value, .begin = word.begin};
   const bool of_the_corner = block.is_corner();
+  // The feed of the contour would not come back behind it.
+  if (of_the_corner && reading.klartext_modes.feed_per_turn && reading.contour_open())
+    return refuse_klartext(reading, line, word.begin,
+                           text + ", no feed per minute, while TRC is active");
   add(line, word,
       reading.klartext_modes.feed_per_turn      ? WordRole::technology
       : of_the_corner && reading.contour_open() ? WordRole::trc

@@ -155,13 +155,10 @@ bool check_feed_of_klartext(Reading& reading, const ProgramLine& line, const Kla
         reading, line, block.feed->begin,
         word_at(line, block.feed->begin) + ", more than 0 and at most 1000000000 mm/min",
         Code::nc_number);
-  const auto adapts_feed = [&] {
-    return block.adapts_feed.value_or(reading.state.mode().feed_adaptation) != FeedAdaptation::off;
-  };
-  if (block.open_feed && reading.trc_active() && adapts_feed())
-    return refuse_klartext(
-        reading, line, *block.open_feed,
-        word_at(line, *block.open_feed) + ", no feed per minute, while TRC is active");
+  // The time of one block, which becomes several.
+  if (block.selects() && block.feed_per_turn && !block.not_in_contour)
+    return refuse_klartext(reading, line, block.begin,
+                           "FT or FMAXT, no feed per minute, while TRC is active");
   return true;
 }
 

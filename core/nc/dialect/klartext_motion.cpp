@@ -16,6 +16,8 @@
 #include "core/nc/dialect/klartext_tools.h"
 #include "core/nc/dialect/left_contour.h"
 #include "core/nc/dialect/reading.h"
+#include "core/nc/text/characters.h"
+#include "core/nc/text/words.h"
 
 // What a block of Klartext that may move does.
 
@@ -105,7 +107,8 @@ bool lead_in_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block)
            leave_out_bottlenecks(reading, false, line.source);
   }
   // LCT has its feed all the way, the others from where the lead begins on (D-86).
-  const bool has_own_feed = block.feed && block.lead.form == Lead::Form::arc_and_line;
+  const bool says_feed = block.feed || block.open_feed || block.called_feed;
+  const bool has_own_feed = says_feed && block.lead.form == Lead::Form::arc_and_line;
   MoveRequest way = request;
   if (!has_own_feed) {
     way.kind = reading.klartext_modes.rapid ? MotionKind::rapid : MotionKind::linear;
@@ -239,6 +242,36 @@ void forget_what_copied_block_moves(Reading& reading, ProgramLine& line, const K
   if (block.feed_per_turn || block.has_variable()) reading.feed = 0;
 }
 
+// A lead may become several blocks: what acts at the end of its block comes behind the last one.
+void stop_behind_lead(ProgramLine& line) {
+  for (WordRange& word : line.words) {
+    if (word.role != WordRole::technology) continue;
+    const std::string text = in_upper_case(line.word(word));
+    double number = 0;
+    bool whole = false;
+    if (text.front() != 'M' ||
+        read_number(without_blanks_in_front(text.substr(1)), number, whole) == 0)
+      continue;
+    if (number == 5 || number == 6 || number == 9) word.role = WordRole::stop;
+  }
+  line.sum_up_roles();
+}
+
+// M109 and M110 change the feed where the path is longer or shorter than the contour, for which
+// its value has to be known.
+bool check_adapted_feed(Reading& reading, ProgramLine& line, const KlartextBlock& block,
+                        bool selects) {
+  const FeedAdaptation adaptation = reading.state.mode().feed_adaptation;
+  const double feed = reading.klartext_modes.feed_per_turn ? 0 : reading.feed;
+  const bool in_contour = selects || reading.trc_active();
+  const bool moves = block.is_motion() || block.is_lead() || block.adapts_feed;
+  if (adaptation == FeedAdaptation::off || feed != 0 || !in_contour || !moves || block.rapid)
+    return true;
+  return refuse_klartext(reading, line, block.open_feed.value_or(block.begin),
+                         std::string(adaptation == FeedAdaptation::on ? "M109" : "M110") +
+                             ", no feed per minute, while TRC is active");
+}
+
 }  // namespace
 
 bool apply_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block) {
@@ -248,7 +281,9 @@ bool apply_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block) {
   const bool corner = block.is_corner();
   const bool beside_corner = corner || reading.klartext_modes.open_corner.source.line > 0;
   if (beside_corner && !check_corner_before(reading, line, block, selects)) return false;
-  if (!apply_klartext_modes(reading, line, block)) return false;
+  if (!apply_klartext_modes(reading, line, block) ||
+      !check_adapted_feed(reading, line, block, selects))
+    return false;
   const bool approaches = block.is(KlartextStatement::approach) && selects;
   const bool departs = block.is(KlartextStatement::departure) && reading.trc_active();
   // IZ-3 from a height that is not known: outside of contours nothing hangs on it (D-127).
@@ -272,6 +307,7 @@ bool apply_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block) {
         word.role = WordRole::technology;
     line.sum_up_roles();
   }
+  if (departs) stop_behind_lead(line);
   if (line.has(WordRole::technology) && !pass_words(reading, line, WordRole::technology))
     return false;
   if (copied) {

@@ -223,6 +223,8 @@ bool has_side(std::string_view statement) {
        at = statement.find('R', at + 1)) {
     const std::string_view side = statement.substr(at, 2);
     if ((side != "RL" && side != "RR") || !ends_word(statement, at + 2)) continue;
+    // PATHCTRL AXIS of FUNCTION TCPM.
+    if (statement.substr(0, at).ends_with(" PATHCT")) continue;
     // A program may be called so.
     const std::string_view in_front = statement.substr(0, statement.rfind(' ', at) + 1);
     if (!in_front.ends_with(" PGM ") && in_front != "PGM CALL ") return true;

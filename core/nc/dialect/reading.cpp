@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/nc/text/characters.h"
 #include "core/nc/text/slip.h"
 
 // What holds at the begin of a program, and how what cannot be read is told: its place, what was
@@ -45,6 +46,10 @@ Reading::Reading(const ReaderLimits& limits_of_text, ProgramState& state_of_prog
   if (dialect.name == DialectName::heidenhain) {
     absolute_center = true;
     state.set_absolute_center(true);
+    for (const auto& [name, value] : state.setup().variables) {
+      const std::string parameter = in_upper_case(name);
+      if (parameter.starts_with('Q')) klartext_modes.parameters[parameter] = value;
+    }
   }
   axis_of_letter.fill(-1);
   for (const char main : {'X', 'Y', 'Z'})

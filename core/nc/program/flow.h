@@ -108,6 +108,8 @@ class Flow {
   void forget_values();
   // Where lines lie ahead they are passed over, whatever holds: a subprogram that is defined here.
   void pass_over(std::size_t line) { passed_over_ = line; }
+  // Whether the line of that text was executed, or looked at.
+  [[nodiscard]] bool was_seen(const Frame& frame, std::size_t line) const;
 
   [[nodiscard]] Frame& frame() { return frames_.back(); }
   [[nodiscard]] const ProgramText& text_of(const Frame& frame) const { return texts_[frame.text]; }
@@ -173,7 +175,6 @@ class Flow {
   };
   Step look_at_next(std::string& flat);
   void see_line(bool seen);
-  [[nodiscard]] bool was_seen(const Frame& frame, std::size_t line) const;
 
   std::map<std::string, double, std::less<>> given_{};
   std::uint64_t executed_ = 0;

@@ -41,6 +41,9 @@ SinumerikFlow::SinumerikFlow(const ProgramSetup& setup, CallPlaces& calls, Progr
     add_units(texts_.size() - 1);
   }
   find_what_calls_are_given(main);
+  start_ = start;
+  for (std::size_t line = main.begin; line < start; ++line)
+    note_named_by_cycles(texts_.front().line(line));
   frames_.push_back({.begin = main.begin,
                      .end = main.end,
                      .next = start,
@@ -219,7 +222,7 @@ bool SinumerikFlow::end_of_frame(std::string& flat) {
 
 // What stands behind a label may be meant for other values, and so may a subprogram that nothing
 // has called. A second main program, with an end of its own, is not.
-bool SinumerikFlow::end_of_program(std::string& /*flat*/) {
+bool SinumerikFlow::end_of_program(std::string& flat) {
   ended_ = true;
   if (looks_ahead()) return true;
   const Frame& main = frames_.front();
@@ -233,7 +236,7 @@ bool SinumerikFlow::end_of_program(std::string& /*flat*/) {
     if (selects < unit.end && first_with('M', 2, 30, unit.begin, unit.end) < unit.end)
       return refuse_contour_behind_end(selects);
   }
-  return true;
+  return keep_named_parts(flat);
 }
 
 bool SinumerikFlow::refuse_word(Code code, std::size_t begin, std::size_t end,

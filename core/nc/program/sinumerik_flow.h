@@ -148,6 +148,8 @@ class SinumerikFlow : public Flow, private Variables {
   bool append_frame(std::size_t& at, std::string& text, bool& changes);
   bool append_value_of(std::size_t& at, std::string& text, bool& changes);
   bool scan_times(std::size_t& at, std::vector<Call>& calls);
+  bool read_times(std::size_t& at, Call& call);
+  bool complete_call(Call& call);
   bool scan_assignment(std::size_t& at);
   void keep(std::size_t begin, std::size_t end);
   void leave_out(std::size_t begin, std::size_t end);
@@ -176,6 +178,13 @@ class SinumerikFlow : public Flow, private Variables {
   void write_element(const std::string& name, std::size_t element);
   void write_values();
   void lose_values();
+
+  // sinumerik_contours.cpp: what cycles that pass name in the program.
+  void note_named_by_cycles(std::string_view written);
+  bool keep_named_parts(std::string& flat);
+  bool find_named_labels(const std::vector<std::string>& names, std::set<std::size_t>& lines);
+  void find_named_units(const std::vector<std::string>& names, std::set<std::size_t>& lines) const;
+  bool keep_part(std::size_t line, std::string& flat);
 
   // sinumerik_declarations.cpp
   bool define(std::string& flat);
@@ -217,6 +226,9 @@ class SinumerikFlow : public Flow, private Variables {
   // set since they were last written.
   std::set<std::string, std::less<>> kept_{};
   std::set<std::pair<std::string, std::size_t>> unwritten_elements_{};
+  std::size_t start_ = 0;  // the lines in front of it have passed as they stand
+  // What cycles that pass may name in the program: the texts among the values of each.
+  std::set<std::vector<std::string>> named_by_cycles_{};
   bool modal_call_reads_ = false;  // MCALL of what only the machine has
   // What FOR counts to, by the depth of calls and its line.
   std::map<std::pair<std::size_t, std::size_t>, double> counts_{};
@@ -225,12 +237,13 @@ class SinumerikFlow : public Flow, private Variables {
   std::string_view line_{};
   NamedHead head_{};
   std::vector<Piece> pieces_{};
-  bool has_computed_ = false;                  // an assignment, or a call
-  std::vector<std::string> calls_of_line_{};   // of what only the machine has
-  std::vector<std::string> given_to_calls_{};  // variables, which such a call may change
-  std::string called_{};                       // what they are given to
-  bool reads_variables_ = false;               // a call that stays may read them
-  bool begins_modal_call_ = false;             // MCALL
+  bool has_computed_ = false;                    // an assignment, or a call
+  std::vector<std::string> calls_of_line_{};     // of what only the machine has
+  std::vector<std::string> given_to_calls_{};    // variables, which such a call may change
+  std::string called_{};                         // what they are given to
+  bool reads_variables_ = false;                 // a call that stays may read them
+  bool begins_modal_call_ = false;               // MCALL
+  std::optional<std::size_t> times_in_front_{};  // the piece of P2 where no call was known yet
   std::string lost_to_{};  // the last of all of these, which may have set any R parameter
   // Where a variable is assigned a value that has the name of an address.
   std::optional<std::size_t> addressed_{};

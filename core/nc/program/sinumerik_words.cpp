@@ -38,6 +38,7 @@ bool SinumerikFlow::execute_words(std::string& flat) {
   given_to_calls_.clear();
   reads_variables_ = begins_modal_call_ = false;
   addressed_.reset();
+  times_in_front_.reset();
   std::vector<Call> calls;
   for (std::size_t at = behind_blanks(line_, head_.behind); at < line_.size();
        at = behind_blanks(line_, at)) {
@@ -49,6 +50,7 @@ bool SinumerikFlow::execute_words(std::string& flat) {
   }
   if (head_.to_skip && (has_computed_ || !calls.empty()))
     return refuse(Code::block_skip_undecided, 0, "/, a line to skip that computes");
+  if (!calls.empty() && !complete_call(calls.front())) return false;
   const bool calls_twice = calls.size() > 1 || (!calls.empty() && !calls_of_line_.empty());
   if (calls_twice)
     return refuse(Code::expression_invalid, calls.back().begin, "a second call in one line");
@@ -78,7 +80,9 @@ bool SinumerikFlow::execute_words(std::string& flat) {
   }
   if (!calls.empty()) return call(flat, calls.front());
   write_values();
+  const std::size_t begin_of_line = flat.size();
   write_words(flat);
+  note_named_by_cycles(std::string_view(flat).substr(begin_of_line));
   lose_values();
   if (returns) return return_from(flat);
   return !ends || end_of_program(flat);
@@ -214,6 +218,8 @@ bool SinumerikFlow::scan_address(std::size_t& at, std::vector<Call>& calls) {
     at = begin + 1;
     return scan_times(at, calls);
   }
+  // P2 L20: what it counts may stand behind it.
+  if (letter == 'P' && (length > 0 || has_value)) times_in_front_ = pieces_.size();
   if (has_value) {
     at = behind + 1;
     return scan_value(begin, at);
@@ -250,8 +256,27 @@ bool SinumerikFlow::scan_address(std::size_t& at, std::vector<Call>& calls) {
   return true;
 }
 
+// A subprogram under MCALL would be called behind each motion, not here. A count may stand in front
+// of what it counts, where it was taken for a word.
+bool SinumerikFlow::complete_call(Call& call) {
+  if (begins_modal_call_) return refuse(Code::nc_unsupported, call.begin, "MCALL of a subprogram");
+  if (!times_in_front_) return true;
+  const std::size_t place = *times_in_front_;
+  std::size_t at = pieces_[place].begin + 1;
+  if (!read_times(at, call)) return false;
+  pieces_[place].instead = std::string();
+  return true;
+}
+
 // P3, P=R1: how often what is called in the line is executed.
 bool SinumerikFlow::scan_times(std::size_t& at, std::vector<Call>& calls) {
+  const std::size_t begin = at - 1;
+  if (!read_times(at, calls.back())) return false;
+  leave_out(begin, end_without_blanks(line_, begin, at));
+  return true;
+}
+
+bool SinumerikFlow::read_times(std::size_t& at, Call& call) {
   const std::size_t begin = at - 1;
   ExpressionReader expression = expression_at(at);
   expression.pass_blanks();
@@ -263,8 +288,10 @@ bool SinumerikFlow::scan_times(std::size_t& at, std::vector<Call>& calls) {
   if (value.is_text || value.number < 1 || value.number > most ||
       value.number != std::round(value.number))
     return refuse_word(Code::value_invalid, begin, at, "");
-  calls.back().times = static_cast<std::uint64_t>(value.number);
-  leave_out(begin, end_without_blanks(line_, begin, at));
+  if (call.times)
+    return refuse_word(Code::expression_invalid, begin, end_without_blanks(line_, begin, at),
+                       ", a second count of a call");
+  call.times = static_cast<std::uint64_t>(value.number);
   return true;
 }
 
@@ -344,10 +371,6 @@ bool SinumerikFlow::scan_name(std::size_t& at, const std::string& name, std::vec
     if (at == 0) return refuse(Code::expression_invalid, begin, name + "( without )");
   }
   if (unit != nullptr) {
-    const bool is_modal = std::ranges::any_of(pieces_, [&](const Piece& piece) {
-      return in_upper_case(line_.substr(piece.begin, piece.end - piece.begin)) == "MCALL";
-    });
-    if (is_modal) return refuse(Code::nc_unsupported, begin, "MCALL of a subprogram");
     calls.push_back({.unit = unit, .begin = begin, .arguments = has_arguments ? next : 0});
     leave_out(begin, at);
     return true;

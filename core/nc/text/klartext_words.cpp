@@ -1,6 +1,7 @@
 #include "core/nc/text/klartext_words.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -25,6 +26,13 @@ std::size_t length_of_name(std::string_view letters) {
 bool takes_a_coordinate(std::string_view name) {
   if (name.starts_with('I') && name.size() == 2) name.remove_prefix(1);
   return name.size() == 1 && std::string_view("ABCUVWXYZ").find(name[0]) != std::string_view::npos;
+}
+
+// RND, CHF, R and the like, whose value may stand behind a blank.
+bool takes_a_size(std::string_view name) {
+  constexpr auto names = std::to_array<std::string_view>(
+      {"CCA", "CHF", "F", "LEN", "PA", "IPA", "PR", "IPR", "R", "RND"});
+  return std::ranges::find(names, name) != names.end();
 }
 
 // Q13, QL1
@@ -139,9 +147,9 @@ KlartextWord KlartextReader::named() {
   for (const char letter : block_.substr(begin, end - begin)) found.name += upper(letter);
   skip_blanks();
   const char sign = peek();
-  // F Q3, X Q1 of post-processors.
+  // F Q3, X Q1, CHF Q4 of post-processors.
   if (at_ > end && begins_parameter(block_.substr(at_)) &&
-      (takes_a_coordinate(found.name) || found.name == "F")) {
+      (takes_a_coordinate(found.name) || takes_a_size(found.name))) {
     at_ = behind_formula(block_, at_);
     found.kind = Kind::variable;
     found.end = static_cast<std::uint32_t>(at_);

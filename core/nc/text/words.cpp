@@ -345,7 +345,10 @@ Word WordReader::variable() {
   at_ = begin;
   std::string name = variable_name();
   if (name != "V.G.WZ_AKT.R" && name != "V.G.WZR")
-    return fail(Code::nc_unsupported, begin, name.append(", a variable"));
+    return fail(Code::nc_unsupported, begin,
+                name == "V.G.WZ" && peek() == '['
+                    ? "V.G.WZ[ ] beside other words: write it into a line of its own"
+                    : name.append(", a variable"));
   Word word{.kind = WordKind::variable, .begin = place_of(begin)};
   if (!skip_blanks() || peek() != '=')
     return fail(Code::nc_syntax, begin, name.append(" without ="));

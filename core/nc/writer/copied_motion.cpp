@@ -68,6 +68,7 @@ bool NcWriter::copy_motion(const Waiting& own, const CompensatedBlock& block, st
   if (is_arc(block.path) && line.plane != block.plane) return false;
   if (!block.rapid && block.feed > 0 && !own.line->has(WordRole::feed) && !has_feed(block))
     return false;
+  if (!own.line->has(WordRole::feed) && lacks_open_feed(block)) return false;
   if (line.klartext && !has_what_it_counts_on(line, block)) return false;
   after_.position = state_.position;
   after_.tracking = state_.tracking;

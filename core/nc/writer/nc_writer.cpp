@@ -263,12 +263,18 @@ void NcWriter::append_feed_and_rest(const CompensatedBlock& block) {
   const bool needs_feed = !block.rapid && block.feed > 0;
   if (needs_feed && !(own_ != nullptr && own_->line->has(WordRole::feed)) && !has_feed(block))
     append_feed(block.feed);
+  if (lacks_open_feed(block) && !(own_ != nullptr && own_->line->has(WordRole::feed))) {
+    words_.append(' ');
+    words_.append(open_feed_);
+    open_feed_holds_ = true;
+  }
   if (own_ == nullptr || (own_->line->roles & roles_behind) == 0) return;
   const ProgramLine& line = *own_->line;
   for (const WordRange& word : line.words) {
     if (word.role == WordRole::technology || word.role == WordRole::comment) {
       append(line, word);
     } else if (word.role == WordRole::feed) {
+      note_open_feed(line);
       // FMAX stands for the feed of its block; that of the line comes with the next one.
       if (klartext_ && block.rapid) continue;
       if (needs_feed && !motions_.same_feed(line.feed, block.feed, line.feed_in_inch)) {
@@ -291,11 +297,22 @@ bool NcWriter::has_feed(const CompensatedBlock& block) const {
 void NcWriter::append_feed(double feed) {
   motions_.append_feed(words_, feed, state_);
   feed_is_programmed_ = false;
+  open_feed_holds_ = false;
 }
 
 void NcWriter::enter_feed(const ProgramLine& line) {
   state_.feed = line.feed;
   feed_is_programmed_ = true;
+  note_open_feed(line);
+  open_feed_holds_ = true;
+}
+
+void NcWriter::note_open_feed(const ProgramLine& line) {
+  open_feed_.clear();
+  open_feed_holds_ = false;
+  if (!klartext_ || line.feed > 0) return;
+  const auto word = std::ranges::find(line.words, WordRole::feed, &WordRange::role);
+  open_feed_ = line.word(*word);
 }
 
 void NcWriter::write_plane(Plane plane, std::string& out) {

@@ -79,7 +79,8 @@ class NcWriter {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(state_, feed_is_programmed_, waiting_, first_, waiting_for_blocks_, silent_bytes_,
-            rewritten_index_, copied_index_, line_end_missing_, next_number_, numbered_, removed_);
+            rewritten_index_, copied_index_, line_end_missing_, next_number_, numbered_, removed_,
+            open_feed_, open_feed_holds_);
     serialize_line_end(archive, line_end_);
   }
 
@@ -147,6 +148,11 @@ class NcWriter {
   void append_feed_and_rest(const CompensatedBlock& block);
   void append_feed(double feed);
   void enter_feed(const ProgramLine& line);
+  void note_open_feed(const ProgramLine& line);
+  // Whether the block has a feed in whose place the reader of the output has another one.
+  [[nodiscard]] bool lacks_open_feed(const CompensatedBlock& block) const {
+    return !open_feed_.empty() && !open_feed_holds_ && !block.rapid && block.feed == 0;
+  }
   // Whether the feed of the block is in force without a word for it.
   [[nodiscard]] bool has_feed(const CompensatedBlock& block) const;
   void write_words(std::string_view line_end, std::string& out);
@@ -171,6 +177,10 @@ class NcWriter {
   WrittenState state_;
   WrittenState after_;              // of the line being judged
   bool feed_is_programmed_ = true;  // the last F word is one of the program
+  // The feed of the program where only the control knows its value, of Klartext: FQ5, FZ0.1. It is
+  // written anew behind a feed that holds for some blocks only.
+  std::string open_feed_{};
+  bool open_feed_holds_ = false;  // it is the last F word that has come out
   // A mode of TRC that is in force in the program, and of which the output knows nothing.
   struct RemovedWord {
     char group = ' ';  // a later one of the same group takes its place

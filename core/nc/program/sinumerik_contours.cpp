@@ -1,0 +1,129 @@
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "core/nc/program/gcode_line.h"
+#include "core/nc/program/sinumerik_flow.h"
+#include "core/nc/text/characters.h"
+#include "core/nc/text/named_words.h"
+
+// Contours that cycles find in the program itself, by the names that they are given: CYCLE62 and
+// older cycles name labels or a subprogram. The flat program has them behind its end, where the
+// control looks for them as well.
+
+namespace trc::program {
+namespace {
+
+// A text of a cycle: NAME, /_N_WKS_DIR/_N_A_WPD/NAME.SPF, or BEGIN:END.
+void add_names(std::string_view text, std::vector<std::string>& names) {
+  text.remove_prefix(text.find_last_of("/\\") + 1);
+  while (!text.empty()) {
+    const std::size_t colon = std::min(text.find(':'), text.size());
+    std::string name = in_upper_case(text.substr(0, std::min(text.find('.'), colon)));
+    if (std::string plain = program_of_header("%" + name); !plain.empty()) name = std::move(plain);
+    names.push_back(std::move(name));
+    text.remove_prefix(std::min(colon + 1, text.size()));
+  }
+}
+
+// PROC and RET stand in what is no more than a list of motions, too.
+bool begins_or_ends(std::string_view word) { return word == "PROC" || word == "RET"; }
+
+// X=R1, which alone makes no program one that computes.
+bool has_variable(std::string_view line) {
+  NamedWordReader reader(line);
+  for (NamedWord word = reader.next(); word.kind != NamedWord::Kind::end; word = reader.next()) {
+    if (word.kind == NamedWord::Kind::fault) return false;
+    if (word.is_variable) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void SinumerikFlow::note_named_by_cycles(std::string_view written) {
+  for (std::size_t at = place_of_word(written, 0, "CYCLE", WordEnd::open);
+       at != std::string_view::npos; at = place_of_word(written, at + 1, "CYCLE", WordEnd::open)) {
+    const std::size_t open = behind_blanks(written, at + name_at(written, at).size());
+    if (sign_at(written, open) != '(') continue;
+    std::string_view values = written.substr(open, behind_bracket(written, open) - open);
+    std::vector<std::string> names;
+    for (std::size_t quote = values.find('"'); quote != std::string_view::npos;
+         quote = values.find('"')) {
+      values.remove_prefix(quote + 1);
+      const std::size_t end = std::min(values.find('"'), values.size());
+      add_names(values.substr(0, end), names);
+      values.remove_prefix(std::min(end + 1, values.size()));
+    }
+    if (!names.empty()) named_by_cycles_.insert(std::move(names));
+  }
+}
+
+// From the first of two labels up to the last one; what passed in front of the text is there.
+bool SinumerikFlow::find_named_labels(const std::vector<std::string>& names,
+                                      std::set<std::size_t>& lines) {
+  const Frame& main = frames_.front();
+  const auto& labels = outline_of(main).labels;
+  std::set<std::size_t> found;
+  for (const std::string& name : names)
+    for (const std::string& label : {name, "E_LAB_A_" + name, "E_LAB_E_" + name})
+      if (const auto known = labels.find(label); known != labels.end() && !name.empty())
+        found.insert(known->second.begin(), known->second.end());
+  if (found.size() < 2 || *found.rbegin() < start_) return true;
+  for (std::size_t line = *found.begin(); line <= *found.rbegin(); ++line) {
+    if (was_seen(main, line) || line < start_) {
+      frames_.front().current = line;
+      return refuse(Code::nc_unsupported, 0, "a contour of a cycle that the program runs through");
+    }
+    lines.insert(line);
+  }
+  return true;
+}
+
+void SinumerikFlow::find_named_units(const std::vector<std::string>& names,
+                                     std::set<std::size_t>& lines) const {
+  for (const Unit& unit : units_) {
+    const bool is_named = !unit.name.empty() && unit.text == 0 &&
+                          unit.begin >= frames_.front().end &&
+                          std::ranges::find(names, unit.name) != names.end();
+    if (!is_named) continue;
+    const bool has_header =
+        unit.begin > 0 && !program_of_header(texts_.front().line(unit.begin - 1)).empty();
+    for (std::size_t line = unit.begin - (has_header ? 1 : 0); line < unit.end; ++line)
+      lines.insert(line);
+  }
+}
+
+// The values of a line that computes are not there any more.
+bool SinumerikFlow::keep_part(std::size_t line, std::string& flat) {
+  const ProgramText& text = texts_.front();
+  const std::string_view content = text.line(line);
+  const NamedHead head = named_head_of(content);
+  const bool is_plain = begins_or_ends(name_at(content, head.behind)) ||
+                        (!sinumerik_computes(setup_, content.substr(head.behind)) &&
+                         !has_variable(content.substr(head.behind)));
+  if (!is_plain) {
+    frames_.front().current = line;
+    return refuse(Code::nc_unsupported, head.behind, "a contour of a cycle that computes");
+  }
+  flat.append(content).append(text.line_end(line).empty() ? line_end() : text.line_end(line));
+  return true;
+}
+
+bool SinumerikFlow::keep_named_parts(std::string& flat) {
+  std::set<std::size_t> lines;
+  for (const std::vector<std::string>& names : named_by_cycles_) {
+    if (!find_named_labels(names, lines)) return false;
+    find_named_units(names, lines);
+  }
+  if (lines.empty()) return true;
+  // Nothing has ended the program: they would be taken for a part of it.
+  if (flat.empty())
+    return refuse(Code::block_structure, 0, "a contour of a cycle behind a program without M30");
+  is_as_written_ = false;
+  for (const std::size_t line : lines)
+    if (!keep_part(line, flat)) return false;
+  return true;
+}
+
+}  // namespace trc::program
