@@ -74,7 +74,7 @@ inline std::string flat_of(const std::string& text, const ProgramSessionSetup& s
 // Code and line of the first error that stops the program; 0 and 0: none does.
 inline std::pair<int, unsigned> refusal_of(const std::string& text,
                                            const ProgramSessionSetup& setup) {
-  const ProgramRun ran = to_text(text, setup);
+  const ProgramRun ran = to_text(text, setup, 0, German::as_it_is);
   if (!ran.stopped || ran.diagnostics.empty()) return {};
   const auto first = std::ranges::find(ran.diagnostics, Severity::error, &Diagnostic::severity);
   return {static_cast<int>(first->code), first->source.line};

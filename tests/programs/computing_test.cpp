@@ -253,8 +253,8 @@ TEST(LinesOfAnyKind, GiveTheSameInPieces) {
     ProgramSessionSetup setup =
         computing_setup(round % 2 == 0 ? DialectName::fanuc : DialectName::linuxcnc);
     setup.session.program.max_executed_lines = 300;
-    const ProgramRun whole = to_text(text, setup);
-    const ProgramRun pieces = to_text(text, setup, 1 + pick(5));
+    const ProgramRun whole = to_text(text, setup, 0, German::as_it_is);
+    const ProgramRun pieces = to_text(text, setup, 1 + pick(5), German::as_it_is);
     ASSERT_EQ(pieces.text, whole.text);
     ASSERT_EQ(pieces.report(), whole.report());
     accepted += whole.stopped ? 0 : 1;

@@ -179,7 +179,7 @@ TEST(LinuxcncRefusals, NameTheirLine) {
   };
   for (const Refusal& refusal : refusals) {
     SCOPED_TRACE(refusal.text);
-    const ProgramRun ran = to_text(refusal.text, linuxcnc());
+    const ProgramRun ran = to_text(refusal.text, linuxcnc(), 0, German::as_it_is);
     ASSERT_EQ(ran.diagnostics.size(), 1u) << ran.report() << ran.text;
     EXPECT_EQ(ran.diagnostics[0].code, refusal.code) << ran.report();
     EXPECT_EQ(ran.diagnostics[0].source.line, refusal.line);

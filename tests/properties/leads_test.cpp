@@ -441,7 +441,7 @@ TEST(Leads, ChangeNothingBetweenTheTwoVisitsOfTheClosingPoint) {
     const Outcome bare = compensate(contour_of(ring), mode, feeding);
     if (bare.stopped) continue;
     const Outcome outcome = compensate(contour_of(leads.blocks), mode, feeding);
-    ASSERT_FALSE(outcome.stopped) << "seed " << seed << ": " << outcome.report();
+    ASSERT_FALSE(outcome.stopped) << "seed " << seed << ": " << message_of(*outcome.error());
     expect_same_walls(path_of(outcome), path_of(bare), ring, mode.tool_radius, 1e-6, 1e-6);
     if (::testing::Test::HasFailure())
       ADD_FAILURE() << "seed " << seed << '\n'

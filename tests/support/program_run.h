@@ -23,13 +23,16 @@ struct ProgramRun : Outcome {
   [[nodiscard]] std::string report() const;
 };
 
-// NC text out. The program is fed in pieces of `piece` bytes; 0: as a whole. The German texts of
-// the diagnostics are checked to hold no English word.
+// Whether the German texts of the diagnostics are checked to hold no English word. Words of a
+// program, which they quote, count as English where it writes them in small letters.
+enum class German { checked, as_it_is };
+
+// NC text out. The program is fed in pieces of `piece` bytes; 0: as a whole.
 [[nodiscard]] ProgramRun to_text(std::string_view program, ProgramSessionSetup setup = {},
-                                 std::size_t piece = 0);
+                                 std::size_t piece = 0, German german = German::checked);
 // Compensated blocks out; else as `to_text`.
 [[nodiscard]] ProgramRun to_blocks(std::string_view program, ProgramSessionSetup setup = {},
-                                   std::size_t piece = 0);
+                                   std::size_t piece = 0, German german = German::checked);
 
 // A setup whose NC text has coordinates of so many decimals.
 [[nodiscard]] ProgramSessionSetup with_decimals(int decimals);
