@@ -131,9 +131,8 @@ ProgramInfo describe_program(const std::string& program, ProgramSessionSetup set
   if (missing && !info.refused) found.insert(found.begin(), *missing);
   if (found.empty()) say("nothing to refuse");
   // What refuses it first, what only has to be looked at behind it.
-  std::ranges::stable_partition(found, [](const Diagnostic& diagnostic) {
-    return diagnostic.severity == Severity::error;
-  });
+  std::ranges::stable_partition(
+      found, [](const Diagnostic& diagnostic) { return diagnostic.severity == Severity::error; });
   std::string_view heading;
   for (const Diagnostic& diagnostic : found) {
     const bool refuses = info.refused && diagnostic.severity == Severity::error;
