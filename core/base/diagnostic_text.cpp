@@ -541,12 +541,11 @@ std::string help_of(const Diagnostic& diagnostic, Language language) {
                                                           " beside M98",
                                                           " beside G65",
                                                           " beside G66"};
-    const bool has_own_reason = std::ranges::any_of(own_reasons, [&](std::string_view reason) {
-      return diagnostic.detail.ends_with(reason);
-    });
+    const bool has_own_reason = std::ranges::any_of(
+        own_reasons, [&](std::string_view reason) { return diagnostic.detail.ends_with(reason); });
     // Klartext has words of its own for a place that is not known.
-    const bool is_of_klartext = diagnostic.words == ControlWords::klartext &&
-                                diagnostic.code == Code::position_unknown;
+    const bool is_of_klartext =
+        diagnostic.words == ControlWords::klartext && diagnostic.code == Code::position_unknown;
     const std::string_view by_reason =
         is_of_klartext ? std::string_view()
         : has_own_reason || std::ranges::find(of_words, diagnostic.code) != of_words.end()

@@ -1,12 +1,14 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
 #include <string>
 #include <utility>
 
 #include "tests/programs/computing.h"
 
-// Texts of Fanuc with several programs: what stands behind an O, where the main program is, and what
-// becomes of the others.
+// Texts of Fanuc with several programs: what stands behind an O, where the main program is, and
+// what becomes of the others.
 
 namespace trc::support::fanuc_programs {
 namespace {
@@ -28,10 +30,8 @@ std::string detail_of(const std::string& text, const ProgramSessionSetup& setup)
 
 TEST(FanucHeads, HaveWordsBehindThemThatAreExecuted) {
   const std::string main = "O1\nM98 P100\nM30\n";
-  EXPECT_EQ(flat(main + "O0100 G90 G1 X5. F300.\nM99\n"),
-            "O1\n(O0100)\nG90 G1 X5. F300.\nM30\n");
-  EXPECT_EQ(flat(main + ":0100 G90 G1 X5. F300.\nM99\n"),
-            "O1\n(O0100)\nG90 G1 X5. F300.\nM30\n");
+  EXPECT_EQ(flat(main + "O0100 G90 G1 X5. F300.\nM99\n"), "O1\n(O0100)\nG90 G1 X5. F300.\nM30\n");
+  EXPECT_EQ(flat(main + ":0100 G90 G1 X5. F300.\nM99\n"), "O1\n(O0100)\nG90 G1 X5. F300.\nM30\n");
   EXPECT_EQ(flat(main + "O0100 (SUB) N10 G91 G1 Z-1.\nM99\n"),
             "O1\n(O0100)\n(SUB) N10 G91 G1 Z-1.\nM30\n");
   EXPECT_EQ(flat(main + "O100N10G91G1Z-1.M99\n"), "O1\n(O0100)\nN10G91G1Z-1.\nM30\n");
@@ -66,9 +66,9 @@ const std::string main_program =
 
 // As a memory card has them, in the order of their numbers.
 TEST(FanucMainPrograms, MayStandBehindWhatTheyCall) {
-  const std::string behind = run_computing(main_program + "O0100 (SUB)\n" + contour + "M99\n",
-                                           fanuc(), Output::nc_text)
-                                 .text;
+  const std::string behind =
+      run_computing(main_program + "O0100 (SUB)\n" + contour + "M99\n", fanuc(), Output::nc_text)
+          .text;
   for (const std::size_t piece : {0U, 1U, 7U}) {
     const Ran ran = run_computing("%\nO0100 (SUB)\n" + contour + "M99\n" + main_program + "%\n",
                                   fanuc(), Output::nc_text, piece);
@@ -123,9 +123,10 @@ TEST(FanucPrograms, ThatNothingResolvesComeOutAsTheyStand) {
 
 TEST(FanucPrograms, ThatTheMachineMillsStay) {
   const std::string pocket = "O7100\nG1 Y30.\nX10.\nM99\n";
-  const std::string text = flat("O1\n#1=5.\nG21 G90 G17\nG0 X#1 Y0\nG150 X30. Y20. Z-5. J3. K.5 Q1. "
-                                "R1. D0 F200. P7100\nM30\n" +
-                                pocket);
+  const std::string text = flat(
+      "O1\n#1=5.\nG21 G90 G17\nG0 X#1 Y0\nG150 X30. Y20. Z-5. J3. K.5 Q1. "
+      "R1. D0 F200. P7100\nM30\n" +
+      pocket);
   EXPECT_TRUE(text.ends_with("M30\n" + pocket)) << text;
 }
 
@@ -184,10 +185,11 @@ TEST(FanucSystemVariables, HoldWhereThePathHasLedTo) {
 TEST(FanucSystemVariables, ThatAreNotKnownTellNothingOfTools) {
   ProgramSessionSetup setup = fanuc();
   setup.session.program.mode.tool_radius = 0;
-  setup.session.program.tools = {{12, {.radius = 6}}};
-  const Ran ran = run_computing("G21 G90 G17\nG0 X-20. Y-20.\nG1 G41 D#4120 X0 Y-10. F300.\nY40.\n"
-                                "G40 X-20.\nM30\n",
-                                setup, Output::nc_text);
+  setup.session.program.tools = {{12, ToolRow(6)}};
+  const Ran ran = run_computing(
+      "G21 G90 G17\nG0 X-20. Y-20.\nG1 G41 D#4120 X0 Y-10. F300.\nY40.\n"
+      "G40 X-20.\nM30\n",
+      setup, Output::nc_text);
   ASSERT_EQ(ran.diagnostics.size(), 1U) << ran.report();
   EXPECT_EQ(ran.diagnostics[0].code, Code::machine_state);
 }
@@ -214,6 +216,20 @@ TEST(FanucLoops, OfAProductionLineEndTheProgram) {
   EXPECT_EQ(flat("#1=0\nN10 #1=#1+1\nG0 X#1\nIF [#1 GE 2] GOTO 20\nM99 P10\nN20 M30\n"),
             "G0 X1.\nG0 X2.\nN20 M30\n");
   EXPECT_EQ(flat("G0 X1.\nM99 P20\nG0 X2.\nN20 M30\n"), "G0 X1.\nN20 M30\n");
+}
+
+TEST(FanucRemedies, SpeakOfWhatStandsThere) {
+  const auto help = [](const std::string& text, const ProgramSessionSetup& setup) {
+    const Ran ran = run_computing(text, setup, Output::nc_text);
+    return ran.diagnostics.empty() ? ran.text : help_of(ran.diagnostics[0], Language::english);
+  };
+  EXPECT_TRUE(help("M98 P2 Q100\nM30\nO2\nM99\n", fanuc()).starts_with("Take the word out"));
+  ProgramSessionSetup increments = fanuc();
+  increments.session.program.whole_numbers = WholeNumbers::increments;
+  EXPECT_TRUE(help("G65 P2 X10\nM30\nO2\nM99\n", increments).starts_with("Write the argument"));
+  const std::string unknown = "G54\nG90 G0 X-20. Y-20.\nG91 G1 X1. Z-3. F100.\nM30\n";
+  EXPECT_TRUE(detail_of(unknown, fanuc()).starts_with("Z, unknown since the change in line 1"));
+  EXPECT_NE(help(unknown, fanuc()).find("the axis that is named"), std::string::npos);
 }
 
 }  // namespace

@@ -83,8 +83,11 @@ FanucFlow::FanucFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText t
   texts_.push_back(std::move(text));
   add_units(0);
   // The line of the O itself belongs to what it names.
-  const Unit main =
-      *std::ranges::find_if(units_, [&](const Unit& unit) { return start < unit.end; });
+  const auto found =
+      std::ranges::find_if(units_, [&](const Unit& unit) { return start < unit.end; });
+  // The main program goes back to its very beginning.
+  if (found == units_.begin()) found->begin = 0;
+  const Unit main = *found;
   for (const auto& [name, given_text] : setup.subprograms) {
     texts_.emplace_back(name, given_text);
     add_units(texts_.size() - 1);
@@ -138,8 +141,6 @@ void FanucFlow::add_units(std::size_t text) {
     if (number >= 0) {
       unit.number = number;
       unit.begin = is_over(lines.line(line), head.behind) ? line + 1 : line;
-      // The main program goes back to its very beginning.
-      if (text == 0 && units_.empty()) unit.begin = 0;
     }
     const std::string_view content = lines.line(line);
     begun |= number >= 0 || (!is_over(content, 0) && !is_percent(content));

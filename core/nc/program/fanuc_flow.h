@@ -22,7 +22,8 @@ namespace trc::program {
 
 // Custom macros of Fanuc, with what Haas has besides.
 //
-//   - The main program may stand behind what it calls: the program begins in the line of its O. What
+//   - The main program may stand behind what it calls: the program begins in the line of its O.
+//   What
 //     no call was followed to comes out behind its end, as it stands.
 //   - #1 … #33 belong to the main program and to each G65 call; M98 and M97 share those of their
 //     caller. #100 … #499 begin vacant. #500 … #999 outlast the machine's power: one that the

@@ -97,8 +97,7 @@ ProgramHead program_head_of(std::string_view line) {
   if (!may_begin_program(line)) return head;
   if (line.starts_with(byte_order_mark)) head.begin = byte_order_mark.size();
   head.begin = behind_blanks(line, head.begin);
-  const bool says_o =
-      has_letter_at(line, head.begin, 'O') || has_letter_at(line, head.begin, ':');
+  const bool says_o = has_letter_at(line, head.begin, 'O') || has_letter_at(line, head.begin, ':');
   const std::size_t at = says_o ? behind_blanks(line, head.begin + 1) : head.begin;
   if (has_letter_at(line, at, '<')) {
     const std::size_t close = line.find('>', at);
@@ -162,8 +161,8 @@ MainProgram main_program_of(const ProgramText& text, const ProgramHead& begun) {
   if (!first.head.is_there()) return {};
   const auto is_called = [&](const ProgramOfText& program, bool by_any) {
     return std::ranges::any_of(programs, [&](const ProgramOfText& other) {
-      const bool calls = by_any ? other.calls.may_lead_to(program.head.name)
-                                : other.calls.say(program.head.name);
+      const bool calls =
+          by_any ? other.calls.may_lead_to(program.head.name) : other.calls.say(program.head.name);
       return &other != &program && calls;
     });
   };

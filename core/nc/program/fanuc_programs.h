@@ -16,9 +16,9 @@ namespace trc::program {
 // O1001, :1001, O<PART1> at the beginning of a line, <PART1> alone in it. The O is a word of its
 // block as N is: what stands behind it is executed.
 struct ProgramHead {
-  std::string name{};         // "1001", "<PART1>" in capitals; empty: the line begins no program
-  std::int64_t number = -1;   // -1: it has a name
-  std::size_t begin = 0;      // bytes of the line
+  std::string name{};        // "1001", "<PART1>" in capitals; empty: the line begins no program
+  std::int64_t number = -1;  // -1: it has a name
+  std::size_t begin = 0;     // bytes of the line
   std::size_t behind = 0;
 
   [[nodiscard]] bool is_there() const { return !name.empty(); }
@@ -41,9 +41,7 @@ struct ProgramCalls {
   [[nodiscard]] bool say(const std::string& name) const {
     return names.contains(name) || milled.contains(name);
   }
-  [[nodiscard]] bool may_lead_to(const std::string& name) const {
-    return is_computed || say(name);
-  }
+  [[nodiscard]] bool may_lead_to(const std::string& name) const { return is_computed || say(name); }
 };
 void add_calls(std::string_view line, ProgramCalls& calls);
 

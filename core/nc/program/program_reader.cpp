@@ -127,7 +127,8 @@ bool ProgramReader::split(std::string_view text, std::vector<LinePointer>& lines
   return goes_on && keep_partial(text.substr(begin), lines);
 }
 
-// Takes whole lines as long as it is not known whether they are of the main program; how many bytes.
+// Takes whole lines as long as it is not known whether they are of the main program; how many
+// bytes.
 std::size_t ProgramReader::wait(std::string_view text, std::vector<LinePointer>& lines) {
   std::size_t begin = 0;
   for (std::size_t end = behind_line(text, begin); end > 0; end = behind_line(text, begin)) {
@@ -271,9 +272,7 @@ bool ProgramReader::begin_to_execute(std::vector<LinePointer>& lines) {
   }
   if (!computing_) return false;
   const std::uint64_t first_line = before_is_whole_ ? 1 : lines_before_ + 1;
-  const std::size_t start = starts_at_main_    ? main_line_
-                            : before_is_whole_ ? lines_before_
-                                               : 0;
+  const std::size_t start = starts_at_main_ ? main_line_ : before_is_whole_ ? lines_before_ : 0;
   const std::string told = before_is_whole_ ? std::string() : std::exchange(before_, {});
   program::ProgramText text({}, std::exchange(before_, {}).append(std::exchange(text_, {})),
                             static_cast<std::uint32_t>(first_line));

@@ -22,9 +22,9 @@ namespace trc {
 // nothing, and such a jump is refused (900305). Of ISG only what says the values of variables is.
 //
 // A text of Fanuc that begins with an O may begin with a subprogram, whose main program stands
-// behind it. Its lines wait until one of them says that it is a main program (a tool, a work offset,
-// a unit, M30), `most_text_before` bytes at most. Where none does, and it ends with M99 or computes,
-// the whole text is collected, and the main program is looked for in it.
+// behind it. Its lines wait until one of them says that it is a main program (a tool, a work
+// offset, a unit, M30), `most_text_before` bytes at most. Where none does, and it ends with M99 or
+// computes, the whole text is collected, and the main program is looked for in it.
 class ProgramReader {
  public:
   static constexpr std::size_t most_text_before = 64U * 1024U;
