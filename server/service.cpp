@@ -48,8 +48,8 @@ TrcService::BytesReactor* TrcService::SurveyRadii(grpc::CallbackServerContext* c
 
 namespace {
 
-// One answer of GetServerInfo. It is some fifty kilobytes, which a client may leave unread: it takes
-// a place of its client until it has gone.
+// One answer of GetServerInfo. It is some fifty kilobytes, which a client may leave unread: it
+// takes a place of its client until it has gone.
 class ServerInfoReactor final : public grpc::ServerUnaryReactor {
  public:
   ServerInfoReactor(Backend& backend, grpc::CallbackServerContext& context,

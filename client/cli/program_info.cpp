@@ -52,15 +52,17 @@ struct Contours {
   double length = 0;  // mm, of the compensated contour
 };
 
+// What does not move in the plane, a lift within a contour, ends no selection.
 Contours contours_of(const std::vector<CompensatedBlock>& blocks) {
   Contours found;
-  bool selected = false;
+  Origin last = Origin::uncompensated;
   for (const CompensatedBlock& block : blocks) {
-    const bool of_contour =
-        block.origin != Origin::uncompensated && block.origin != Origin::passthrough;
-    if (block.origin == Origin::uncompensated) selected = false;
-    if (!of_contour) continue;
-    if (!std::exchange(selected, true)) ++found.selections;
+    if (block.origin == Origin::uncompensated || block.origin == Origin::passthrough) continue;
+    const bool has_left = last == Origin::retract || last == Origin::uncompensated;
+    const bool begins = has_left ? block.origin != last
+                                 : block.origin == Origin::approach && last != Origin::approach;
+    if (begins) ++found.selections;
+    last = block.origin;
     ++found.blocks;
     found.length += length_of(block.path);
   }
@@ -127,8 +129,15 @@ ProgramInfo describe_program(const std::string& program, ProgramSessionSetup set
       rounded(contours.length) + " mm");
   std::vector<Diagnostic> found = whole.diagnostics;
   if (missing && !info.refused) found.insert(found.begin(), *missing);
-  say(info.refused ? "refused:" : found.empty() ? "nothing to refuse" : "to look at:");
+  if (found.empty()) say("nothing to refuse");
+  // What refuses it first, what only has to be looked at behind it.
+  std::ranges::stable_partition(
+      found, [](const Diagnostic& diagnostic) { return diagnostic.severity == Severity::error; });
+  std::string_view heading;
   for (const Diagnostic& diagnostic : found) {
+    const bool refuses = info.refused && diagnostic.severity == Severity::error;
+    const std::string_view own = refuses ? "refused:" : "to look at:";
+    if (std::exchange(heading, own) != own) say(std::string(own));
     const DiagnosticTexts texts = texts_of(for_command_line(diagnostic, declared.name));
     text << "  " << told("line " + std::to_string(diagnostic.source.line)) << ": "
          << static_cast<int>(diagnostic.code) << ' ' << texts.text << " (" << texts.help << ")\n";

@@ -534,10 +534,21 @@ std::string help_of(const Diagnostic& diagnostic, Language language) {
         Code::no_tool_radius,    Code::line_reversed,        Code::arc_wrapped,
         Code::clearance_violated};
     // Of these the words of expressions say little.
-    const bool has_own_reason = diagnostic.detail.ends_with(", words behind a statement") ||
-                                diagnostic.detail.ends_with(" or a tool offset of Fanuc");
+    constexpr std::array<std::string_view, 7> own_reasons{", words behind a statement",
+                                                          " or a tool offset of Fanuc",
+                                                          ", which the program itself changes",
+                                                          ", an argument without a decimal point",
+                                                          " beside M98",
+                                                          " beside G65",
+                                                          " beside G66"};
+    const bool has_own_reason = std::ranges::any_of(
+        own_reasons, [&](std::string_view reason) { return diagnostic.detail.ends_with(reason); });
+    // Klartext has words of its own for a place that is not known.
+    const bool is_of_klartext =
+        diagnostic.words == ControlWords::klartext && diagnostic.code == Code::position_unknown;
     const std::string_view by_reason =
-        has_own_reason || std::ranges::find(of_words, diagnostic.code) != of_words.end()
+        is_of_klartext ? std::string_view()
+        : has_own_reason || std::ranges::find(of_words, diagnostic.code) != of_words.end()
             ? help_by_reason(diagnostic.detail, language)
             : std::string_view();
     if (const std::string_view of_values = help_about_values(diagnostic, german);

@@ -44,6 +44,35 @@ constexpr std::string_view end_scaling_in_german =
 
 // The first one that fits counts.
 constexpr auto helps = std::to_array<ReasonHelp>({
+    {", a subprogram in front of ",
+     "Put the main program first in the text, and what it calls behind it. Of several main "
+     "programs give each in a text of its own.",
+     "Das Hauptprogramm an den Anfang des Texts stellen, was es aufruft dahinter. Von mehreren "
+     "Hauptprogrammen jedes in einem eigenen Text geben."},
+    {", an endless loop whose rounds differ",
+     "End the program with M30, and write the rounds that are wanted as a loop, with WHILE and "
+     "END.",
+     "Das Programm mit M30 beenden, und die gewünschten Durchläufe als Schleife schreiben, mit "
+     "WHILE und END."},
+    {", which the program itself changes",
+     "Write the value in its place. No one value holds for what the program changes, so that it "
+     "cannot be given from outside.",
+     "An ihre Stelle den Wert schreiben. Für das, was das Programm selbst ändert, gilt nicht "
+     "überall ein Wert, so dass er nicht von außen gegeben werden kann."},
+    {", an argument without a decimal point",
+     "Write the argument with a decimal point, X10. for X10: in which increment a whole number "
+     "counts hangs on its letter and on the control.",
+     "Das Argument mit Dezimalpunkt schreiben, X10. für X10: in welchem Inkrement eine ganze Zahl "
+     "zählt, hängt von ihrem Buchstaben und von der Steuerung ab."},
+    {" beside M98",
+     "Take the word out: a subprogram is executed from its beginning. Of one that is called from "
+     "within, make the lines behind that place a program of its own.",
+     "Das Wort streichen: ein Unterprogramm läuft von seinem Anfang an. Von einem, das mittendrin "
+     "begonnen wird, die Zeilen ab dort zu einem eigenen Programm machen."},
+    {" beside G65", "Take the word out, or write it into a line of its own: it is no argument.",
+     "Das Wort streichen oder in eine eigene Zeile schreiben: es ist kein Argument."},
+    {" beside G66", "Take the word out, or write it into a line of its own: it is no argument.",
+     "Das Wort streichen oder in eine eigene Zeile schreiben: es ist kein Argument."},
     {"D0 or T0 is no tool",
      "Program the tool in front of G41 or G42 with its number, which is not 0: its D or T word, "
      "in Klartext TOOL CALL.",
@@ -317,10 +346,15 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Eine Fräsmaschine: vor G41, G42 programmieren, wo die Y-Achse steht. Eine Drehmaschine: sie "
      "die Schneide selbst korrigieren lassen."},
     {"as G91 holds since",
-     "Program G90 in front of it, if its coordinates are absolute; else all axes of the plane "
+     "Program G90 in front of it, if its coordinates are absolute; else the axis that is named "
      "absolutely (G90) behind the change.",
-     "Davor G90 programmieren, wenn seine Koordinaten absolut sind; sonst hinter dem Wechsel alle "
-     "Achsen der Ebene absolut (G90)."},
+     "Davor G90 programmieren, wenn seine Koordinaten absolut sind; sonst hinter dem Wechsel die "
+     "genannte Achse absolut (G90)."},
+    {", unknown since the change",
+     "Program the axis that is named absolutely (G90, G00 or G01) behind the change, and so each "
+     "other one of the plane, before G91, circles or G41.",
+     "Hinter dem Wechsel die genannte Achse absolut programmieren (G90, G00 oder G01), und so jede "
+     "andere der Ebene, vor G91, Kreisen oder G41."},
     {"another wear than the setup gives",
      "Give the tool that wear in the table of the setup, or take the line out.",
      "Dem Werkzeug diesen Verschleiß in der Tabelle des Setups geben, oder die Zeile streichen."},

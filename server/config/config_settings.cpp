@@ -162,8 +162,9 @@ void declare_shares(Settings& settings, Config& config) {
                   "open streams of one connection");
   settings.number("max-streams-per-peer", config.max_streams_per_peer, 0, 1'000'000,
                   "open streams of one client; 0: three quarters of all");
-  settings.number("max-connections-per-peer", config.max_connections_per_peer, 0, 1'000'000,
-                  "open connections of one address; 0: three quarters of the descriptors, at most 1024");
+  settings.number(
+      "max-connections-per-peer", config.max_connections_per_peer, 0, 1'000'000,
+      "open connections of one address; 0: three quarters of the descriptors, at most 1024");
   settings.number("max-session-memory-mib", config.max_session_memory_mib, 0, 1U << 20U,
                   "memory that all streams may hold; 0: 1024, or half of memory-limit-mib");
   settings.number("max-memory-per-peer-mib", config.max_memory_per_peer_mib, 0, 1U << 20U,

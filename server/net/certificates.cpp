@@ -116,7 +116,8 @@ std::string fault_of(const Certificates::Files& files, Certificate& read) {
   if (!fault.empty()) return fault;
   fault = fault_of_handshake(read.chain, read.key);
   if (!fault.empty())
-    return "tls-cert-file: with '" + files.chain + "' and its key no client could connect: " + fault;
+    return "tls-cert-file: with '" + files.chain +
+           "' and its key no client could connect: " + fault;
   read_dates(chain, read);
   return files.client_authorities.empty() ? std::string() : fault_of_authorities(files, read);
 }

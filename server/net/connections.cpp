@@ -92,13 +92,8 @@ std::string_view name_of(Connections::Reason reason) {
 
 class Connections::Connection {
  public:
-  Connection(Connections& all, int descriptor, std::uint64_t cookie, std::string peer,
-             Use use)
-      : all_(all),
-        descriptor_(descriptor),
-        cookie_(cookie),
-        peer_(std::move(peer)),
-        use_(use) {}
+  Connection(Connections& all, int descriptor, std::uint64_t cookie, std::string peer, Use use)
+      : all_(all), descriptor_(descriptor), cookie_(cookie), peer_(std::move(peer)), use_(use) {}
 
   [[nodiscard]] bool is_there() const { return cookie_of(descriptor_) == cookie_; }
 

@@ -65,8 +65,8 @@ class Connections {
 
   enum class Use : std::uint8_t {
     work,
-    // HTTP/1.1: every byte belongs to a request, which its own server bounds. It is counted, but what
-    // is about frames is not looked for.
+    // HTTP/1.1: every byte belongs to a request, which its own server bounds. It is counted, but
+    // what is about frames is not looked for.
     http,
     // May take some of the descriptors that are kept, and leaves the others alone: of more than
     // most_of_health the oldest goes.

@@ -201,7 +201,8 @@ Acceptor::Acceptor(Connections& connections, std::uint32_t of_one_peer)
   const int limit = descriptor_limit();
   last_usable_ = limit - 1 - std::min(kept_descriptors, limit / 8);
   if (of_one_peer_ == 0)
-    of_one_peer_ = std::min<std::size_t>(static_cast<std::size_t>(limit) / 4 * 3, usual_of_one_peer);
+    of_one_peer_ =
+        std::min<std::size_t>(static_cast<std::size_t>(limit) / 4 * 3, usual_of_one_peer);
 }
 
 Acceptor::~Acceptor() { stop(); }

@@ -29,8 +29,8 @@ constexpr unsigned rounds_between = 50;
 constexpr std::uint64_t worth_giving_back = 32U << 20U;
 // Where somebody has to go for it otherwise.
 constexpr std::uint64_t worth_giving_back_at_once = 1U << 20U;
-// What could not be given back once may be free by now: what gRPC holds is counted nowhere, and goes
-// without a word.
+// What could not be given back once may be free by now: what gRPC holds is counted nowhere, and
+// goes without a word.
 constexpr unsigned rounds_until_forgotten = 1500;
 // A stream that was told to end does so where its turn passes by next.
 constexpr unsigned most_rounds_of_one_ending = 50;

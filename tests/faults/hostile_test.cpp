@@ -149,8 +149,8 @@ TEST(Hostile, ConnectionsForHealthGiveWayToNewOnes) {
   const ServerProcess server({"--health-listen", "127.0.0.1:0"}, "127.0.0.1:0", 128);
   std::vector<std::unique_ptr<RawConnection>> held;
   for (int i = 0; i < 60; ++i) {
-    held.push_back(std::make_unique<RawConnection>(server.health(),
-                                                   i % 2 == 0 ? "127.0.0.2" : "127.0.0.3"));
+    held.push_back(
+        std::make_unique<RawConnection>(server.health(), i % 2 == 0 ? "127.0.0.2" : "127.0.0.3"));
     held.back()->send_bytes(http2::greeting());
   }
   EXPECT_TRUE(serves(server.address()));
@@ -158,8 +158,9 @@ TEST(Hostile, ConnectionsForHealthGiveWayToNewOnes) {
   context.set_wait_for_ready(true);
   context.set_deadline(std::chrono::system_clock::now() + std::chrono::seconds(20));
   grpc::health::v1::HealthCheckResponse response;
-  EXPECT_TRUE(
-      grpc::health::v1::Health::NewStub(channel_to(server.health()))->Check(&context, {}, &response).ok());
+  EXPECT_TRUE(grpc::health::v1::Health::NewStub(channel_to(server.health()))
+                  ->Check(&context, {}, &response)
+                  .ok());
   EXPECT_TRUE(eventually([&] { return !held.front()->is_open(); }));
 }
 

@@ -42,9 +42,9 @@ struct MadeCertificate {
     const std::string key_file = folder.path(name + ".key");
     std::vector<std::string> command{"/usr/bin/openssl", "req", "-x509", "-newkey"};
     command.insert(command.end(), kind_of_key.begin(), kind_of_key.end());
-    command.insert(command.end(), {"-nodes", "-days", "2", "-subj", "/CN=" + name, "-addext",
-                                   "subjectAltName=" + alternative_names, "-keyout", key_file,
-                                   "-out", cert_file});
+    command.insert(command.end(),
+                   {"-nodes", "-days", "2", "-subj", "/CN=" + name, "-addext",
+                    "subjectAltName=" + alternative_names, "-keyout", key_file, "-out", cert_file});
     const auto made = testing_support::run(command);
     EXPECT_EQ(made.code, 0) << made.err;
     cert = content_of(cert_file);

@@ -117,7 +117,7 @@ TEST(AProgramThatComputes, WritesPlacesOutsideOfContoursInTheDecimalsOfTheOutput
                     "M30\n",
                     setup),
             "G21 G17 G90\n"
-            "G0 X3.3333 Y6.6667 F3.33333333\n"
+            "G0 X3.3333 Y6.6667 F3.3333\n"
             "G81 X12.3333 Z-3.3333 R0.4762 F100.\n"
             "G80\n"
             "G0 X0. Y0.\n"
@@ -221,11 +221,11 @@ TEST(Blocks, OfAProgramThatComputesNameTheirLine) {
 
 // Lines of words that belong together and of such that do not: whatever comes of them is the same
 // in pieces, and ends.
-// Its M99 stands where no line of it is.
+// Without a line besides that of its name.
 TEST(Subprograms, MayBeTheLastLineAlone) {
-  EXPECT_EQ(
-      refusal_of("#1=1\nM98 P100\nM30\nO100 M99\n", computing_setup(DialectName::fanuc)).first,
-      900310);
+  const ProgramSessionSetup setup = computing_setup(DialectName::fanuc);
+  EXPECT_EQ(refusal_of("#1=1\nM98 P100\nM30\nO100\n", setup).first, 900310);
+  EXPECT_EQ(refusal_of("#1=1\nM98 P100\nG0 X1.\nM30\nO100 M99\n", setup).first, 0);
 }
 
 TEST(LinesOfAnyKind, GiveTheSameInPieces) {

@@ -86,7 +86,7 @@ TEST(KeptVariables, AreToldWhereAGivenValueStaysInThem) {
       "was computed from values given for the machine: ";
   EXPECT_EQ(told("G90 G0 X0 Y0\n#1=#500+1\n#500=#1\n#500=#1\nM30\n", with(fanuc, {{"#500", 7}})),
             "3" + warning + "#500\n");
-  EXPECT_EQ(told("G90 G0 X0 Y0\n#500=#5041\nM30\n", with(fanuc, {{"#5041", 7}})),
+  EXPECT_EQ(told("G90 G0 X0 Y0\n#500=#5021\nM30\n", with(fanuc, {{"#5021", 7}})),
             "2" + warning + "#500\n");
   EXPECT_EQ(told("G90 G0 X0 Y0\n#1=#31\n#31=#1\nM2\n", with(linuxcnc, {{"#31", 7}})),
             "3" + warning + "#31\n");

@@ -11,8 +11,8 @@ namespace trc::support::klartext_feeds {
 namespace {
 
 ProgramRun run(const std::string& text) {
-  return run_computing("BEGIN PGM A MM\nTOOL CALL 5 Z S1000\n" + text + "END PGM A MM\n",
-                       computing_setup(DialectName::heidenhain, 5), Output::nc_text);
+  return to_text("BEGIN PGM A MM\nTOOL CALL 5 Z S1000\n" + text + "END PGM A MM\n",
+                 computing_setup(DialectName::heidenhain, 5));
 }
 
 std::string text_of(const std::string& text) {

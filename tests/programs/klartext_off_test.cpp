@@ -63,16 +63,16 @@ TEST(KlartextOff, ParametersAreKnownFromTheSetup) {
   const std::string text =
       "BEGIN PGM A MM\nTOOL CALL 5 Z S5000\nL X-20 Y-20 R0 FMAX\n"
       "L X+0 Y-10 RL F200\nL Y+Q10\nCHF Q4\nL X+40\nL X+60 R0\nEND PGM A MM\n";
-  const ProgramRun refused = run_computing(text, setup, Output::nc_text);
+  const ProgramRun refused = to_text(text, setup);
   ASSERT_EQ(refused.diagnostics.size(), 2U) << refused.report();
   EXPECT_EQ(refused.diagnostics[0].detail, "Y+Q10, a variable, while TRC is active");
   EXPECT_EQ(refused.diagnostics[1].detail, "CHF Q4, a variable, while TRC is active");
   setup.session.program.variables = {{"q10", 40}, {"Q4", 5}};
-  const ProgramRun known = run_computing(text, setup, Output::blocks);
+  const ProgramRun known = to_blocks(text, setup);
   ASSERT_FALSE(known.stopped) << known.report();
   std::string numbers = text;
   numbers.replace(numbers.find("+Q10"), 4, "+40").replace(numbers.find(" Q4"), 3, " 5");
-  EXPECT_EQ(known.blocks.size(), run_computing(numbers, setup, Output::blocks).blocks.size());
+  EXPECT_EQ(known.blocks.size(), to_blocks(numbers, setup).blocks.size());
 }
 
 TEST(KlartextOff, TheTipOfTheToolIsLedAlongNoSide) {

@@ -32,7 +32,12 @@ const FanucFlow::Outline& FanucFlow::outline_of(const Frame& frame) {
   std::vector<std::pair<std::size_t, std::size_t>> open;  // number of the loop, line
   std::vector<std::size_t> branches;                      // their IF or ELSE
   for (std::size_t line = unit->begin; line < unit->end; ++line) {
-    const std::string_view content = text.line(line);
+    std::string_view content = text.line(line);
+    std::string behind_o;
+    if (may_begin_program(content)) {
+      behind_o = without_head(content, program_head_of(content));
+      content = behind_o;
+    }
     const LineHead head = head_of(content);
     if (head.number >= 0) outline.labels[head.number].push_back(line);
     const bool ends_branch = has_word_at(content, head.behind, "ENDIF");

@@ -1,6 +1,7 @@
 #include "core/nc/program/fanuc_flow.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/nc/text/characters.h"
 
@@ -11,20 +12,6 @@ bool is_statement_at(std::string_view line, std::size_t at) {
   return has_word_at(line, at, "IF") || has_word_at(line, at, "WHILE") ||
          has_word_at(line, at, "GOTO") || has_word_at(line, at, "DO") ||
          has_word_at(line, at, "END") || has_word_at(line, at, "ELSE");
-}
-
-// O1001, :1001 at the beginning of a line; -1: none.
-std::int64_t number_of_unit(std::string_view line) {
-  if (line.starts_with(byte_order_mark)) line.remove_prefix(byte_order_mark.size());
-  std::size_t at = behind_blanks(line, 0);
-  if (at >= line.size() || (upper(line[at]) != 'O' && line[at] != ':')) return -1;
-  at = behind_blanks(line, at + 1);
-  double number = 0;
-  bool whole = false;
-  if (at >= line.size() || !is_digit(line[at]) ||
-      read_number(line.substr(at), number, whole) == 0 || !whole || !is_whole(number))
-    return -1;
-  return static_cast<std::int64_t>(number);
 }
 
 // Of a file, without its folder and what its kind is.
@@ -38,23 +25,28 @@ std::string_view stem_of(std::string_view name) {
 std::int64_t number_of_name(std::string_view name) {
   std::string line(stem_of(name));
   if (line.empty() || upper(line.front()) != 'O') line.insert(0, "O");
-  return number_of_unit(line);
+  return program_head_of(line).number;
 }
 
-// O<PART1>, <PART1>; empty: the line is something else.
-std::string_view name_in(std::string_view line) {
-  std::size_t at = behind_blanks(line, 0);
-  if (at < line.size() && upper(line[at]) == 'O') at = behind_blanks(line, at + 1);
-  const std::size_t close = line.find('>', at);
-  if (at >= line.size() || line[at] != '<' || close == std::string_view::npos ||
-      !is_over(line, close + 1))
-    return {};
-  return line.substr(at + 1, close - at - 1);
+std::optional<std::int64_t> number_behind(std::string_view line, char letter) {
+  for (std::size_t at = 0; at < line.size() && line[at] != ';';) {
+    const std::size_t behind = line[at] == '(' ? behind_comment(line, at) : at + 1;
+    if (behind == 0) break;
+    const bool is_it = upper(line[at]) == letter;
+    at = behind_blanks(line, behind);
+    double number = 0;
+    bool whole = false;
+    if (is_it && at < line.size() && read_number(line.substr(at), number, whole) > 0 &&
+        is_whole(number))
+      return static_cast<std::int64_t>(number);
+  }
+  return {};
 }
 
 }  // namespace
 
 bool fanuc_computes(std::string_view line) {
+  if (may_begin_program(line)) line.remove_prefix(program_head_of(line).behind);
   const std::size_t begin = head_of(line).behind;
   if (is_statement_at(line, begin)) return true;
   bool returns = false;
@@ -91,21 +83,37 @@ FanucFlow::FanucFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText t
   texts_.push_back(std::move(text));
   add_units(0);
   // The line of the O itself belongs to what it names.
-  const Unit main =
-      *std::ranges::find_if(units_, [&](const Unit& unit) { return start < unit.end; });
+  const auto found =
+      std::ranges::find_if(units_, [&](const Unit& unit) { return start < unit.end; });
+  // The main program goes back to its very beginning.
+  if (found == units_.begin()) found->begin = 0;
+  const Unit main = *found;
   for (const auto& [name, given_text] : setup.subprograms) {
     texts_.emplace_back(name, given_text);
     add_units(texts_.size() - 1);
   }
   entered_.resize(units_.size());
   frames_.push_back({.begin = main.begin, .end = main.end, .next = start, .current = start});
+  // What stands in front of the first program is that of the tape.
+  const bool begins_behind = main.begin > 0 && program_head_of(texts_[0].line(start)).is_there();
+  for (std::size_t line = 0; begins_behind && line < start; ++line) {
+    if (program_head_of(texts_[0].line(line)).is_there()) break;
+    copied_.push_back(line);
+  }
+  head_came_out_ = start > 0 && !begins_behind;
+  if (texts_[0].is_cut()) said_.forget();
+  note_returns(main);
+  start_ = start;
+  for (std::size_t line = 0; !begins_behind && line < start; ++line)
+    if (!is_left_out(texts_[0].line(line))) note_line(texts_[0].line(line));
   for (std::size_t number = 1; number < locals_.front().size(); ++number)
     if (const double* value = given(std::to_string(number))) locals_.front()[number] = *value;
+  at_start_ = {.locals = locals_.front()};
 }
 
-std::int64_t FanucFlow::number_of_program(std::string_view line) {
-  if (const std::string_view name = name_in(line); !name.empty()) return number_of_named(name);
-  return number_of_unit(line);
+std::int64_t FanucFlow::number_of_program(const ProgramHead& head) {
+  if (!head.is_there() || head.number >= 0) return head.number;
+  return number_of_named(std::string_view(head.name).substr(1, head.name.size() - 2));
 }
 
 std::int64_t FanucFlow::number_of_named(std::string_view name) {
@@ -123,7 +131,8 @@ void FanucFlow::add_units(std::size_t text) {
   const std::size_t known = units_.size();
   bool begun = false;  // something but names has been seen
   for (std::size_t line = 0; line < lines.size(); ++line) {
-    const std::int64_t number = number_of_program(lines.line(line));
+    const ProgramHead head = program_head_of(lines.line(line));
+    const std::int64_t number = number_of_program(head);
     if (number >= 0 && begun) {
       unit.end = line;
       units_.push_back(unit);
@@ -131,9 +140,7 @@ void FanucFlow::add_units(std::size_t text) {
     }
     if (number >= 0) {
       unit.number = number;
-      unit.begin = line + 1;
-      // The main program goes back to its very beginning.
-      if (text == 0 && units_.empty()) unit.begin = 0;
+      unit.begin = is_over(lines.line(line), head.behind) ? line + 1 : line;
     }
     const std::string_view content = lines.line(line);
     begun |= number >= 0 || (!is_over(content, 0) && !is_percent(content));
@@ -151,15 +158,78 @@ void FanucFlow::add_units(std::size_t text) {
 }
 
 Flow::Step FanucFlow::execute_next(std::string& flat) {
+  if (next_copied_ < copied_.size()) return copy_next(flat);
   Frame& at = frame();
+  const std::size_t begin = flat.size();
   const bool goes_on = at.next >= at.end ? end_of_unit(flat) : execute_line(flat);
+  note_what_is_said(std::string_view(flat).substr(begin));
   if (!goes_on) return Step::refused;
   return ended_ ? Step::ended : Step::goes_on;
 }
 
+void FanucFlow::note_line(std::string_view line) {
+  said_.take(line, false);
+  if (returns_to_.empty()) return;
+  const auto found = returns_to_.find(head_of(line).number);
+  if (found != returns_to_.end()) ++found->second;
+}
+
+// Where M99 P of the main program leads to.
+void FanucFlow::note_returns(const Unit& main) {
+  for (std::size_t line = main.begin; line < main.end; ++line) {
+    const std::string_view text = texts_[0].line(line);
+    if (!has_function(text, 'M', 99, 99)) continue;
+    if (const auto number = number_behind(text, 'P')) returns_to_.try_emplace(*number, 0);
+  }
+}
+
+void FanucFlow::note_what_is_said(std::string_view flat) {
+  for (std::size_t begin = 0; begin < flat.size();) {
+    const std::size_t end = std::min(flat.find_first_of("\r\n", begin), flat.size());
+    note_line(flat.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  if (calls_the_machine_ || machine_follows_) said_.forget();
+}
+
+Flow::Step FanucFlow::copy_next(std::string& flat) {
+  const std::size_t line = copied_[next_copied_++];
+  frames_.erase(frames_.begin() + 1, frames_.end());
+  frames_.front().current = line;
+  is_as_written_ = true;
+  flat.append(texts_[0].line(line)).append(line_end());
+  if (!has_ended_ || next_copied_ < copied_.size()) return Step::goes_on;
+  end_program(flat);
+  return Step::ended;
+}
+
 bool FanucFlow::execute_line(std::string& flat) {
   begin_line();
-  return count_line() && (is_left_out(line_) || execute(flat));
+  if (!count_line()) return false;
+  if (is_left_out(line_)) return true;
+  if (frames_.size() == 1 && returns_to_.contains(head_.number))
+    at_line_[frame().current] = {.locals = locals_.front(), .common = common_};
+  if (!may_begin_program(line_)) return execute(flat);
+  const ProgramHead head = program_head_of(line_);
+  return head.is_there() ? execute_behind_head(flat, head) : execute(flat);
+}
+
+// The O of a subprogram does not come out, that of the main program does so once.
+bool FanucFlow::execute_behind_head(std::string& flat, const ProgramHead& head) {
+  const bool is_over_there = is_over(line_, head.behind);
+  const bool comes_out = frames_.size() == 1 && !std::exchange(head_came_out_, true);
+  if (comes_out && (is_over_there || !fanuc_computes(line_))) return execute(flat);
+  if (comes_out) flat.append(line_.substr(0, head.behind)).append(line_end());
+  if (is_over_there) return true;
+  behind_head_ = without_head(line_, head);
+  line_ = behind_head_;
+  head_ = head_of(line_);
+  head_.to_skip = may_be_skipped(head_.to_skip);
+  const std::size_t begin = flat.size();
+  const bool goes_on = execute(flat);
+  is_as_written_ = false;
+  flat.erase(begin, std::min(flat.find_first_not_of(' ', begin), flat.size()) - begin);
+  return goes_on;
 }
 
 bool FanucFlow::end_of_unit(std::string& flat) {
@@ -177,9 +247,8 @@ bool FanucFlow::end_of_unit(std::string& flat) {
   return refuse(Code::block_structure, 0, frame().name + ", a subprogram without M99");
 }
 
-// What stands behind an N word may be where a jump leads to for other values, and subprograms that
-// nothing has called need not come out. A second main program, with an end of its
-// own, does: its contour must not be lost.
+// What stands behind an N word may be where a jump leads to for other values, and belongs to what
+// was resolved. Other programs of the text must not be lost.
 bool FanucFlow::end_main_program(std::string& flat) {
   if (looks_ahead()) return ended_ = true;
   const Frame& main = frames_.front();
@@ -187,14 +256,69 @@ bool FanucFlow::end_main_program(std::string& flat) {
   while (behind < main.end && head_of(texts_.front().line(behind)).number < 0) ++behind;
   const std::size_t lost = first_with('G', 41, 42, main.current + 1, behind);
   if (lost < behind) return refuse_contour_behind_end(lost);
-  for (const Unit& unit : units_) {
-    const auto index = static_cast<std::size_t>(&unit - units_.data());
-    if (unit.text > 0 || entered_[index] || unit.begin == frames_.front().begin) continue;
-    const std::size_t selects = first_with('G', 41, 42, unit.begin, unit.end);
-    if (selects < unit.end && first_with('M', 2, 30, unit.begin, unit.end) < unit.end)
-      return refuse_contour_behind_end(selects);
+  keep_what_is_not_resolved();
+  has_ended_ = true;
+  return next_copied_ < copied_.size() || end_program(flat);
+}
+
+// By program: the main one, and what it or one of those leads to. What is called under a condition
+// that did not hold is resolved as well.
+std::vector<bool> FanucFlow::resolved(const std::vector<ProgramOfText>& programs) const {
+  std::vector<bool> found(programs.size());
+  ProgramCalls calls;
+  for (std::size_t text = 1; text < texts_.size(); ++text)
+    for (std::size_t line = 0; line < texts_[text].size(); ++line)
+      add_calls(texts_[text].line(line), calls);
+  const std::size_t line_of_main = frames_.front().end - 1;
+  bool goes_on = true;
+  while (std::exchange(goes_on, false)) {
+    for (std::size_t index = 0; index < programs.size(); ++index) {
+      const ProgramOfText& program = programs[index];
+      const bool is_main = program.begin <= line_of_main && line_of_main < program.end;
+      const bool is_called =
+          calls.names.contains(program.head.name) || (calls.is_computed && !program.ends_all);
+      if (found[index] || (!is_main && !is_called)) continue;
+      found[index] = goes_on = true;
+      calls.names.insert(program.calls.names.begin(), program.calls.names.end());
+      calls.milled.insert(program.calls.milled.begin(), program.calls.milled.end());
+      calls.is_computed |= program.calls.is_computed;
+    }
   }
-  return end_program(flat);
+  for (std::size_t index = 0; index < programs.size(); ++index) {
+    const ProgramOfText& program = programs[index];
+    const bool is_main = program.begin <= line_of_main && line_of_main < program.end;
+    if (!is_main && calls.milled.contains(program.head.name)) found[index] = false;
+  }
+  return found;
+}
+
+// With what they call in their turn.
+void FanucFlow::keep_what_is_not_resolved() {
+  copied_.clear();
+  next_copied_ = 0;
+  const std::vector<ProgramOfText> programs = programs_of(texts_.front());
+  std::vector<bool> leaves = resolved(programs);
+  const std::size_t line_of_main = frames_.front().end - 1;
+  bool goes_on = true;
+  while (std::exchange(goes_on, false)) {
+    ProgramCalls calls;
+    for (std::size_t index = 0; index < programs.size(); ++index) {
+      if (leaves[index]) continue;
+      calls.names.insert(programs[index].calls.names.begin(), programs[index].calls.names.end());
+      calls.names.insert(programs[index].calls.milled.begin(), programs[index].calls.milled.end());
+    }
+    for (std::size_t index = 0; index < programs.size(); ++index) {
+      const ProgramOfText& program = programs[index];
+      const bool is_main = program.begin <= line_of_main && line_of_main < program.end;
+      if (!leaves[index] || is_main || !calls.names.contains(program.head.name)) continue;
+      leaves[index] = false;
+      goes_on = true;
+    }
+  }
+  for (std::size_t index = 0; index < programs.size(); ++index)
+    for (std::size_t line = programs[index].begin; !leaves[index] && line < programs[index].end;
+         ++line)
+      if (!is_percent(texts_.front().line(line))) copied_.push_back(line);
 }
 
 bool FanucFlow::execute(std::string& flat) {

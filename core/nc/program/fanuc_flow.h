@@ -11,7 +11,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/nc/program/fanuc_programs.h"
 #include "core/nc/program/gcode_flow.h"
+#include "core/nc/program/said_words.h"
 
 namespace trc::program {
 
@@ -20,6 +22,9 @@ namespace trc::program {
 
 // Custom macros of Fanuc, with what Haas has besides.
 //
+//   - The main program may stand behind what it calls: the program begins in the line of its O.
+//   What
+//     no call was followed to comes out behind its end, as it stands.
 //   - #1 … #33 belong to the main program and to each G65 call; M98 and M97 share those of their
 //     caller. #100 … #499 begin vacant. #500 … #999 outlast the machine's power: one that the
 //     program has not set is known from the setup alone, as everything from #1000 on.
@@ -59,13 +64,20 @@ class FanucFlow : public GcodeFlow {
 
   // fanuc_flow.cpp: programs and the order of their lines.
   // Of O1001 and O<NAME>; -1: the line begins no program.
-  std::int64_t number_of_program(std::string_view line);
+  std::int64_t number_of_program(const ProgramHead& head);
   std::int64_t number_of_named(std::string_view name);
   [[nodiscard]] std::string name_of(std::int64_t number) const;
   void add_units(std::size_t text);
   bool execute(std::string& flat);
+  bool execute_behind_head(std::string& flat, const ProgramHead& head);
   bool end_of_unit(std::string& flat);
   bool end_main_program(std::string& flat);
+  [[nodiscard]] std::vector<bool> resolved(const std::vector<ProgramOfText>& programs) const;
+  void keep_what_is_not_resolved();
+  Step copy_next(std::string& flat);
+  void note_what_is_said(std::string_view flat);
+  void note_line(std::string_view line);
+  void note_returns(const Unit& main);
 
   // fanuc_control.cpp: branches, loops and jumps.
   [[nodiscard]] const Outline& outline_of(const Frame& frame);
@@ -92,6 +104,10 @@ class FanucFlow : public GcodeFlow {
   [[nodiscard]] bool moves() const;
   bool take_arguments(const ComputedWord& word, Locals& locals);
   bool return_from(std::string& flat, ComputedWord& word);
+  // M99 P of the main program.
+  bool return_within_main(std::string& flat, std::int64_t number, std::size_t begin);
+  [[nodiscard]] bool never_leaves(std::size_t first, std::size_t last) const;
+  [[nodiscard]] bool repeats_from(std::size_t line, std::int64_t number) const;
   bool enter_unit(std::string& flat, const Unit& unit, std::uint64_t times, Locals* locals);
   [[nodiscard]] std::optional<Unit> unit_of(std::int64_t number, std::size_t begin);
   // A macro that the program has not, and that the machine has: O8000 to O9999, or as declared.
@@ -114,13 +130,27 @@ class FanucFlow : public GcodeFlow {
   [[nodiscard]] static bool is_kept(std::int64_t number) { return number >= 500 && number < 1000; }
   // "#10100", with what two controls have there.
   [[nodiscard]] static std::string told_variable(std::int64_t number);
-  [[nodiscard]] std::optional<double> modal_value(std::int64_t number) const;
+  // Of what trc follows itself: its value, and whether the program has changed it.
+  struct Followed {
+    bool is_followed = false;
+    bool is_changed = false;
+    std::optional<double> value{};
+  };
+  [[nodiscard]] Followed followed(std::int64_t number) const;
+  [[nodiscard]] Followed followed_place(std::int64_t number) const;
+  [[nodiscard]] Value value_followed(ExpressionReader& expression, std::int64_t number,
+                                     std::size_t begin, const Followed& state);
   Value lost(ExpressionReader& expression, std::int64_t number, std::size_t begin);
   [[nodiscard]] Value content_or_vacant(const std::optional<double>& content) const;
   Value read(ExpressionReader& expression) override;
   bool exists(ExpressionReader& expression) override;
   [[nodiscard]] std::int64_t number_of_variable(ExpressionReader& expression);
 
+  std::string behind_head_{};        // of the line that is executed
+  bool head_came_out_ = false;       // of the main program
+  std::vector<std::size_t> copied_;  // lines of the program that come out as they stand
+  std::size_t next_copied_ = 0;
+  bool has_ended_ = false;  // but for what is copied
   std::vector<Unit> units_{};
   std::vector<std::string> names_{};  // of programs without a number, in capitals
   std::map<std::int64_t, std::vector<std::size_t>> units_of_number_{};
@@ -138,6 +168,16 @@ class FanucFlow : public GcodeFlow {
     bool is_of_machine = false;
   };
   std::optional<ModalCall> modal_call_{};
+  SaidWords said_{};
+  // What holds where a loop by M99 P begins.
+  struct Variables {
+    Locals locals{};
+    std::map<std::int64_t, std::optional<double>> common{};
+  };
+  std::map<std::int64_t, std::uint64_t> returns_to_{};  // N of M99 P: how often it came out
+  Variables at_start_{};
+  std::map<std::size_t, Variables> at_line_{};
+  std::size_t start_ = 0;
   std::string lost_to_{};  // the last macro of the machine, which may have set all common ones
 };
 

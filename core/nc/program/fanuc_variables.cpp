@@ -154,20 +154,74 @@ std::int64_t FanucFlow::number_of_variable(ExpressionReader& expression) {
   return expression.whole_operand();
 }
 
-// #4001 … : the functions of their groups that hold.
-std::optional<double> FanucFlow::modal_value(std::int64_t number) const {
+// #4001 … : the functions of their groups, and the words, that hold.
+FanucFlow::Followed FanucFlow::followed(std::int64_t number) const {
+  const auto mode = [](double value) {
+    return Followed{.is_followed = true, .is_changed = true, .value = value};
+  };
+  const auto word = [this](char letter) {
+    // What stands beside it in the same block may hold already.
+    const bool is_clear = !says_plainly(line_, letter);
+    return Followed{.is_followed = true,
+                    .is_changed = said_.says(letter) || !is_clear,
+                    .value = is_clear ? said_.value_of(letter) : std::nullopt};
+  };
   switch (number) {
     case 4001:
-      return static_cast<double>(modes_.motion);
+      return mode(static_cast<double>(modes_.motion));
     case 4002:
-      return modes_.plane == Plane::xy ? 17 : modes_.plane == Plane::zx ? 18 : 19;
+      return mode(modes_.plane == Plane::xy ? 17 : modes_.plane == Plane::zx ? 18 : 19);
     case 4003:
-      return modes_.incremental ? 91 : 90;
+      return mode(modes_.incremental ? 91 : 90);
     case 4006:
-      return modes_.inch ? 20 : 21;
+      return mode(modes_.inch ? 20 : 21);
+    case 4107:
+      return word('D');
+    case 4109:
+      return word('F');
+    case 4111:
+      return word('H');
+    case 4113:
+      return word('M');
+    case 4119:
+      return word('S');
+    case 4120:
+      return word('T');
     default:
-      return {};
+      return followed_place(number);
   }
+}
+
+// #5001 … : where the block in front ends; #5041 … : where the tool stands, with its length, which
+// only the control has.
+FanucFlow::Followed FanucFlow::followed_place(std::int64_t number) const {
+  constexpr std::int64_t end_of_block = 5001;
+  constexpr std::int64_t standing = 5041;
+  constexpr std::int64_t axes = 3;
+  const auto axis_from = [&](std::int64_t first) {
+    return number >= first && number < first + axes ? number - first : -1;
+  };
+  const std::int64_t index = std::max(axis_from(end_of_block), axis_from(standing));
+  if (index < 0) return {};
+  const auto axis = static_cast<std::size_t>(index);
+  const bool has_length = axis_from(standing) >= 0 && axis == 2 && said_.has_length();
+  Followed found{.is_followed = true, .is_changed = said_.moves()};
+  if (said_.is_placed(axis) && !has_length && !modes_.contour_open)
+    found.value = modes_.place.at(axis);
+  return found;
+}
+
+Value FanucFlow::value_followed(ExpressionReader& expression, std::int64_t number,
+                                std::size_t begin, const Followed& state) {
+  const double* const value = given(std::to_string(number));
+  if (state.is_changed && (value != nullptr || !state.value))
+    return without_value(expression, Code::machine_state, begin,
+                         told_variable(number) + ", which the program itself changes");
+  if (state.value) return {.number = *state.value};
+  if (value == nullptr)
+    return without_value(expression, Code::machine_state, begin, told_variable(number));
+  kept_text_.hang_by_the_way();
+  return {.number = *value};
 }
 
 // Where lines are looked at, what is vacant might have been given a value.
@@ -213,12 +267,13 @@ Value FanucFlow::value_of(ExpressionReader& expression, std::int64_t number, std
     if (counted != nullptr) kept_text_.keep(name, true);
     return content_or_vacant(known->second);
   }
+  if (const Followed state = followed(number); state.is_followed)
+    return value_followed(expression, number, begin, state);
   const double* const value = known == common_.end() ? given(name.substr(1)) : nullptr;
   if (value != nullptr) {
     is_kept(number) ? kept_text_.keep(name, true) : kept_text_.hang_by_the_way();
     return {.number = *value};
   }
-  if (const auto modal = modal_value(number)) return {.number = *modal};
   const bool is_lost = number < 1000 && !lost_to_.empty();
   if (number >= 100 && number < 1000 && !is_kept(number) && !is_lost) return content_or_vacant({});
   if (is_kept(number) && kept_text_.may_be_unknown(name)) {

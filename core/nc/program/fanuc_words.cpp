@@ -331,6 +331,66 @@ bool FanucFlow::enter_unit(std::string& flat, const Unit& unit, std::uint64_t ti
   return true;
 }
 
+// Back to a line in front it is a production line: the part is made again and again, which for its
+// path is the end of the program.
+bool FanucFlow::return_within_main(std::string& flat, std::int64_t number, std::size_t begin) {
+  const auto target = line_of(frame(), number);
+  const std::size_t current = frame().current;
+  if (!target || *target > current || !never_leaves(*target, current)) {
+    write_line(flat);
+    return go_to(number, begin);
+  }
+  if (!repeats_from(*target, number))
+    return refuse(Code::nc_unsupported, begin,
+                  "M99 P" + std::to_string(number) + ", an endless loop whose rounds differ");
+  write_lasting_values(flat);
+  write_as_it_is(flat);
+  return end_main_program(flat);
+}
+
+// Whether nothing in the lines of the main program leads out of them.
+bool FanucFlow::never_leaves(std::size_t first, std::size_t last) const {
+  const ProgramText& text = texts_.front();
+  for (std::size_t line = first; line <= last; ++line) {
+    const std::string_view content = text.line(line);
+    const std::size_t begin = head_of(content).behind;
+    const bool jumps = has_word_at(content, begin, "IF") || has_word_at(content, begin, "GOTO");
+    const bool ends = has_function(content, 'M', 2, 30);
+    const bool returns = line < last && has_function(content, 'M', 99, 99);
+    if (jumps || ends || returns) return false;
+  }
+  // A subprogram may return to another line than the one behind its call.
+  for (const ProgramText& each : texts_)
+    for (std::size_t line = 0; line < each.size(); ++line) {
+      const bool is_it = &each == &text && line == last;
+      if (!is_it && has_function(each.line(line), 'M', 99, 99) &&
+          says_plainly(each.line(line), 'P'))
+        return false;
+    }
+  return true;
+}
+
+// Whether each round is the one that has been written: from the only line with that N, with the
+// same values.
+bool FanucFlow::repeats_from(std::size_t line, std::int64_t number) const {
+  const auto known = at_line_.find(line);
+  if (known == at_line_.end() && line >= start_) return false;
+  const Variables& then = known == at_line_.end() ? at_start_ : known->second;
+  const auto came_out = returns_to_.find(number);
+  using Values = std::array<std::optional<double>, 34>;
+  const Values& before = then.locals;
+  const Values& now = locals_.front();
+  // What the control counts by itself stands in the line that comes out.
+  const auto settled = [this](std::map<std::int64_t, std::optional<double>> values) {
+    std::erase_if(values, [this](const auto& each) {
+      return counter("#" + std::to_string(each.first)) != nullptr;
+    });
+    return values;
+  };
+  return came_out != returns_to_.end() && came_out->second == 1 && !setup_.renumbers &&
+         before == now && settled(then.common) == settled(common_);
+}
+
 bool FanucFlow::return_from(std::string& flat, ComputedWord& word) {
   ComputedWord* const target = word_of('P');
   const bool is_main = frames_.size() == 1;
@@ -347,9 +407,9 @@ bool FanucFlow::return_from(std::string& flat, ComputedWord& word) {
   }
   word.left_out = true;
   const std::size_t place = target == nullptr ? word.begin : target->begin;
+  if (is_main && !looks_ahead()) return return_within_main(flat, *number, place);
   write_line(flat);
   if (looks_ahead()) return true;
-  if (is_main) return go_to(*number, place);
   if (number) {
     const bool here = line_of(frame(), *number).has_value();
     const bool there = line_of(*(frames_.end() - 2), *number).has_value();

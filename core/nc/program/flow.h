@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -35,6 +36,8 @@ struct ModalState {
   // Of the tool that M6 has put into the spindle, mm, where the setup or the program gives it.
   std::optional<double> spindle_diameter{};
   bool contour_open = false;
+  // Of X, Y and Z, in the unit that holds; nothing where it is not known, nor in a contour.
+  std::array<std::optional<double>, 3> place{};
 };
 
 // Executes a program that computes, a line at a time: follows its jumps, loops and calls, and says

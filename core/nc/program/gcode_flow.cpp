@@ -61,7 +61,20 @@ bool GcodeFlow::scan_words() {
     word.end = at;
     words_.push_back(word);
   }
+  if (grammar_.dialect == DialectName::fanuc && has_computed_) round_whole_words();
   return true;
+}
+
+// P of Fanuc takes no decimal point: in dwells and cycles it counts milliseconds. Of G51 it is a
+// factor, and what a call says has to be whole as it stands.
+void GcodeFlow::round_whole_words() {
+  const bool is_exact = std::ranges::any_of(words_, [](const ComputedWord& word) {
+    return word.is('G', 51) || word.is('G', 65) || word.is('G', 66) || word.is('M', 97) ||
+           word.is('M', 98) || word.is('M', 99);
+  });
+  if (is_exact) return;
+  for (ComputedWord& word : words_)
+    if (word.computed && word.letter == 'P') word.value.number = std::round(word.value.number);
 }
 
 bool GcodeFlow::scan_assignment(std::size_t& at) {
@@ -99,6 +112,7 @@ bool GcodeFlow::scan_value(ComputedWord& word, std::size_t& at) {
   if (word.value.vacant && sign == '[') return refuse_value(Code::variable_unset);
   if (is_negative) word.value.number = -word.value.number;
   if (fanuc && counts(word.letter)) word.value.number = std::round(word.value.number);
+  if (looks_ahead()) suppose_tool(word);
   word.left_out = word.value.vacant;
   constexpr double largest = 1e9;
   if (std::abs(word.value.number) > largest) return refuse_value(Code::value_invalid);
@@ -107,6 +121,14 @@ bool GcodeFlow::scan_value(ComputedWord& word, std::size_t& at) {
   const bool is_arithmetic = behind < line_.size() && std::string_view("+-*[]").find(
                                                           line_[behind]) != std::string_view::npos;
   return !is_arithmetic || refuse(Code::expression_invalid, behind, std::string(1, line_[behind]));
+}
+
+// A value that is not known is no reason to miss a tool.
+void GcodeFlow::suppose_tool(ComputedWord& word) const {
+  const bool names_tool = word.letter == 'D' || word.letter == 'T';
+  if (!names_tool || setup_.tools.empty()) return;
+  if (!setup_.tools.contains(static_cast<std::int64_t>(word.value.number)))
+    word.value.number = static_cast<double>(setup_.tools.begin()->first);
 }
 
 ComputedWord* GcodeFlow::word_of(char letter) {
@@ -182,6 +204,8 @@ bool GcodeFlow::rounds_places() const {
 
 int GcodeFlow::decimals_of(char letter) const {
   const bool is_place = std::string_view("XYZUVWABCQR").find(letter) != std::string_view::npos;
+  // A feed has as many digits as a control takes, of 1e-4 mm or 1e-6 inch a minute.
+  if (letter == 'F' && grammar_.dialect == DialectName::fanuc) return modes_.inch ? 6 : 4;
   if (!is_place || !rounds_places()) return decimals_of_values;
   return std::clamp(setup_.decimals + (modes_.inch ? 1 : 0), 0, decimals_of_values);
 }

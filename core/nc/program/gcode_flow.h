@@ -72,6 +72,9 @@ class GcodeFlow : public Flow, protected Variables {
 
  private:
   bool scan_value(ComputedWord& word, std::size_t& at);
+  void round_whole_words();
+  // Of a word whose value is supposed: a tool that there is.
+  void suppose_tool(ComputedWord& word) const;
   [[nodiscard]] PointStyle style_of(char letter) const;
   // Whether places of the line, which has been read, need no more decimals than the output has.
   [[nodiscard]] bool rounds_places() const;

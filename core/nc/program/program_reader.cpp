@@ -1,9 +1,13 @@
 #include "core/nc/program/program_reader.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <utility>
 
+#include "core/nc/program/gcode_flow.h"
 #include "core/nc/program/isg_line.h"
+#include "core/nc/text/characters.h"
 
 namespace trc {
 namespace {
@@ -50,6 +54,7 @@ bool tells_all_alone(Code code) {
 ProgramReader::ProgramReader(const ReaderLimits& limits, ProgramState& state,
                              Diagnostics& diagnostics, Checkpoint::Interrupt interrupt)
     : limits_(limits),
+      state_(state),
       setup_(state.setup()),
       diagnostics_(diagnostics),
       interpreter_(limits, state, diagnostics),
@@ -87,19 +92,32 @@ bool ProgramReader::pass_plain(std::string_view text, std::vector<LinePointer>& 
 
 // Lines that compute nothing go on together.
 bool ProgramReader::split(std::string_view text, std::vector<LinePointer>& lines) {
+  if (has_to_wait()) {
+    text.remove_prefix(wait(text, lines));
+    if (diagnostics_.stopped()) return false;
+    if (computing_) return collect(text, lines);
+    if (has_to_wait()) return keep_partial(text, lines);
+  }
   std::size_t begin = 0;
   std::uint64_t count = 0;
   for (std::size_t end = behind_line(text, begin); end > 0; end = behind_line(text, begin)) {
-    if (program::computes(setup_, without_line_end(text.substr(begin, end - begin)))) {
+    const std::string_view line = without_line_end(text.substr(begin, end - begin));
+    if (program::computes(setup_, line)) {
       if (!pass(text.substr(0, begin), lines)) return false;
-      lines_before_ += count;
+      lines_before_ += std::exchange(count, 0);
+      text.remove_prefix(begin);
+      end -= std::exchange(begin, 0);
       if (!interpreter_.has_ended()) {
         computing_ = true;
-        return collect(text.substr(begin), lines);
+        return collect(text, lines);
       }
+      if (calls_what_stands_first(line))
+        return refuse_order_of_programs(program::program_head_of(first_program_).told() +
+                                            ", a subprogram in front of what calls it",
+                                        lines_before_ + 1);
       // Behind the end of the program there is text alone.
-      passes_ = true;
-      return interpreter_.feed(text.substr(begin), lines);
+      passes_ = first_program_.empty();
+      if (passes_) return interpreter_.feed(text, lines);
     }
     begin = end;
     ++count;
@@ -109,7 +127,94 @@ bool ProgramReader::split(std::string_view text, std::vector<LinePointer>& lines
   return goes_on && keep_partial(text.substr(begin), lines);
 }
 
+// Takes whole lines as long as it is not known whether they are of the main program; how many
+// bytes.
+std::size_t ProgramReader::wait(std::string_view text, std::vector<LinePointer>& lines) {
+  std::size_t begin = 0;
+  for (std::size_t end = behind_line(text, begin); end > 0; end = behind_line(text, begin)) {
+    const std::string_view line = without_line_end(text.substr(begin, end - begin));
+    const bool is_head = program::program_head_of(line).is_there();
+    const bool says_nothing =
+        line == byte_order_mark || program::is_percent(line) || program::is_over(line, 0);
+    if (waits_ == Waits::for_head && is_head) {
+      first_program_ = line;
+      waits_ = Waits::for_main;
+    }
+    const bool begins_otherwise = waits_ == Waits::for_head && !says_nothing;
+    const bool is_long = waiting_.size() + line.size() > most_text_before;
+    if (begins_otherwise || is_long || program::tells_main_program(line)) {
+      stop_waiting(lines);
+      return begin;
+    }
+    const bool returns = program::has_function(line, 'M', 99, 99);
+    computing_ = returns || program::computes(setup_, line);
+    waiting_.append(text.substr(begin, end - begin));
+    begin = end;
+    if (computing_) return begin;
+  }
+  return begin;
+}
+
+bool ProgramReader::stop_waiting(std::vector<LinePointer>& lines) {
+  waits_ = Waits::not_any_more;
+  const std::string text = std::exchange(waiting_, {});
+  return split(text, lines);
+}
+
+// Of a text that has been collected.
+bool ProgramReader::find_main_program(std::vector<LinePointer>& lines) {
+  if (setup_.dialect != DialectName::fanuc) return true;
+  const bool waited = has_to_wait();
+  const bool is_whole = waited || before_is_whole_;
+  std::string whole = is_whole ? before_ : std::string();
+  whole.append(waiting_).append(text_);
+  const program::ProgramText text({}, std::move(whole));
+  const program::MainProgram main =
+      program::main_program_of(text, program::program_head_of(first_program_));
+  const std::uint64_t line_of_main = (is_whole ? 0 : lines_before_) + main.line + 1;
+  if (!main.ambiguous.empty()) return refuse_order_of_programs(main.ambiguous, line_of_main);
+  if (!main.is_first && !waited)
+    return refuse_order_of_programs(main.first + ", a subprogram in front of what calls it",
+                                    line_of_main);
+  if (!waited) return true;
+  if (!main.is_first) {
+    waits_ = Waits::not_any_more;
+    text_.insert(0, std::exchange(waiting_, {}));
+    starts_at_main_ = true;
+    main_line_ = main.line;
+    return true;
+  }
+  // It is the main program that stands first: its lines are read as any others.
+  computing_ = false;
+  const std::string behind = std::exchange(text_, {});
+  if (!stop_waiting(lines)) return false;
+  return computing_ ? collect(behind, lines) : split(behind, lines);
+}
+
+bool ProgramReader::refuse_order_of_programs(std::string detail, std::uint64_t line) {
+  Diagnostic refused = diagnostic(Code::nc_unsupported, {}, std::move(detail));
+  refused.source.line = static_cast<std::uint32_t>(line);
+  return interpreter_.stop(std::move(refused));
+}
+
+// Behind the end: the program that stands first has ended with M99.
+bool ProgramReader::calls_what_stands_first(std::string_view line) const {
+  if (first_program_.empty()) return false;
+  if (before_is_whole_) {
+    const std::vector<program::ProgramOfText> programs =
+        program::programs_of(program::ProgramText({}, before_));
+    if (programs.empty() || programs.front().ends_all) return false;
+  }
+  program::ProgramCalls calls;
+  program::add_calls(line, calls);
+  return calls.may_lead_to(program::program_head_of(first_program_).name);
+}
+
 bool ProgramReader::keep_partial(std::string_view text, std::vector<LinePointer>& lines) {
+  if (text.size() > limits_.longest_line && has_to_wait()) {
+    const std::string line(text);
+    return stop_waiting(lines) && keep_partial(line, lines);
+  }
   partial_ = text;
   if (partial_.size() <= limits_.longest_line) return true;
   return interpreter_.feed(std::exchange(partial_, {}), lines);  // which refuses it
@@ -159,6 +264,7 @@ bool ProgramReader::collect(std::string_view text, std::vector<LinePointer>& lin
 
 bool ProgramReader::begin_to_execute(std::vector<LinePointer>& lines) {
   if (flow_) return true;
+  if (computing_ ? !find_main_program(lines) : has_to_wait() && !stop_waiting(lines)) return false;
   // A last line without an end may compute as well.
   if (!computing_ && !passes_ && program::computes(setup_, partial_) && !interpreter_.has_ended()) {
     computing_ = true;
@@ -166,7 +272,7 @@ bool ProgramReader::begin_to_execute(std::vector<LinePointer>& lines) {
   }
   if (!computing_) return false;
   const std::uint64_t first_line = before_is_whole_ ? 1 : lines_before_ + 1;
-  const std::size_t start = before_is_whole_ ? lines_before_ : 0;
+  const std::size_t start = starts_at_main_ ? main_line_ : before_is_whole_ ? lines_before_ : 0;
   const std::string told = before_is_whole_ ? std::string() : std::exchange(before_, {});
   program::ProgramText text({}, std::exchange(before_, {}).append(std::exchange(text_, {})),
                             static_cast<std::uint32_t>(first_line));
@@ -196,13 +302,19 @@ bool ProgramReader::resolve(std::vector<LinePointer>& lines) {
 }
 
 program::ModalState ProgramReader::modes() const {
+  std::array<std::optional<double>, 3> place{};
+  for (std::size_t axis = 0; axis < place.size(); ++axis) {
+    if (state_.contour_open() || !state_.is_known(axis)) continue;
+    place.at(axis) = state_.position().at(axis) / (interpreter_.counts_in_inch() ? mm_per_inch : 1);
+  }
   return {.motion = interpreter_.motion_in_force(),
           .plane = interpreter_.plane_in_force(),
           .incremental = interpreter_.is_incremental(),
           .inch = interpreter_.counts_in_inch(),
           .tool_radius = interpreter_.radius_in_force(),
           .spindle_diameter = interpreter_.spindle_diameter(),
-          .contour_open = interpreter_.is_in_contour()};
+          .contour_open = interpreter_.is_in_contour(),
+          .place = place};
 }
 
 // All that one line has become is told by its place.

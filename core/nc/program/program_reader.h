@@ -9,6 +9,7 @@
 
 #include "core/base/checkpoint.h"
 #include "core/nc/dialect/interpreter.h"
+#include "core/nc/program/fanuc_programs.h"
 #include "core/nc/program/flow.h"
 
 namespace trc {
@@ -19,6 +20,11 @@ namespace trc {
 // a call). From there on it is collected, and executed at the end of the text. Of what stands in
 // front `most_text_before` bytes are kept, so that jumps and calls reach them; of a longer program
 // nothing, and such a jump is refused (900305). Of ISG only what says the values of variables is.
+//
+// A text of Fanuc that begins with an O may begin with a subprogram, whose main program stands
+// behind it. Its lines wait until one of them says that it is a main program (a tool, a work
+// offset, a unit, M30), `most_text_before` bytes at most. Where none does, and it ends with M99 or
+// computes, the whole text is collected, and the main program is looked for in it.
 class ProgramReader {
  public:
   static constexpr std::size_t most_text_before = 64U * 1024U;
@@ -52,10 +58,21 @@ class ProgramReader {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(interpreter_, partial_, before_, lines_before_, before_is_whole_, passes_, computing_,
-            text_);
+            text_, waits_, waiting_, first_program_);
   }
 
  private:
+  // Whether the lines of a text of Fanuc wait: nothing but comments was seen yet, or an O was.
+  enum class Waits : std::uint8_t { for_head, for_main, not_any_more };
+
+  [[nodiscard]] bool has_to_wait() const {
+    return waits_ != Waits::not_any_more && setup_.dialect == DialectName::fanuc;
+  }
+  std::size_t wait(std::string_view text, std::vector<LinePointer>& lines);
+  bool stop_waiting(std::vector<LinePointer>& lines);
+  bool find_main_program(std::vector<LinePointer>& lines);
+  bool refuse_order_of_programs(std::string detail, std::uint64_t line);
+  [[nodiscard]] bool calls_what_stands_first(std::string_view line) const;
   bool split(std::string_view text, std::vector<LinePointer>& lines);
   bool pass_plain(std::string_view text, std::vector<LinePointer>& lines);
   void keep_what_tells(std::string_view text);
@@ -70,6 +87,7 @@ class ProgramReader {
   [[nodiscard]] Diagnostic with_place(Diagnostic found) const;
 
   ReaderLimits limits_;
+  const ProgramState& state_;
   const ProgramSetup& setup_;
   Diagnostics& diagnostics_;
   Interpreter interpreter_;
@@ -80,6 +98,12 @@ class ProgramReader {
   std::string before_{};            // what went to the Interpreter, of ISG lines that tell a state
   std::uint64_t lines_before_ = 0;  // whole lines that did
   bool before_is_whole_ = true;     // it holds all of them
+
+  Waits waits_ = Waits::for_head;
+  std::string waiting_{};        // text that waits
+  std::string first_program_{};  // the line of its O, where it need not be the main one
+  bool starts_at_main_ = false;  // which stands behind what it calls
+  std::size_t main_line_ = 0;
 
   bool computing_ = false;
   std::string text_{};  // collected

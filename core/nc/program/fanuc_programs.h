@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/nc/program/program_text.h"
+
+// Which programs a text of Fanuc holds, and which of them call which.
+
+namespace trc::program {
+
+// O1001, :1001, O<PART1> at the beginning of a line, <PART1> alone in it. The O is a word of its
+// block as N is: what stands behind it is executed.
+struct ProgramHead {
+  std::string name{};        // "1001", "<PART1>" in capitals; empty: the line begins no program
+  std::int64_t number = -1;  // -1: it has a name
+  std::size_t begin = 0;     // bytes of the line
+  std::size_t behind = 0;
+
+  [[nodiscard]] bool is_there() const { return !name.empty(); }
+  // As people write it: O0100, O<PART1>.
+  [[nodiscard]] std::string told() const;
+};
+[[nodiscard]] ProgramHead program_head_of(std::string_view line);
+
+// Whether the line is worth a look for it, which all lines are asked.
+[[nodiscard]] bool may_begin_program(std::string_view line);
+// The line with blanks in place of the O, so that its columns stay.
+[[nodiscard]] std::string without_head(std::string_view line, const ProgramHead& head);
+
+// What a line, or several, calls by M98, G65 and G66, by the name of its head.
+struct ProgramCalls {
+  std::set<std::string> names{};
+  std::set<std::string> milled{};  // by G150 of Haas, which stays a call of the machine
+  bool is_computed = false;        // one hangs on a value: it may be any
+
+  [[nodiscard]] bool say(const std::string& name) const {
+    return names.contains(name) || milled.contains(name);
+  }
+  [[nodiscard]] bool may_lead_to(const std::string& name) const { return is_computed || say(name); }
+};
+void add_calls(std::string_view line, ProgramCalls& calls);
+
+// A program of a text, from the line of its O on; the first one may have none.
+struct ProgramOfText {
+  ProgramHead head{};
+  std::size_t begin = 0;
+  std::size_t end = 0;
+  bool ends_all = false;  // it has M02 or M30
+  bool returns = false;   // it has M99
+  ProgramCalls calls{};
+};
+[[nodiscard]] std::vector<ProgramOfText> programs_of(const ProgramText& text);
+
+// Memory is punched in the order of the numbers, a subprogram may stand in front of what calls it.
+struct MainProgram {
+  std::size_t line = 0;     // of its O
+  bool is_first = true;     // of the text
+  std::string first{};      // of the text, as it is told, where that is another one
+  std::string ambiguous{};  // why it is not known; empty: it is
+};
+// `begun`: the first program, where its O stands in front of the text.
+[[nodiscard]] MainProgram main_program_of(const ProgramText& text, const ProgramHead& begun);
+
+// Whether the line says what main programs begin with or end with: a tool, a work offset, a unit, a
+// reference point, M02, M30.
+[[nodiscard]] bool tells_main_program(std::string_view line);
+
+}  // namespace trc::program
