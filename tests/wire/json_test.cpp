@@ -103,7 +103,8 @@ TEST(JsonFault, NamesThePlaceInTheText) {
   EXPECT_EQ(fault_of("{} x"), "line 1, column 4: something stands behind the end");
   // What stands there more than once is shown.
   const std::string block = R"({"linear":{"end":{"x":1 "y":2},"feed":100}})";
-  const std::string fault = fault_of(R"({"batch":{"blocks":[)" + block + "," + block + "]}}");
+  const std::string list = block + "," + block + "," + block;
+  const std::string fault = fault_of(R"({"batch":{"blocks":[)" + list + "]}}");
   EXPECT_EQ(fault.rfind("at \"y\":2}", 0), 0U) << fault;
 }
 
