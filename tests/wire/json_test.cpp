@@ -76,8 +76,9 @@ TEST(JsonFault, NamesWhatAListCannotHold) {
 
 // Protobuf takes them, and would take the second of two names though only one has quotes.
 TEST(JsonFault, NamesWhatIsNoJson) {
-  EXPECT_EQ(fault_of(R"({"setup":{"toolRadius":5, tool_radius:6}})"), "setup: a name stands in \"");
-  EXPECT_EQ(fault_of("{setup:{}}"), "a name stands in \"");
+  EXPECT_EQ(fault_of(R"({"setup":{"toolRadius":5, tool_radius:6}})"),
+            "setup: a name has no quotes");
+  EXPECT_EQ(fault_of("{setup:{}}"), "a name has no quotes");
   EXPECT_EQ(fault_of(R"({"setup":{"toolRadius":5,}})"), "setup: a comma stands in front of }");
   EXPECT_EQ(fault_of(R"({"batch":{"blocks":[{"linear":{}}, ]}})"),
             "batch.blocks: a comma stands in front of ]");
