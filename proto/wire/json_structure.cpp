@@ -60,7 +60,8 @@ const FieldDescriptor* field_of(const Descriptor* type, const std::string& name)
   return nullptr;
 }
 
-// As Protobuf takes it without quotes. Of all else it says that it is no name, and where.
+// Protobuf takes such a name without quotes; where another character stands it says itself what is
+// wrong, and where.
 bool begins_name(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '$';
 }
@@ -101,7 +102,7 @@ class Reader {
       } else if (c == ':') {
         is_name_ = false;
       } else if (is_name_ && begins_name(c)) {
-        return place() + "a name stands in \"";
+        return place() + "a name has no quotes";
       }
       if (!is_space(json_[at_])) before_ = json_[at_];
     }

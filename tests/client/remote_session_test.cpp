@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "client/trc/message_size.h"
 #include "client/trc/remote_path_session.h"
 #include "client/trc/remote_program_session.h"
 #include "client/trc/survey.h"
@@ -241,6 +242,20 @@ TEST_F(RemoteSession, MaskedPathIsThatOfALocalSessionInBothLayouts) {
     const Answer collected = out.take();
     EXPECT_TRUE(bytes_of(collected.blocks) == bytes_of(expected.blocks));
     EXPECT_EQ(collected.diagnostics.size(), expected.diagnostics.size());
+  }
+}
+
+// A server that announces less than any takes would get pieces of nothing, for ever.
+TEST(MessageSize, IsNeverLessThanEveryServerTakes) {
+  MessageSize size;
+  const std::size_t text = size.text_bytes();
+  const std::size_t blocks = size.blocks();
+  for (const std::uint64_t announced : {0U, 1U, 64U, 4095U}) {
+    v1::StreamAccepted accepted;
+    accepted.set_max_message_bytes(announced);
+    size.take(accepted);
+    EXPECT_EQ(size.text_bytes(), text) << announced;
+    EXPECT_EQ(size.blocks(), blocks) << announced;
   }
 }
 

@@ -76,8 +76,9 @@ TEST(JsonFault, NamesWhatAListCannotHold) {
 
 // Protobuf takes them, and would take the second of two names though only one has quotes.
 TEST(JsonFault, NamesWhatIsNoJson) {
-  EXPECT_EQ(fault_of(R"({"setup":{"toolRadius":5, tool_radius:6}})"), "setup: a name stands in \"");
-  EXPECT_EQ(fault_of("{setup:{}}"), "a name stands in \"");
+  EXPECT_EQ(fault_of(R"({"setup":{"toolRadius":5, tool_radius:6}})"),
+            "setup: a name has no quotes");
+  EXPECT_EQ(fault_of("{setup:{}}"), "a name has no quotes");
   EXPECT_EQ(fault_of(R"({"setup":{"toolRadius":5,}})"), "setup: a comma stands in front of }");
   EXPECT_EQ(fault_of(R"({"batch":{"blocks":[{"linear":{}}, ]}})"),
             "batch.blocks: a comma stands in front of ]");
@@ -103,7 +104,8 @@ TEST(JsonFault, NamesThePlaceInTheText) {
   EXPECT_EQ(fault_of("{} x"), "line 1, column 4: something stands behind the end");
   // What stands there more than once is shown.
   const std::string block = R"({"linear":{"end":{"x":1 "y":2},"feed":100}})";
-  const std::string fault = fault_of(R"({"batch":{"blocks":[)" + block + "," + block + "]}}");
+  const std::string list = block + "," + block + "," + block;
+  const std::string fault = fault_of(R"({"batch":{"blocks":[)" + list + "]}}");
   EXPECT_EQ(fault.rfind("at \"y\":2}", 0), 0U) << fault;
 }
 

@@ -213,7 +213,7 @@ std::size_t Flow::first_with(char letter, int first, int second, std::size_t beg
   return begin;
 }
 
-// D-143
+// Nothing resolves it there (D-143).
 bool Flow::refuse_contour_behind_end(std::size_t line) {
   frames_.erase(frames_.begin() + 1, frames_.end());
   frames_.front().current = line;

@@ -260,7 +260,7 @@ bool ProgramState::append_between_corners(const MoveRequest& request, const Shap
 }
 
 // Behind G40 alone the tool stands beside the contour, so that a motion to where it ends in the
-// program moves it all the same: programs go back there and begin the next pass.
+// program moves it all the same: programs go back there and begin the next pass (D-123).
 bool ProgramState::leads_back(const MoveRequest& request) const {
   const PlaneAxes axes = axes_of(mode_.plane);
   return setup_.dialect != DialectName::isg && mode_.deselection == Selection::direct &&

@@ -17,7 +17,8 @@ struct Mode {
   char group;                  // of those that end one another
 };
 
-// G40 to G42 are resolved for good (but see D-140), corners and leads are those of their block.
+// G40 to G42 are resolved for good, and a G40 that ends nothing stays (D-140); corners and leads
+// are those of their block.
 constexpr auto modes = std::to_array<Mode>({
     {"G10", 'f'},  {"G11", 'f'},  {"G25", 't'},        {"G26", 't'},    {"G138", 's'},
     {"G139", 's'}, {"G236", 's'}, {"G237", 's'},       {"G238", 's'},   {"G239", 's'},

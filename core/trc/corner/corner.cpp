@@ -33,7 +33,7 @@ double length_of_cut(const OffsetCurve& curve, double cut) {
   return curve.circular ? cut * curve.circle.radius : cut;
 }
 
-// How far outside its block a meeting may seem to lie by rounding alone (D-148): near a
+// How far outside its block a meeting may seem to lie by rounding alone: near a
 // tangential corner the place of a meeting along the curves is known the worse,
 // the smaller the turn. It is still on both curves.
 double slack_of(const OffsetCurve& before, const OffsetCurve& after, const Tolerances& tolerances) {
@@ -101,6 +101,7 @@ double transition_angle(const Corner& corner, const Tolerances& tolerances) {
   return pi + std::abs(outside_sweep(corner));
 }
 
+// Both blocks share Q (D-148).
 Joint tangential_joint(const Corner& corner) {
   Joint joint;
   joint.end = corner.before.anchor;

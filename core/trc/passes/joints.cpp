@@ -65,6 +65,7 @@ JointResult round_by_tangent(const Point& far, const Corner& corner, const TrcMo
 
 JointResult approach(const PathBlock& before, const PathBlock& after, const Corner& corner,
                      const Tolerances& tolerances) {
+  // Of the selection block; the transition is that of the block behind the corner (D-149).
   const TrcMode& mode = before.mode();
   if (mode.tangential) {
     auto path = selection::tangential_entry(start_of(before.programmed.path), corner.after.anchor,
@@ -101,7 +102,6 @@ JointResult approach(const PathBlock& before, const PathBlock& after, const Corn
 
 JointResult retract(const PathBlock& after, Selection mode, const Corner& corner,
                     const Tolerances& tolerances) {
-  // The transition is that of the block behind the corner (D-149).
   if (after.mode().tangential) {
     const Point& target = end_of(after.programmed.path);
     auto path =

@@ -19,8 +19,7 @@ bool continues(const TrcMode& before, const TrcMode* after) {
   return after != nullptr && after->active() && after->selection_number == before.selection_number;
 }
 
-// Whether the mode takes the tool off the contour in the motion block after G40. In dialects other
-// than ISG's one of no length does (D-123).
+// Whether the mode takes the tool off the contour in the motion block after G40.
 bool retracts_in_a_block(Selection deselection) {
   return deselection != Selection::perpendicular && deselection != Selection::without_block;
 }

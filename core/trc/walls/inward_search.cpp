@@ -85,7 +85,7 @@ class InwardSearch {
   [[nodiscard]] std::optional<Closing> result(std::span<const EndsMeeting> candidates) {
     if (!best_) return std::nullopt;
     end_before_lead_out();
-    stay_with_all_laps();  // each may touch its own begin (D-136)
+    stay_with_all_laps();
     Closing found = closing();
     found.overrun = overrun_to(contour_, *best_, candidates, tolerance_);
     return found;
@@ -245,6 +245,7 @@ class InwardSearch {
     // The end lies on the last lap as exactly as that was told.
     gap_ = std::max(gap_, contour_.tolerances.on_top) + most_on_top();
   }
+  // A lap may touch its own begin (D-136).
   [[nodiscard]] Closing closing() const {
     const bool overruns = best_->before > overrun_.front().before + tolerance_;
     return {.first = best_->first,
