@@ -271,10 +271,8 @@ class StreamSession {
     handed_.bytes += fresh.bytes;
     handed_.diagnostics += fresh.diagnostics;
     out.tell(std::move(diagnostics));
-    if (!response.resume_token().empty() || response.has_summary()) {
-      if (to_skip_ != Handed{}) return stop(resumed_path_differs());
-      note_token(response.resume_token(), consumed);
-    }
+    if (response.has_summary() && to_skip_ != Handed{}) return stop(resumed_path_differs());
+    note_token(response.resume_token(), consumed);
     if (fresh == Handed{}) return true;
     progressed_ = true;
     return out.hand_on() || stop({.status = "CANCELLED",
@@ -298,14 +296,15 @@ class StreamSession {
     return answers.size() - before;
   }
 
-  // All answers to the input before `position` are out: only what follows can be needed again.
+  // All answers to the input before `position` are out: only what follows can be needed again. Of
+  // that the caller has something already where the stream before had no token there.
   void note_token(const std::string& token, std::uint64_t position) {
     if (token.empty()) return;
     progressed_ = true;
     token_ = token;
     token_position_ = position;
     reader_at_token_ = reader_;
-    handed_ = {};
+    handed_ = to_skip_;
     while (!kept_.empty() && kept_.front().input_end <= position) {
       kept_bytes_ -= kept_.front().bytes;
       kept_.pop_front();

@@ -364,6 +364,7 @@ constexpr auto fragments = std::to_array<Fragment>({
      "neben Wörtern eines Bogens, einer Rundung oder einer Fase"},
     {"control loop setting", "Einstellung des Regelkreises"},
     {"coordinates of the dialogue program", "Koordinaten des Dialogprogramms"},
+    {"compensation of the tool length in five axes", "Werkzeuglängenkorrektur in fünf Achsen"},
     {"correction of how the work is set up", "Korrektur der Aufspannung"},
     {"end of a drilling cycle", "Ende eines Bohrzyklus"},
     {"end of a spline", "Ende eines Splines"},
@@ -405,6 +406,12 @@ constexpr auto fragments = std::to_array<Fragment>({
     {"no shift of the coordinates", "keine Verschiebung der Koordinaten"},
     {"polar coordinate interpolation off", "Polarkoordinaten-Interpolation aus"},
     {"polar coordinates off", "Polarkoordinaten aus"},
+    {"cylindrical interpolation", "Mantelflächenbearbeitung"},
+    {"cylindrical mapping", "Mantelflächenbearbeitung"},
+    {"polar coordinate interpolation", "Polarkoordinaten-Interpolation"},
+    {"polar coordinates", "Polarkoordinaten"},
+    {"tool centre point control", "Führung der Werkzeugspitze"},
+    {"tool length along the tool axis", "Werkzeuglänge in der Werkzeugachse"},
 });
 
 bool begins_word(std::string_view text, std::size_t at) {

@@ -35,13 +35,11 @@ Size size_of(std::string_view json) {
 }  // namespace
 
 std::optional<Ending> refuse_size(std::string_view json, const Config& config) {
-  const std::size_t most = config.max_blocks_per_batch;
+  const std::uint32_t most = config.max_blocks_per_batch;
   const Size size = size_of(json);
   if (size.objects <= most_objects_of_block * most && size.values <= most_values_of_block * most)
     return std::nullopt;
-  return refuse(
-      Refusal::batch_too_large, {},
-      {{"max_blocks_per_batch", std::to_string(most)}, {"got", "> " + std::to_string(most)}});
+  return refuse_batch_of("> " + std::to_string(most), most);
 }
 
 }  // namespace trc::server::http

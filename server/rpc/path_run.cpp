@@ -44,10 +44,7 @@ void PathRun::feed_batch(const Batch& batch, const char* field, std::int64_t blo
                                       {{"expected", expected}, {"got", got}}));
   }
   const std::uint32_t most = stream_.backend.config.max_blocks_per_batch;
-  if (blocks > most)
-    return responses_.end_with(
-        refuse(Refusal::batch_too_large, {},
-               {{"max_blocks_per_batch", std::to_string(most)}, {"got", std::to_string(blocks)}}));
+  if (blocks > most) return responses_.end_with(refuse_batch_of(std::to_string(blocks), most));
   // Corners give transition blocks too. All would be moved again and again while their number
   // grows.
   std::vector<CompensatedBlock>& ready = answers().blocks();

@@ -35,8 +35,10 @@ constexpr std::array<Row, 30> table{{
      "the request carries nothing this server knows",
      "die Anfrage enthält nichts, was dieser Server kennt"},
     {Refusal::request_unreadable, StatusCode::INVALID_ARGUMENT, "REQUEST_UNREADABLE",
-     "the request is no message of this service",
-     "die Anfrage ist keine Nachricht dieses Dienstes"},
+     "the request is no message of this service: its bytes are cut off or changed, or a text in it "
+     "is no UTF-8",
+     "die Anfrage ist keine Nachricht dieses Dienstes: Bytes fehlen oder sind verändert, oder ein "
+     "Text darin ist kein UTF-8"},
     {Refusal::call_invalid, StatusCode::INVALID_ARGUMENT, "CALL_INVALID",
      "the call is none of the Connect protocol", "der Aufruf ist keiner des Connect-Protokolls"},
     {Refusal::stream_needs_grpc, StatusCode::UNIMPLEMENTED, "STREAM_NEEDS_GRPC",
@@ -213,6 +215,12 @@ Ending refuse(Refusal refusal, std::string_view detail, const Values& values) {
     rich.add_details()->PackFrom(retry);
   }
   return finished(row.code, row.reason, message, std::move(rich));
+}
+
+Ending refuse_batch_of(std::string_view got, std::uint32_t most) {
+  const std::string allowed = std::to_string(most);
+  return refuse(Refusal::batch_too_large, std::string(got) + " of " + allowed,
+                {{"max_blocks_per_batch", allowed}, {"got", std::string(got)}});
 }
 
 Ending refuse(const wire::FieldFaults& faults) {

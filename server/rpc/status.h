@@ -2,6 +2,7 @@
 
 #include <grpcpp/support/status.h>
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -61,6 +62,9 @@ using Values = std::vector<std::pair<std::string, std::string>>;
 // the sentence of the table.
 [[nodiscard]] Ending refuse(Refusal refusal, std::string_view detail = {},
                             const Values& values = {});
+
+// The status of a batch of `got` blocks where `most` are taken.
+[[nodiscard]] Ending refuse_batch_of(std::string_view got, std::uint32_t most);
 
 // The status of a message with fields that cannot be taken: BadRequest names them, at most
 // FieldFaults::most_listed; how many more there were is said.

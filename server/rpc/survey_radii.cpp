@@ -82,9 +82,7 @@ std::optional<Ending> SurveyRadii::keep(const Batch& batch, const char* field,
                   {{"expected", expected}, {"got", got}});
   }
   if (const std::uint32_t most = stream_.backend.config.max_blocks_per_batch; blocks > most)
-    return refuse(
-        Refusal::batch_too_large, {},
-        {{"max_blocks_per_batch", std::to_string(most)}, {"got", std::to_string(blocks)}});
+    return refuse_batch_of(std::to_string(blocks), most);
   next_ += static_cast<std::uint64_t>(blocks);
   whole_ = batch.final();
   return std::nullopt;

@@ -524,5 +524,64 @@ TEST(BrokenServer, GapInThePathIsNoSuccess) {
   EXPECT_EQ(remote.failure()->reason, "RESPONSE_INVALID");
 }
 
+// Gives each line back as it is, and a token behind it where the call was told so. Its first call
+// is lost behind two lines.
+class LineServer : public v1::TrcService::Service {
+ public:
+  explicit LineServer(std::vector<bool> gives_tokens) : gives_tokens_(std::move(gives_tokens)) {
+    grpc::ServerBuilder builder;
+    builder.RegisterService(this);
+    server_ = builder.BuildAndStart();
+  }
+  ~LineServer() override { server_->Shutdown(); }
+  LineServer(const LineServer&) = delete;
+  LineServer& operator=(const LineServer&) = delete;
+
+  [[nodiscard]] Connection connection() {
+    return Connection(server_->InProcessChannel(grpc::ChannelArguments()),
+                      {.patience = std::chrono::seconds(10)});
+  }
+
+  grpc::Status CompensateProgram(
+      grpc::ServerContext* /*context*/,
+      grpc::ServerReaderWriter<v1::CompensateProgramResponse, v1::CompensateProgramRequest>* stream)
+      override {
+    const std::size_t call = calls_++;
+    v1::CompensateProgramRequest request;
+    stream->Read(&request);
+    v1::CompensateProgramResponse accepted;
+    accepted.mutable_accepted()->set_max_batches_in_flight(1);
+    stream->Write(accepted);
+    for (int lines = 1; stream->Read(&request); ++lines) {
+      const v1::ProgramText& text = request.text();
+      v1::CompensateProgramResponse response;
+      response.set_nc_text(text.text());
+      response.set_consumed_bytes(text.first_byte() + text.text().size());
+      if (gives_tokens_.at(call)) response.set_resume_token("token");
+      if (text.final()) response.mutable_summary();
+      stream->Write(response);
+      if (call == 0 && lines == 2) return {grpc::StatusCode::UNAVAILABLE, "gone"};
+    }
+    return grpc::Status::OK;
+  }
+
+ private:
+  std::vector<bool> gives_tokens_;
+  std::size_t calls_ = 0;
+  std::unique_ptr<grpc::Server> server_;
+};
+
+// What a token may have grows with the state that it holds: near the limit one stream gives one
+// where the other gave none.
+TEST(LineServer, ThatGivesTokensOnlyTheSecondTimeIsGoneOnWith) {
+  LineServer server({false, true});
+  RemoteProgramSession remote(server.connection(), {});
+  Answers out;
+  for (const char* line : {"X1\n", "X2\n", "X3\n", "X4\n"}) EXPECT_TRUE(remote.feed(line, out));
+  EXPECT_TRUE(remote.finish(out));
+  EXPECT_FALSE(remote.failure()) << remote.failure()->message;
+  EXPECT_EQ(out.take().text, "X1\nX2\nX3\nX4\n");
+}
+
 }  // namespace
 }  // namespace trc::client

@@ -23,6 +23,7 @@ struct Call {
   grpc::Status status{};
   // Of the summary, where one comes before a status that is not OK.
   std::optional<double> wall_time_s{};
+  int pieces = 0;  // of the text, each answered by nothing
 };
 
 grpc::Status no_place() {
@@ -55,6 +56,7 @@ class Told final : public v1::TrcService::Service {
     v1::SurveyRadiiResponse accepted;
     accepted.mutable_accepted();
     stream->Write(accepted);
+    for (int piece = 0; piece < call.pieces; ++piece) stream->Write({});
     for (const double radius : call.radii) {
       v1::SurveyRadiiResponse response;
       response.mutable_radius()->set_radius(radius);
@@ -105,6 +107,13 @@ TEST(Survey, ThatIsLostBehindItsSummaryIsTheSameThoughItTakesAnotherTime) {
   EXPECT_FALSE(server.ask(radii));
   EXPECT_EQ(radii, std::vector<double>{3});
   EXPECT_EQ(server.asked(), 2U);
+}
+
+TEST(Survey, ThatIsCutIntoOtherPiecesTheNextTimeIsTheSame) {
+  Told server({{{3}, no_place(), {}, 2}, {{3, 5}, no_place(), {}, 1}, {{3, 5, 8}, {}, {}, 3}});
+  std::vector<double> radii;
+  EXPECT_FALSE(server.ask(radii));
+  EXPECT_EQ(radii, (std::vector<double>{3, 5, 8}));
 }
 
 TEST(Survey, ThatIsAnotherOneTheNextTimeFails) {

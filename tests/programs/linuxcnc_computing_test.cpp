@@ -46,6 +46,12 @@ TEST(LinuxcncExpressions, KnowTheFunctions) {
   EXPECT_EQ(value_of("#<_incremental>"), "0");
 }
 
+TEST(LinuxcncExpressions, RefuseExistsOfWhatIsNoParameter) {
+  EXPECT_EQ(refusal_of("#1=[EXISTS[5]]\nG0 X#1\nM2\n", linuxcnc()), std::pair(900308, 1U));
+  EXPECT_EQ(refusal_of("#1=EXISTS[\nG0 X#1\nM2\n", linuxcnc()), std::pair(900308, 1U));
+  EXPECT_EQ(refusal_of("#1=[EXISTS[#2\nG0 X#1\nM2\n", linuxcnc()), std::pair(900308, 1U));
+}
+
 TEST(LinuxcncPrograms, LoseNoContourBehindTheirEnd) {
   const std::string contour = "G0 X-20 Y-20\nG41.1 D4 G1 X0 Y0 F300\nY40\nG40 X80\n";
   EXPECT_EQ(refusal_of("#31=5\nG0 X#31\nM2\n" + contour + "M2\n", linuxcnc()),

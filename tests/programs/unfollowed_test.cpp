@@ -14,9 +14,13 @@ namespace {
 
 using enum DialectName;
 
-std::pair<int, unsigned> of_contour(DialectName dialect, const std::string& text) {
+ProgramSessionSetup setup_of(DialectName dialect) {
   ProgramSessionSetup setup = computing_setup(dialect, 2);
   setup.session.program.tools = {{1, ToolRow(2)}};
+  return setup;
+}
+
+std::string contour_behind(DialectName dialect, const std::string& text) {
   const bool fanuc_words = dialect == fanuc;
   const std::string head = fanuc_words ? "G21 G17 G90 G40 G54\nT1 M6\nG0 X0. Y0.\n"
                                        : "G71 G17 G90 G40 G54\nT1 D1\nG0 X0 Y0\n";
@@ -24,7 +28,11 @@ std::pair<int, unsigned> of_contour(DialectName dialect, const std::string& text
                                   ? "G0 X-20. Y0. Z5.\nG1 Z-2. F300.\nG41 D1 X0. F500.\nY40.\nG40 "
                                     "X-20.\nM30\n"
                                   : "G0 X-20 Y0 Z5\nG1 Z-2 F300\nG41 X0 F500\nY40\nG40 X-20\nM30\n";
-  return refusal_of(head + text + "\n" + contour, setup);
+  return head + text + "\n" + contour;
+}
+
+std::pair<int, unsigned> of_contour(DialectName dialect, const std::string& text) {
+  return refusal_of(contour_behind(dialect, text), setup_of(dialect));
 }
 
 TEST(Unfollowed, LastsUpToItsOwnEndInFanuc) {
@@ -44,6 +52,11 @@ TEST(Unfollowed, LastsUpToItsOwnEndInFanuc) {
         EXPECT_EQ(of_contour(fanuc, mode + "\n" + end).first, is_its_end ? 0 : 900003)
             << mode << ' ' << end;
       }
+  // What it is stands there in both languages.
+  for (const std::string mode : {"G43.1 H1", "G43.5 H1", "G234 H1", "G112"})
+    EXPECT_TRUE(to_text(contour_behind(fanuc, mode), setup_of(fanuc)).stopped) << mode;
+  for (const auto& [mode, own_ends] : modes)
+    EXPECT_TRUE(to_text(contour_behind(fanuc, mode), setup_of(fanuc)).stopped) << mode;
   // Two functions in one line, in either order, and one within the other.
   EXPECT_EQ(of_contour(fanuc, "G51 X0 Y0 P2.\nG16\nG15 G50").first, 0);
   EXPECT_EQ(of_contour(fanuc, "G51 X0 Y0 P2.\nG16\nG50 G15").first, 0);

@@ -318,6 +318,7 @@ TEST(Server, BatchBeyondTheLimitIsRefused) {
       {setup_request(v1::PathSetup()), batch(0, std::vector<v1::Block>(4, line_to(1, 1)), true)});
   EXPECT_EQ(answer.status.error_code(), grpc::RESOURCE_EXHAUSTED);
   EXPECT_EQ(answer.reason(), "BATCH_TOO_LARGE");
+  EXPECT_TRUE(answer.status.error_message().ends_with(": 4 of 3")) << answer.status.error_message();
 }
 
 TEST(Server, LongSelectionsOfAllStreamsShareTheMemory) {

@@ -279,7 +279,7 @@ Value ExpressionReader::function() {
     pass_blanks();
     const bool known = variables_.exists(*this);
     pass_blanks();
-    if (!failed_ && peek() != ']') return fail(Code::expression_invalid, begin, name);
+    if (failed_ || peek() != ']') return fail(Code::expression_invalid, begin, name);
     ++at_;
     return {.number = known ? 1.0 : 0.0};
   }

@@ -27,6 +27,8 @@ class ProgramText {
   [[nodiscard]] std::uint32_t number(std::size_t index) const {
     return first_line_ + static_cast<std::uint32_t>(index);
   }
+  // Lines in front of what there is are not held.
+  [[nodiscard]] bool is_cut() const { return first_line_ > 1; }
 
  private:
   struct Line {
