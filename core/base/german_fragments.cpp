@@ -406,6 +406,7 @@ constexpr auto fragments = std::to_array<Fragment>({
     {"no shift of the coordinates", "keine Verschiebung der Koordinaten"},
     {"polar coordinate interpolation off", "Polarkoordinaten-Interpolation aus"},
     {"polar coordinates off", "Polarkoordinaten aus"},
+    {"which the program itself changes", "das Programm selbst ändert ihn"},
     {"cylindrical interpolation", "Mantelflächenbearbeitung"},
     {"cylindrical mapping", "Mantelflächenbearbeitung"},
     {"polar coordinate interpolation", "Polarkoordinaten-Interpolation"},

@@ -57,6 +57,11 @@ std::string fault_of_extras(const CLI::App& app, int argc, const char* const* ar
   return fault;
 }
 
+// Nothing, or a list of nothing, as "$A,$B" is where neither variable is set.
+bool is_empty(std::string_view value) {
+  return value.find_first_not_of(", []\"'") == std::string_view::npos;
+}
+
 // A guard that stands empty, as one does that a variable was to be put into, would be switched off
 // without a word. In a file it may be: there it is written down as such.
 std::optional<std::string> fault_of_empty_guard(int argc, const char* const* argv) {
@@ -64,24 +69,17 @@ std::optional<std::string> fault_of_empty_guard(int argc, const char* const* arg
        {"tls-cert-file", "tls-key-file", "tls-client-ca-file", "tls-allowed-clients"}) {
     const std::string variable = environment_name(guard);
     const char* value = std::getenv(variable.c_str());
-    if (value != nullptr && *value == '\0')
+    if (value != nullptr && is_empty(value))
       return variable + " is set but empty; give it a value or unset it";
     for (int i = 1; i < argc; ++i) {
       const std::string_view word = argv[i];
-      const bool alone = word == "--" + guard && (i + 1 == argc || *argv[i + 1] == '\0');
-      if (alone || word == "--" + guard + "=") return guard + " is given but empty";
+      const bool alone = word == "--" + guard && (i + 1 == argc || is_empty(argv[i + 1]));
+      const std::string with_value = "--" + guard + "=";
+      if (alone || (word.starts_with(with_value) && is_empty(word.substr(with_value.size()))))
+        return guard + " is given but empty";
     }
   }
   return std::nullopt;
-}
-
-// The same for a list of nothing but commas or brackets, as "$A,$B" is where neither is set.
-std::optional<std::string> fault_of_nameless_guard(const CLI::App& app, const Config& config) {
-  const auto& names = config.tls_allowed_clients;
-  const bool names_somebody =
-      std::any_of(names.begin(), names.end(), [](const auto& name) { return !name.empty(); });
-  if (app.get_option("--tls-allowed-clients")->count() == 0 || names_somebody) return std::nullopt;
-  return "tls-allowed-clients is given but empty";
 }
 
 std::string one_line(std::string text) {
@@ -141,7 +139,6 @@ CommandLine read_command_line(int argc, const char* const* argv) {
     result.config.reflection = std::all_of(listen.begin(), listen.end(), is_local_address);
   }
   auto fault = fault_of_empty_guard(argc, argv);
-  if (!fault) fault = fault_of_nameless_guard(app, result.config);
   if (!fault) fault = first_fault(result.config);
   if (fault) {
     result.exit = CommandLine::Exit{.code = 2, .text = *fault};

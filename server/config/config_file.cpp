@@ -166,7 +166,7 @@ class ConfigFile : public CLI::ConfigTOML {
       refuse_file(file, entry.line, "'" + entry.name + "' needs at least one entry");
     std::string joined;
     for (std::size_t i = 0; i < entry.values.size(); ++i) {
-      if (entry.values[i].empty())
+      if (entry.values[i].find_first_not_of(", ") == std::string::npos)
         refuse_file(file, entry.line, "'" + entry.name + "' has an empty entry");
       if (entry.values.size() > 1 && entry.values[i].find(',') != std::string::npos)
         refuse_file(file, entry.line, "'" + entry.values[i] + "' holds a comma");

@@ -205,10 +205,14 @@ TEST(ServerConfig, EmptyGuardOfTheEnvironmentIsAFault) {
 TEST(ServerConfig, EmptyGuardOfTheCommandLineIsAFault) {
   expect_fault(read({"--tls-allowed-clients="}), {"tls-allowed-clients", "empty"});
   expect_fault(read({"--tls-allowed-clients", ""}), {"tls-allowed-clients", "empty"});
-  for (const char* nobody : {"--tls-allowed-clients=,", "--tls-allowed-clients=[]"})
+  for (const char* nobody :
+       {"--tls-allowed-clients=,", "--tls-allowed-clients=[]", "--tls-allowed-clients= , "})
     expect_fault(read({nobody}), {"tls-allowed-clients", "empty"});
-  const Environment commas("TRCD_TLS_ALLOWED_CLIENTS", ",");
-  expect_fault(read({}), {"tls-allowed-clients", "empty"});
+  expect_fault(read({"--tls-allowed-clients", ","}), {"tls-allowed-clients", "empty"});
+  {
+    const Environment commas("TRCD_TLS_ALLOWED_CLIENTS", ",");
+    expect_fault(read({}), {"TRCD_TLS_ALLOWED_CLIENTS", "empty"});
+  }
   expect_fault(read({"--tls-client-ca-file", ""}), {"tls-client-ca-file", "empty"});
 }
 
@@ -316,6 +320,8 @@ TEST(ServerConfig, FaultsOfAFileNameItAndTheLine) {
   told("\nmax-streams = 1000001\n", ".toml", {"line 2", "max-streams"});
   told("\n\nlog-level: loud\n", ".yaml", {"line 3", "log-level"});
   told("\ntls-allowed-clients:\n", ".yaml", {"line 2", "tls-allowed-clients", "no value"});
+  told("tls-allowed-clients: ','\n", ".yaml", {"tls-allowed-clients", "empty"});
+  told("tls-allowed-clients = \",\"\n", ".toml", {"tls-allowed-clients", "empty"});
   told("tls-allowed-clients: ['']\n", ".yaml", {"line 1", "empty entry"});
   told("tls-allowed-clients = [\"mill\", \"\"]\n", ".toml", {"line 1", "empty entry"});
   told("# settings\nmax-streem = 3\n", ".toml", {"line 2", "did you mean max-streams?"});
