@@ -75,7 +75,7 @@ class Elements {
     return positionOf(this.plane, x, y, from + share * (to - from));
   }
 
-  // The same from another side; arcs become chords.
+  // Turned to another side; arcs become chords.
   seenIn(plane) {
     if (plane === this.plane) return this;
     const ends = [], values = [], words = [];

@@ -15,7 +15,7 @@ import {currentLanguage, t, translate} from './texts.js';
 
 $('file').addEventListener('change', () => {
   const files = [...$('file').files];
-  // The same file again, as it is by now, is a change too.
+  // To choose a file again, as it is by now, is a change too.
   $('file').value = '';
   add(files);
 });

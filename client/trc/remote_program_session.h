@@ -15,8 +15,8 @@
 
 namespace trc::client {
 
-// An NC program compensated by a server: the face of trc::ProgramSession. Used by
-// one thread at a time.
+// An NC program compensated by a server, used as trc::ProgramSession is: feed, finish, Answers;
+// `failure` and `summary` are its own. One thread at a time.
 //
 // At most the number of chunks the server allows is unanswered, so that neither
 // side holds more than a few messages.

@@ -17,7 +17,7 @@ namespace trc {
 
 // note: something worth knowing happened (a block was masked).
 // warning: the path goes on, but the operator should look at it.
-// error: the stream stops; nothing comes out after it.
+// error: the stream stops; nothing comes out after it but errors that were found together with it.
 enum class Severity { note, warning, error };
 
 // Public, stable numbers. Where the reference control publishes an ID for the

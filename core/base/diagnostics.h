@@ -18,12 +18,12 @@ struct ProgramPlaces {
   CallPlaces calls{};
 };
 
-// The ordered log of one session: notes, warnings and at most one error, which
-// stops the stream.
+// The ordered log of one session: notes, warnings, and the error that stops the stream, with the
+// errors that were found together with it.
 class Diagnostics {
  public:
-  // Returns whether the stream goes on. After an error everything is dropped:
-  // what follows is a consequence of it.
+  // Returns whether the stream goes on. After an error all is dropped that was not found together
+  // with it: what follows is a consequence of it.
   bool report(Diagnostic diagnostic) {
     const bool belongs_to_the_error = stopped_ && diagnostic.found_together && !pending_.empty() &&
                                       pending_.back().found_together;

@@ -36,8 +36,8 @@ class Compensator {
   // As finish(), but no farther than to a selection that leaves in portions.
   bool finish_until_portion(const TrcMode& at_end, std::vector<CompensatedBlock>& out);
 
-  // Blocks in a portion: the end of a selection sets free all of its path, which leaves in pieces
-  // of that size and a few more.
+  // Blocks in a portion: the end of a selection under loop removal sets free all of its path, which
+  // leaves in pieces of that size and a few more.
   static constexpr std::size_t portion = 1024;
   // A portion has come out and more is to follow: release() before anything else.
   [[nodiscard]] bool is_releasing() const;
@@ -51,7 +51,7 @@ class Compensator {
   [[nodiscard]] const Summary& summary() const;
 
  private:
-  // Takes the first block, or as many as nothing can be reported of. Returns how many.
+  // Takes the first block, or as many as go the short way. Returns how many.
   std::size_t take(std::span<Block> blocks, std::vector<CompensatedBlock>& out);
 
   struct Passes;

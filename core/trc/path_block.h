@@ -74,7 +74,7 @@ struct PathBlock {
   double half_slot = 0;
   double largest_radius = 0;
 
-  // Set by ContourMasking (G141): programmed, but not travelled; and the joint of
+  // Set by ContourMasking (G141), and by Offset: programmed, but not travelled; and the joint of
   // the first block behind masked ones with the last one before them.
   bool masked = false;
   struct Rejoin {
@@ -86,9 +86,8 @@ struct PathBlock {
   };
   std::optional<Rejoin> rejoin{};
 
-  // Set by Transitions under REMOVE_MASKED_BLOCKS: nothing of it can be travelled,
-  // its equidistant does not exist or does not meet the next one. LoopRemoval
-  // leaves it out.
+  // Set by Offset and Transitions under REMOVE_MASKED_BLOCKS: nothing of it can be travelled, its
+  // equidistant does not exist or does not meet the next one. LoopRemoval leaves it out.
   bool unreachable = false;
 
   // Passive blocks programmed after this one, in order. Those after G40 wait for

@@ -28,7 +28,7 @@ using PathInput = std::variant<MoveRequest, TrcCommand, Passthrough>;
 
 [[nodiscard]] const Source& source_of(const PathInput& input);
 
-// Gives one item to the session. Returns whether the stream goes on.
+// Gives one item to the state of the program. Returns whether the stream goes on.
 bool apply(const PathInput& input, ProgramState& program);
 
 // Reads the batches of one stream: numbers the blocks and keeps the feed in

@@ -220,6 +220,7 @@ ProgramSettings from_proto(const v1::ProgramSetup& message, const FieldPath& pat
                            FieldFaults& faults) {
   ProgramSettings settings;
   settings.path = from_proto(message.path(), FieldPath(path, "path"), faults);
+  settings.path.session.program.start_is_assumed = !message.path().has_start_position();
   read_tools(message, path, settings.path.session.program, faults);
   read_dialect(message, path, settings.path.session.program, faults);
   read_computing(message, path, settings.path.session.program, faults);

@@ -15,8 +15,8 @@
 
 namespace trc::server {
 
-// Who calls: a client certificate's name, else an address. What all its streams take together is
-// limited, and they share its turns in the worker pool.
+// Who calls: a client certificate's name, else an address, also of who comes over HTTP. What all
+// its streams take together is limited, and they share its turns in the worker pool.
 class Peer {
  public:
   // The place of one stream of the peer; an empty one holds none.

@@ -30,12 +30,12 @@ namespace trc::server {
 //
 //   read ──► turn in the pool ──► write ──► read …      one step at a time
 //
-// There is never more than one read or write outstanding, which is also the back-pressure: nothing
+// There is never more than one read or answer outstanding, which is also the back-pressure: nothing
 // is read while an answer waits. Reactions only hand over, and turns compute; a turn that is known
-// to be over sooner than it would be handed over is taken at once. The phase says who owns
-// the stream, so that Finish is called once: by the owner, or by the watch for idle streams, which
+// to be over sooner than it would be handed over is taken at once. The phase says who owns the
+// stream, so that Finish is called once: by the owner, or by the watch for idle streams, which
 // takes the ownership away from a pending read. The watch also writes the heartbeats of a silent
-// stream.
+// stream, beside a read.
 template <class GrpcReactor, class Request, class Response>
 class StreamReactor
     : public GrpcReactor,
@@ -266,7 +266,8 @@ class StreamReactor
         {.status = grpc::Status(grpc::RESOURCE_EXHAUSTED, "no memory"), .reason = "MEMORY_LIMIT"});
   }
 
-  // Here in the pool: a session may hold so much that a reaction should not have to free it.
+  // In whatever thread ends the stream, best in the pool: a session may hold so much that a
+  // reaction should not have to free it.
   void let_go_of_work() noexcept {
     constexpr std::uint64_t large = 32U << 20U;
     const bool held_much = account_.held_bytes() > large;

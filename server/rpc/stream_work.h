@@ -24,7 +24,8 @@ inline Turn end(Ending ending) {
 }
 
 // The protocol of one stream without gRPC: requests in, answers out, one turn at a time. A turn
-// computes and is called from a worker thread; turns of one stream never overlap.
+// computes; it is called from a worker thread, or from the reaction where `is_short` says so. Turns
+// of one stream never overlap.
 template <class Request, class Response>
 class StreamWork {
  public:

@@ -53,7 +53,7 @@ class LineRate {
   std::vector<Kind> kinds_{};
 };
 
-// JSON lines on standard output: one at start and end of the server, one per RPC, one per bug.
+// JSON lines on standard output: one for each event of the server, one per RPC, one per bug.
 //
 // Nobody waits for whoever reads them: lines are written by a thread of their own, and when more of
 // them wait than it may hold, the oldest are dropped and counted. No call throws.

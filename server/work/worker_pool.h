@@ -13,8 +13,8 @@
 namespace trc::server {
 
 // The threads that compute. gRPC runs all reactions of the process on a few threads of its own, so
-// a reaction that computed would hold up every other stream and the health check; it submits a job
-// here instead.
+// a reaction that computed for long would hold up every other stream and the health check; it
+// submits a job here instead.
 //
 // Jobs wait in one queue and get one turn each: a stream with much to do goes to the back after
 // every batch, so that streams share the threads evenly, and the groups of streams do: those of one

@@ -44,6 +44,34 @@ TEST(ContourWords, CtGoesOnAsTheContourLed) {  // D-103
             "CT behind a motion of the contour: program its centre");
 }
 
+TEST(ContourWords, CipHasAPointBetweenInEitherReference) {
+  const std::string plain = "G2 X20 Y40 I10 J0\nG1 X50\n";
+  expect_same("CIP X20 Y40 I1=10 J1=50\nG1 X50\n", plain);
+  expect_same("CIP X20 Y40 I1=IC(10) J1=IC(10)\nG1 X50\n", plain);
+  const std::string incremental = "G91 G2 X20 Y0 I10 J0\nG90 G1 X50\n";
+  expect_same("G91 CIP X20 Y0 I1=AC(10) J1=AC(50)\nG90 G1 X50\n", incremental);
+  expect_same("G91 CIP X=AC(20) Y0 I1=10 J1=AC(50)\nG90 G1 X50\n", incremental);
+  // It holds up to another motion function.
+  expect_same("CIP X20 Y40 I1=10 J1=50\nX40 Y40 I1=30 J1=30\nG1 X50\n",
+              "G2 X20 Y40 I10 J0\nG3 X40 Y40 I10 J0\nG1 X50\n");
+  EXPECT_EQ(refused("CIP X20 Y40 I1=10 J1=50\n", "G40\nX60 Y40 I1=50 J1=50\n"),
+            "CIP of a contour, which holds behind it: write CIP anew");
+}
+
+TEST(ContourWords, ACornerIsCutWhereNothingElseMoves) {
+  const std::string between = "X20 RND=8\n";
+  expect_same(between + "M8\nM7\nS500\nY80\n", "X20 RND=8\nM8\nM7\nS500\nY80\n");
+  EXPECT_EQ(refused(between + "M8\nM7\nS500\nM3\nY80\n"),
+            "a rounding or a chamfer that is not between two motions of one contour, at feed and "
+            "in the plane");
+  EXPECT_EQ(refused(between + "G0 Z5\nG1 Z-7\nY80\n"),
+            "a rounding or a chamfer that is not between two motions of one contour, at feed and "
+            "in the plane");
+  expect_same("RNDM=8\nX20\nG1 Z5\nY80\nRNDM=0\n", "X20\nG01 Z5\nY80\n");
+  // Where the contour does not turn there is none.
+  expect_same("X20 RND=6\nX40\nY80\n", "X20\nX40\nY80\n");
+}
+
 TEST(ContourWords, AnAngleGivesTheOtherCoordinate) {  // D-103
   expect_same("X20 ANG=45\nX50\n", "X20 Y60\nX50\n");
   expect_same("Y60 ANG=45\nX50\n", "X20 Y60\nX50\n");

@@ -374,11 +374,11 @@ TEST(SinumerikPrograms, LoseNoContourBehindTheirEnd) {
             std::pair(900015, 5U));
   EXPECT_EQ(refusal_of("R1=5\nG0 X=R1\nM30\n%_N_OTHER_MPF\n" + contour + "M30\n", sinumerik()),
             std::pair(900015, 6U));
-  // A jump leads there for another value, and nobody calls that subprogram.
-  EXPECT_EQ(refusal_of("R1=5\nIF R1==2 GOTOF PART\nG0 X=R1\nM30\nPART:\n" + contour + "M30\n" +
-                           "PROC OTHER\n" + contour + "M17\n",
-                       sinumerik()),
-            std::pair(0, 0U));
+  // A jump leads there for another value.
+  const std::string jumps = "R1=5\nIF R1==2 GOTOF PART\nG0 X=R1\nM30\nPART:\n" + contour + "M30\n";
+  EXPECT_EQ(refusal_of(jumps, sinumerik()), std::pair(0, 0U));
+  EXPECT_EQ(refusal_of(jumps + "PROC OTHER\n" + contour + "M17\n", sinumerik()),
+            std::pair(900015, 13U));
 }
 
 }  // namespace

@@ -97,6 +97,27 @@ TEST(ToolsOfPrograms, HaveTheRadiusThatSinumerikWrites) {
   EXPECT_EQ(told(other, setup), "900224 2 T2 D1\n");
   EXPECT_EQ(told("G17 G71 G90\n$TC_DP6[1,1]=6\nT1 D1\n" + wall, setup_of(sinumerik)),
             "900224 2 T1 D1\n");
+  // Behind the call the machine has the radius from before, up to the next one.
+  const std::string late = "G17 G71 G90\nT2 D1\n$TC_DP6[2,1]=6\n";
+  EXPECT_EQ(
+      told(late + wall, setup),
+      "900224 3 T2 D1\n900003 5 $TC_DP6 behind the call of its tool: it counts from the next D\n");
+  EXPECT_EQ(distance(late + "D1\n" + wall, setup), 6);
+  EXPECT_EQ(distance("G17 G71 G90\nT2 D1\n$TC_DP6[2,1]=5\n" + wall, setup), 5);
+  EXPECT_EQ(distance("G17 G71 G90\nT2 D1\n$TC_DP6[2,2]=6\n" + wall, setup), 5);
+}
+
+TEST(ToolsOfPrograms, AreNoneBehindT0OfSinumerik) {
+  ProgramSessionSetup setup = setup_of(sinumerik);
+  setup.session.program.mode.tool_radius = 0;
+  setup.session.program.tools[row_of_edge(1, 1)] = 5;
+  const std::string wall = contour_of(sinumerik, "G41");
+  for (const std::string unload : {"T0 M6", "T0\nM6", "T0 D1 M6"})
+    EXPECT_EQ(
+        told("G17 G71 G90\nT1 D1 M6\n" + wall + unload + "\n" + wall + "M30\n", setup).substr(0, 6),
+        "900219")
+        << unload;
+  EXPECT_EQ(distance("G17 G71 G90\nT1 D1 M6\n" + wall + "T0\n" + wall + "M30\n", setup), 5);
 }
 
 // A wall behind these lines, with tool 1 of R 5, tool 2 of R 3.

@@ -304,7 +304,7 @@ TEST(Walls, AnOverrunOfTheFinishingLapMayGoRoundItsCorner) {
   EXPECT_FALSE(walls.is_wall_for(2, 7)) << "the corner of the roughing lap is in no way";
 }
 
-// The same round a boss, whose laps are a block each.
+// Laps round a boss, a block each.
 TEST(Walls, LeadsBetweenDepthsAreLeadsWhereTheLastCircleOverruns) {
   const Walls walls = Drawing(-5.5, 30.5)
                           .arc(0, 30.5, pi / 2)

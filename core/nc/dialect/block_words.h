@@ -140,6 +140,7 @@ struct BlockWords {
   struct References {
     std::array<std::int8_t, 3> end{};
     std::array<std::int8_t, 3> center{};
+    std::array<std::int8_t, 3> through{};  // I1= J1= K1=
   };
   // Of Sinumerik, beside centre and radius.
   struct Arcs {

@@ -193,6 +193,12 @@ bool check_motion_before(Reading& reading, const ProgramLine& line, const BlockW
         line, TextFault{.code = Code::nc_unsupported,
                         .begin = *block.axis,
                         .detail = "CT of a contour, which holds behind it: write CT anew"});
+  if (reading.gcode.through_arcs.are_written && block.arc.is_through && !block.has(motion) &&
+      !reading.trc_active())
+    return reading.refuse(
+        line, TextFault{.code = Code::nc_unsupported,
+                        .begin = block.axis.value_or(0),
+                        .detail = "CIP of a contour, which holds behind it: write CIP anew"});
   if (block.of(axis_technology).is(110) && reading.contour_open() && !reading.trc_active())
     return reading.refuse(line, TextFault{.code = Code::nc_unsupported,
                                           .begin = block.of(axis_technology).begin,

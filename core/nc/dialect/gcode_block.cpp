@@ -47,7 +47,7 @@ void take_spindle_limit(Reading& reading, const ProgramLine& line, BlockWords& b
 }
 
 // What a motion function or F ends, before the words of the line take effect.
-void end_modes_before(Reading& reading, const BlockWords& block) {
+void end_modes_before(Reading& reading, BlockWords& block) {
   // Under MCALL of Sinumerik each motion has the cycle behind it.
   const bool motion_ends_cycle =
       block.has(motion) && reading.dialect.name != DialectName::sinumerik;
@@ -56,6 +56,13 @@ void end_modes_before(Reading& reading, const BlockWords& block) {
   if (block.has(motion)) reading.gcode.tangent_arcs.in_force = false;
   reading.gcode.tangent_arcs.in_force |= block.arc.begins_tangents;
   if (block.arc.begins_tangents) reading.gcode.tangent_arcs.are_written = reading.trc_active();
+  GcodeModes::ThroughArcs& through_arcs = reading.gcode.through_arcs;
+  if (block.has(motion) || block.arc.begins_tangents)
+    through_arcs = {.in_force = block.arc.is_through, .are_written = reading.trc_active()};
+  const auto& between = block.arc.through;
+  block.arc.is_through |=
+      through_arcs.in_force && std::any_of(between.begin(), between.end(),
+                                           [](const auto& word) { return word.has_value(); });
   reading.gcode.tooth_feed = block.tooth_feed.has_value() ||
                              (reading.gcode.tooth_feed && !(block.feed && !block.has(dwell)));
 }

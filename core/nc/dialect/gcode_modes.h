@@ -85,6 +85,7 @@ struct GcodeModes {
     WordPlace edge_place{};                 // of the last D word; with a new tool none
     double edge = 1;                        // of the tool, Sinumerik: D; 0: none
     bool edge_is_of_next = false;           // D stands beside the last T word
+    std::int64_t changed_row = 0;           // whose data changed since it was called; 0: none
     std::optional<std::int64_t> missing{};  // of the last D word, which the table has not
     std::string name{};                     // of T="…"
     std::string only_name{};
@@ -95,8 +96,8 @@ struct GcodeModes {
     template <class Archive>
     void serialize(Archive& archive) {
       archive(next, in_spindle, named, spindle_is_empty, changed_by_m6, next_place, spindle_place,
-              edge_place, edge, edge_is_of_next, missing, name, only_name, only_register,
-              only_in_spindle);
+              edge_place, edge, edge_is_of_next, changed_row, missing, name, only_name,
+              only_register, only_in_spindle);
     }
   };
   // Of FANUC: the last D word, and whether it stands in the output.
@@ -172,6 +173,16 @@ struct GcodeModes {
       archive(in_force, are_written, leave_contour);
     }
   };
+  // CIP, which holds up to another motion function.
+  struct ThroughArcs {
+    bool in_force = false;
+    bool are_written = false;  // its word is in the output no longer
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(in_force, are_written);
+    }
+  };
   // Of polar coordinates, in the plane, in the unit of the program; without: not followed.
   struct Polar {
     std::optional<Point> pole{Point::Zero()};
@@ -235,6 +246,7 @@ struct GcodeModes {
   Coordinates coordinates{};
   Corners corners{};
   TangentArcs tangent_arcs{};
+  ThroughArcs through_arcs{};
   Polar polar{};
   SoftLeads soft{};
   Calls calls{};
@@ -247,8 +259,8 @@ struct GcodeModes {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(tools, last_register, skipped, coordinates, corners, tangent_arcs, polar, soft, calls,
-            seen, cycle, kept, feed_mode_line, tooth_feed, enters_parameters);
+    archive(tools, last_register, skipped, coordinates, corners, tangent_arcs, through_arcs, polar,
+            soft, calls, seen, cycle, kept, feed_mode_line, tooth_feed, enters_parameters);
   }
 };
 

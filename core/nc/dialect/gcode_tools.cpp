@@ -203,9 +203,13 @@ bool check_tool_of_table(Reading& reading, const ProgramLine& line, BlockWords& 
                              "T" + std::to_string(number));
   if (reading.dialect.name == DialectName::sinumerik && reading.gcode.tools.only_register)
     return refuse_second_edge(reading, number);
-  return reading.refuse(line, TextFault{.code = of_missing,
-                                        .begin = block.tools.d_word->begin,
-                                        .detail = "D" + std::to_string(tool_of_row(number))});
+  const std::string tool = std::to_string(tool_of_row(number));
+  return reading.refuse(
+      line, TextFault{.code = of_missing,
+                      .begin = block.tools.d_word->begin,
+                      .detail = reading.dialect.name == DialectName::sinumerik
+                                    ? "T" + tool + " D" + std::to_string(edge_of_row(number))
+                                    : "D" + tool});
 }
 
 // FANUC without D words: the radius of the setup is that of the tool in the spindle.

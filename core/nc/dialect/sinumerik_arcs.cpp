@@ -69,8 +69,12 @@ bool take_point_between(Reading& reading, ProgramLine& line, BlockWords& block) 
   const auto on = [&](const std::optional<double>& value, double from) {
     return value ? *value + (reading.incremental ? from : 0) : from;
   };
-  const Point between(on(block.arc.through[axes.first]->value, start.x()),
-                      on(block.arc.through[axes.second]->value, start.y()));
+  const auto through = [&](std::size_t axis, double from) {
+    const int reference = block.references.through[axis];
+    const bool counts_from_start = reference == 0 ? reading.incremental : reference < 0;
+    return block.arc.through[axis]->value + (counts_from_start ? from : 0);
+  };
+  const Point between(through(axes.first, start.x()), through(axes.second, start.y()));
   const Point end(on(move.end[axes.first], start.x()), on(move.end[axes.second], start.y()));
   const Vector a = between - start;
   const Vector b = end - start;

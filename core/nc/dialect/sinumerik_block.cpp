@@ -107,12 +107,19 @@ bool read_word_of_index(Reading& reading, const NamedWord& word, ProgramLine& li
   return true;
 }
 
-// X=AC(10), I=IC(5)
+// I1= J1= K1=: the point between of CIP.
+bool is_point_between(const NamedWord& word) {
+  return is_center_letter(word.letter) && word.index == 1;
+}
+
+// X=AC(10), I=IC(5), I1=IC(5)
 bool take_reference(Reading& reading, const NamedWord& word, const ProgramLine& line,
                     BlockWords& block) {
   if (word.reference == NamedWord::Reference::modal) return true;
   const bool incremental = word.reference == NamedWord::Reference::incremental;
-  if (word.letter >= 'X' && word.letter <= 'Z') {
+  if (is_point_between(word)) {
+    block.references.through[static_cast<std::size_t>(word.letter - 'I')] = incremental ? -1 : 1;
+  } else if (word.letter >= 'X' && word.letter <= 'Z') {
     block.references.end[static_cast<std::size_t>(word.letter - 'X')] = incremental ? -1 : 1;
   } else if (is_center_letter(word.letter)) {
     block.references.center[static_cast<std::size_t>(word.letter - 'I')] = incremental ? -1 : 1;
@@ -130,7 +137,8 @@ bool read_named_address(Reading& reading, const NamedWord& word, ProgramLine& li
   if (word.is_text) return read_tool_name(reading, word, line, block);
   if (letter == 'T') reading.gcode.tools.name.clear();
   if (letter == 'L' || letter == 'E') return read_call_by_letter(reading, word, line, block);
-  if (is_center_letter(letter) && word.index == 1) {  // the point between of CIP
+  if (is_point_between(word)) {
+    if (!take_reference(reading, word, line, block)) return false;
     block.arc.through[static_cast<std::size_t>(letter - 'I')] = {.value = word.value,
                                                                  .begin = word.begin};
     add(line, word, WordRole::coordinate);

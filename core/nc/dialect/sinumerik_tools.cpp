@@ -42,6 +42,7 @@ bool choose_tool_of_edge(Reading& reading, ProgramLine& line, BlockWords& block)
     tools.edge_place =
         block.tools.d_word ? reading.place_of_word(line, block.tools.d_word->begin) : WordPlace{};
   }
+  if (block.tools.d_word || changes) tools.changed_row = 0;
   if (block.tools.t_word) tools.edge_is_of_next = block.tools.d_word.has_value();
   const std::optional<BlockWords::Value> edge_word = std::exchange(block.tools.d_word, {});
   const bool selects = block.selects();
@@ -50,12 +51,19 @@ bool choose_tool_of_edge(Reading& reading, ProgramLine& line, BlockWords& block)
   const std::uint32_t begin = selects     ? block.of(side).begin
                               : edge_word ? edge_word->begin
                                           : line.words.front().begin;
-  if (tools.edge == 0) {
+  const std::int64_t number = tools.changed_by_m6 ? tools.in_spindle : tools.next;
+  const bool is_unloaded = number == 0 && tools.named;
+  if (tools.edge == 0 || is_unloaded) {
     block.tools.d_word = {.value = 0, .begin = begin};
     return true;
   }
-  const std::int64_t number = tools.changed_by_m6 ? tools.in_spindle : tools.next;
   const WordPlace& tool = tools.changed_by_m6 ? tools.spindle_place : tools.next_place;
+  if (tools.changed_row != 0)
+    return reading.refuse(
+        line,
+        TextFault{.code = Code::nc_unsupported,
+                  .begin = begin,
+                  .detail = "$TC_DP6 behind the call of its tool: it counts from the next D"});
   const auto unknown = [&](std::string detail) {
     return reading.refuse_at(tool, Code::tool_unknown, std::move(detail));
   };

@@ -69,6 +69,11 @@ bool read_edge_data(Reading& reading, const NamedWord& word, ProgramLine& line, 
   const bool inch = reading.feed_in_mm ? reading.state.setup().inch : reading.inch;
   const double value = word.value * (inch ? mm_per_inch : 1);
   if (word.name == "$TC_DP6") {
+    GcodeModes::Tools& tools = reading.gcode.tools;
+    const std::int64_t called = tools.changed_by_m6 ? tools.in_spindle : tools.next;
+    const auto before = reading.state.tool().row_of_tool(*row);
+    const bool is_called = called > 0 && *row == row_of_edge(called, register_number(tools.edge));
+    if (is_called && (!before || before->radius != value)) tools.changed_row = *row;
     block.tools.edge_radii.push_back({.row = *row, .radius = value, .begin = word.begin});
     return true;
   }

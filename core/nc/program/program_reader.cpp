@@ -7,6 +7,7 @@
 
 #include "core/nc/program/gcode_flow.h"
 #include "core/nc/program/isg_line.h"
+#include "core/nc/program/sinumerik_line.h"
 #include "core/nc/text/characters.h"
 
 namespace trc {
@@ -102,6 +103,7 @@ bool ProgramReader::split(std::string_view text, std::vector<LinePointer>& lines
   std::uint64_t count = 0;
   for (std::size_t end = behind_line(text, begin); end > 0; end = behind_line(text, begin)) {
     const std::string_view line = without_line_end(text.substr(begin, end - begin));
+    if (!check_order_of_files(line, lines_before_ + count + 1)) return false;
     if (program::computes(setup_, line)) {
       if (!pass(text.substr(0, begin), lines)) return false;
       lines_before_ += std::exchange(count, 0);
@@ -197,6 +199,19 @@ bool ProgramReader::refuse_order_of_programs(std::string detail, std::uint64_t l
   return interpreter_.stop(std::move(refused));
 }
 
+// A subprogram in front has nothing of what its caller says in front of the call.
+bool ProgramReader::check_order_of_files(std::string_view line, std::uint64_t number) {
+  if (setup_.dialect != DialectName::sinumerik || !line.starts_with('%')) return true;
+  std::string file = program::file_of_header(line);
+  if (file.empty()) return true;
+  if (first_file_.ends_with(program::subprogram_ending) &&
+      file.ends_with(program::main_program_ending))
+    return refuse_order_of_programs(first_file_ + ", a subprogram in front of what calls it",
+                                    number);
+  if (first_file_.empty()) first_file_ = std::move(file);
+  return true;
+}
+
 // Behind the end: the program that stands first has ended with M99.
 bool ProgramReader::calls_what_stands_first(std::string_view line) const {
   if (first_program_.empty()) return false;
@@ -277,6 +292,8 @@ bool ProgramReader::begin_to_execute(std::vector<LinePointer>& lines) {
   program::ProgramText text({}, std::exchange(before_, {}).append(std::exchange(text_, {})),
                             static_cast<std::uint32_t>(first_line));
   lines_of_text_ = first_line - 1 + text.size();
+  for (std::size_t line = start; line < text.size(); ++line)
+    if (!check_order_of_files(text.line(line), text.number(line))) return false;
   flow_ = program::make_flow(setup_, diagnostics_.calls(), std::move(text), start,
                              interpreter_.blocks_read() > 0);
   flow_->know(told);
@@ -356,6 +373,7 @@ Diagnostic ProgramReader::with_place(Diagnostic found) const {
 
 // Whether the rest of the program is looked at.
 bool ProgramReader::take_refusals() {
+  diagnostics_.calls().stand(interpreter_.blocks_read(), flow_->chain(), flow_->line_within());
   for (const Diagnostic& found : flow_->refusals()) {
     Diagnostic refusal = with_place(found);
     if (tells_all_alone(refusal.code)) return interpreter_.stop(std::move(refusal));

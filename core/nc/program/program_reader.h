@@ -58,7 +58,7 @@ class ProgramReader {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(interpreter_, partial_, before_, lines_before_, before_is_whole_, passes_, computing_,
-            text_, waits_, waiting_, first_program_);
+            text_, waits_, waiting_, first_program_, first_file_);
   }
 
  private:
@@ -72,6 +72,7 @@ class ProgramReader {
   bool stop_waiting(std::vector<LinePointer>& lines);
   bool find_main_program(std::vector<LinePointer>& lines);
   bool refuse_order_of_programs(std::string detail, std::uint64_t line);
+  bool check_order_of_files(std::string_view line, std::uint64_t number);
   [[nodiscard]] bool calls_what_stands_first(std::string_view line) const;
   bool split(std::string_view text, std::vector<LinePointer>& lines);
   bool pass_plain(std::string_view text, std::vector<LinePointer>& lines);
@@ -102,6 +103,7 @@ class ProgramReader {
   Waits waits_ = Waits::for_head;
   std::string waiting_{};        // text that waits
   std::string first_program_{};  // the line of its O, where it need not be the main one
+  std::string first_file_{};     // of an archive of Sinumerik: PART_MPF
   bool starts_at_main_ = false;  // which stands behind what it calls
   std::size_t main_line_ = 0;
 

@@ -7,9 +7,11 @@
 #include "core/nc/text/characters.h"
 #include "core/nc/text/named_words.h"
 
-// Contours that cycles find in the program itself, by the names that they are given: CYCLE62 and
-// older cycles name labels or a subprogram. The flat program has them behind its end, where the
-// control looks for them as well.
+// What stands in the text behind the program and comes out behind its end:
+//
+//   - contours that cycles find in the program itself, by the names that they are given: CYCLE62
+//     and older cycles name labels or a subprogram, and the control looks for them there as well
+//   - programs that nobody calls: those of an archive (D-157)
 
 namespace trc::program {
 namespace {
@@ -86,11 +88,51 @@ void SinumerikFlow::find_named_units(const std::vector<std::string>& names,
     const bool is_named = !unit.name.empty() && unit.text == 0 &&
                           unit.begin >= frames_.front().end &&
                           std::ranges::find(names, unit.name) != names.end();
-    if (!is_named) continue;
-    const bool has_header =
-        unit.begin > 0 && !program_of_header(texts_.front().line(unit.begin - 1)).empty();
-    for (std::size_t line = unit.begin - (has_header ? 1 : 0); line < unit.end; ++line)
-      lines.insert(line);
+    if (is_named) append_lines_of(unit, lines);
+  }
+}
+
+// With its header.
+void SinumerikFlow::append_lines_of(const Unit& unit, std::set<std::size_t>& lines) const {
+  const bool has_header =
+      unit.begin > 0 && !program_of_header(texts_.front().line(unit.begin - 1)).empty();
+  for (std::size_t line = unit.begin - (has_header ? 1 : 0); line < unit.end; ++line)
+    lines.insert(line);
+}
+
+// By unit, whether its name stands in another one.
+std::vector<bool> SinumerikFlow::said_by_others() const {
+  if (units_.size() == 1) return {false};
+  std::map<std::string, std::size_t, std::less<>> said_first;
+  std::set<std::string, std::less<>> said_by_several;
+  for (std::size_t index = 0; index < units_.size(); ++index) {
+    const Unit& unit = units_[index];
+    for (std::size_t line = unit.begin; line < unit.end; ++line) {
+      const std::string_view content = texts_[unit.text].line(line);
+      if (!program_of_header(content).empty()) continue;
+      for (std::size_t at = 0; at < content.size() && content[at] != ';';) {
+        const std::string name = name_at(content, at);
+        if (!name.empty() && said_first.try_emplace(name, index).first->second != index)
+          said_by_several.insert(name);
+        at += std::max<std::size_t>(name.size(), 1);
+      }
+    }
+  }
+  std::vector<bool> said(units_.size());
+  for (std::size_t index = 0; index < units_.size(); ++index) {
+    const auto first = said_first.find(units_[index].name);
+    said[index] = said_by_several.contains(units_[index].name) ||
+                  (first != said_first.end() && first->second != index);
+  }
+  return said;
+}
+
+void SinumerikFlow::find_units_nobody_calls(const std::vector<bool>& called,
+                                            std::set<std::size_t>& lines) const {
+  for (std::size_t index = 0; index < units_.size(); ++index) {
+    const Unit& unit = units_[index];
+    const bool is_behind = unit.text == 0 && unit.begin >= frames_.front().end;
+    if (is_behind && !unit.name.empty() && !called[index]) append_lines_of(unit, lines);
   }
 }
 
@@ -110,19 +152,32 @@ bool SinumerikFlow::keep_part(std::size_t line, std::string& flat) {
   return true;
 }
 
-bool SinumerikFlow::keep_named_parts(std::string& flat) {
+bool SinumerikFlow::keep_parts_behind_end(const std::vector<bool>& called, std::string& flat) {
   std::set<std::size_t> lines;
   for (const std::vector<std::string>& names : named_by_cycles_) {
     if (!find_named_labels(names, lines)) return false;
     find_named_units(names, lines);
   }
-  if (lines.empty()) return true;
+  std::set<std::size_t> of_others;
+  find_units_nobody_calls(called, of_others);
+  if (lines.empty() && of_others.empty()) return true;
   // Nothing has ended the program: they would be taken for a part of it.
   if (flat.empty())
-    return refuse(Code::block_structure, 0, "a contour of a cycle behind a program without M30");
+    return refuse(Code::block_structure, 0,
+                  lines.empty() ? "a program behind one without M30"
+                                : "a contour of a cycle behind a program without M30");
   is_as_written_ = false;
-  for (const std::size_t line : lines)
-    if (!keep_part(line, flat)) return false;
+  const ProgramText& text = texts_.front();
+  std::set<std::size_t> all = lines;
+  all.insert(of_others.begin(), of_others.end());
+  for (const std::size_t line : all) {
+    if (lines.contains(line) && !of_others.contains(line)) {
+      if (!keep_part(line, flat)) return false;
+      continue;
+    }
+    flat.append(text.line(line))
+        .append(text.line_end(line).empty() ? line_end() : text.line_end(line));
+  }
   return true;
 }
 

@@ -230,13 +230,16 @@ bool SinumerikFlow::end_of_program(std::string& flat) {
   while (behind < main.end && named_head_of(texts_.front().line(behind)).label.empty()) ++behind;
   const std::size_t lost = first_with('G', 41, 42, main.current + 1, behind);
   if (lost < behind) return refuse_contour_behind_end(lost);
-  for (const Unit& unit : units_) {
+  const std::vector<bool> called = said_by_others();
+  for (std::size_t index = 0; index < units_.size(); ++index) {
+    const Unit& unit = units_[index];
     if (unit.text > 0 || unit.begin < main.end) continue;
     const std::size_t selects = first_with('G', 41, 42, unit.begin, unit.end);
-    if (selects < unit.end && first_with('M', 2, 30, unit.begin, unit.end) < unit.end)
+    const bool is_main = first_with('M', 2, 30, unit.begin, unit.end) < unit.end;
+    if (selects < unit.end && (is_main || !called[index]))
       return refuse_contour_behind_end(selects);
   }
-  return keep_named_parts(flat);
+  return keep_parts_behind_end(called, flat);
 }
 
 bool SinumerikFlow::refuse_word(Code code, std::size_t begin, std::size_t end,

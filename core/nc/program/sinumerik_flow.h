@@ -179,11 +179,14 @@ class SinumerikFlow : public Flow, private Variables {
   void write_values();
   void lose_values();
 
-  // sinumerik_contours.cpp: what cycles that pass name in the program.
+  // sinumerik_contours.cpp: what stands behind the program and stays.
   void note_named_by_cycles(std::string_view written);
-  bool keep_named_parts(std::string& flat);
+  bool keep_parts_behind_end(const std::vector<bool>& called, std::string& flat);
   bool find_named_labels(const std::vector<std::string>& names, std::set<std::size_t>& lines);
   void find_named_units(const std::vector<std::string>& names, std::set<std::size_t>& lines) const;
+  [[nodiscard]] std::vector<bool> said_by_others() const;
+  void find_units_nobody_calls(const std::vector<bool>& called, std::set<std::size_t>& lines) const;
+  void append_lines_of(const Unit& unit, std::set<std::size_t>& lines) const;
   bool keep_part(std::size_t line, std::string& flat);
 
   // sinumerik_declarations.cpp

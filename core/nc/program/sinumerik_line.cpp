@@ -202,12 +202,15 @@ bool sinumerik_computes(const ProgramSetup& setup, std::string_view line) {
   }
 }
 
-std::string program_of_header(std::string_view line) {
+std::string file_of_header(std::string_view line) {
   constexpr std::string_view beginning = "%_N_";
-  std::size_t at = behind_blanks(line, 0);
-  if (!has_word_at(line, at, beginning)) return {};
-  std::string name = name_at(line, at + beginning.size());
-  for (const std::string_view ending : {"_MPF", "_SPF"})
+  const std::size_t at = behind_blanks(line, 0);
+  return has_word_at(line, at, beginning) ? name_at(line, at + beginning.size()) : std::string();
+}
+
+std::string program_of_header(std::string_view line) {
+  std::string name = file_of_header(line);
+  for (const std::string_view ending : {main_program_ending, subprogram_ending})
     if (name.ends_with(ending)) name.erase(name.size() - ending.size());
   return name;
 }

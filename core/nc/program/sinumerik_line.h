@@ -36,6 +36,11 @@ enum class WordEnd : std::uint8_t { whole, open };
 // Whether the line has a variable, an expression, a statement, or a call of a subprogram.
 [[nodiscard]] bool sinumerik_computes(const ProgramSetup& setup, std::string_view line);
 
+// How the file that a header line begins is called, "%_N_PART_MPF": PART_MPF, in capitals. Empty:
+// the line is none.
+[[nodiscard]] std::string file_of_header(std::string_view line);
+inline constexpr std::string_view main_program_ending = "_MPF";
+inline constexpr std::string_view subprogram_ending = "_SPF";
 // The name of the program that a header line begins, "%_N_PART_MPF": PART, in capitals. Empty:
 // the line is none.
 [[nodiscard]] std::string program_of_header(std::string_view line);

@@ -47,6 +47,18 @@ bool ProgramState::check_corner(const MoveRequest& request, bool alone) {
          refuse_corner(request.source);
 }
 
+// Whether what stands between its motions parts them: a motion across the plane or of a further
+// axis, and for Sinumerik more than three blocks, as many as a machine looks past by default.
+bool ProgramState::is_corner_interrupted() const {
+  constexpr std::size_t most_between = 3;
+  const std::vector<Block>& held = corner_.blocks();
+  if (setup_.dialect == DialectName::sinumerik && held.size() > 1 + most_between) return true;
+  return std::any_of(held.begin() + 1, held.end(), [](const Block& block) {
+    const auto* passive = std::get_if<PassiveBlock>(&block);
+    return passive != nullptr && passive->moves;
+  });
+}
+
 // The block that is held loses its end and `path` its beginning.
 bool ProgramState::cut_corner_before(const MoveRequest& request, Segment& path, bool alone) {
   if (!corner_.waits()) return true;
@@ -58,14 +70,17 @@ bool ProgramState::cut_corner_before(const MoveRequest& request, Segment& path, 
   const CornerCut& cut = corner_.cut();
   const bool in_contour = mode_.active() && before.mode->side == mode_.side &&
                           before.mode->selection_number == mode_.selection_number;
+  const bool may_be_none =
+      cut.modal || (setup_.dialect == DialectName::sinumerik && cut.form == CornerCut::Form::round);
   const bool no_corner =
-      cut.modal && std::abs(turn_between(tangent_at_end(before.path), tangent_at_start(path))) <=
-                       tolerances_.tangent;
-  if (no_corner || (cut.modal && (!alone || !in_contour))) {
+      may_be_none && std::abs(turn_between(tangent_at_end(before.path), tangent_at_start(path))) <=
+                         tolerances_.tangent;
+  const bool between_motions = alone && in_contour && !is_corner_interrupted();
+  if (no_corner || (cut.modal && !between_motions)) {
     corner_.release(blocks_);
     return true;
   }
-  if (!alone || !in_contour) return refuse_held_corner();
+  if (!between_motions) return refuse_held_corner();
   const auto corner = cut_corner(before.path, path, cut, tolerances_);
   const bool beside_arc =
       cut.form != CornerCut::Form::round && (is_arc(before.path) || is_arc(path));
@@ -131,6 +146,8 @@ bool ProgramState::approach_by(const Lead& lead, const MoveRequest& request, con
   if (lead_ || in_plane_blocks_ > 0 || !mode_.active())
     return report(request.source, Code::nc_unsupported,
                   "APPR or G147, G247, G347 within a contour");
+  const std::size_t assumed = axis_of_assumed_start(request);
+  if (assumed < known_.size()) return refuse_assumed_start(request.source, assumed);
   if (!check_radius(request.source)) return false;
   lead_ = PendingLead{
       .lead = lead, .request = request, .way = way, .from = position_, .infeed = infeed};

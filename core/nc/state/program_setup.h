@@ -52,8 +52,10 @@ enum class Encoding : std::uint8_t {
 
 // What holds before the first block.
 struct ProgramSetup {
-  TrcMode mode{};                // plane, mode, radius, options; side must be off
-  Position start{};              // mm
+  TrcMode mode{};    // plane, mode, radius, options; side must be off
+  Position start{};  // mm
+  // Nobody has said `start`: a contour does not begin there by chance (900106).
+  bool start_is_assumed = false;
   bool absolute_center = false;  // G161; G162 is the initial state (rule 10.4)
   CircleCheck circle{};
   std::vector<std::string> tracking_axes{"A", "B", "C", "U", "V", "W"};

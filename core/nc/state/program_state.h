@@ -92,7 +92,7 @@ struct ArcToContour {
 // absolute blocks. NC text and motion messages both end here, so that a program
 // means the same however it arrives.
 //
-// Every function returns whether the stream goes on; Diagnostics says why not.
+// What returns a bool and may refuse returns whether the stream goes on; Diagnostics says why not.
 class ProgramState {
  public:
   ProgramState(const ProgramSetup& setup, const Tolerances& tolerances, Diagnostics& diagnostics,
@@ -254,7 +254,7 @@ class ProgramState {
   void serialize(Archive& archive) {
     archive(tool_, column_, mode_, shared_mode_, programmed_side_, tangential_requested_,
             absolute_center_, circle_.correct_center, circle_.last_digit, position_, target_,
-            known_, position_forgotten_, displaced_, tracking_, selected_, selections_,
+            known_, programmed_, position_forgotten_, displaced_, tracking_, selected_, selections_,
             in_plane_blocks_, has_approach_, last_path_, last_index_, last_part_, last_mode_,
             retract_pending_, beside_contour_, just_deselected_, next_plane_, corner_, lead_,
             arc_to_contour_, ended_, increments_since_);
@@ -297,6 +297,7 @@ class ProgramState {
   [[nodiscard]] bool moves_in_plane_alone(const MoveRequest& request, const Position& end,
                                           const TrackingTravel& tracking) const;
   bool check_corner(const MoveRequest& request, bool alone);
+  [[nodiscard]] bool is_corner_interrupted() const;
   bool cut_corner_before(const MoveRequest& request, Segment& path, bool alone);
   [[nodiscard]] bool is_point(const Segment& path) const;
   void hold_for_corner(const MoveRequest& request);
@@ -312,6 +313,9 @@ class ProgramState {
   [[nodiscard]] bool all_known() const { return known_[0] && known_[1] && known_[2]; }
   [[nodiscard]] std::string told_increments() const;
   [[nodiscard]] std::optional<Refusal> unknown_start(const MoveRequest& request) const;
+  // An axis of the plane whose place nobody has said: 3: none.
+  [[nodiscard]] std::size_t axis_of_assumed_start(const MoveRequest& request) const;
+  bool refuse_assumed_start(const Source& source, std::size_t axis);
   bool move_straight(const MoveRequest& request, const Position& end);
   bool move_on_circle(const MoveRequest& request, const Position& end);
   struct ProgrammedCircle {
@@ -373,7 +377,8 @@ class ProgramState {
   // As programmed. Differs from position_ by steps that were too short to travel.
   Position target_{};
   std::array<bool, 3> known_{true, true, true};
-  Source position_forgotten_{};  // by what, unless all is known
+  std::array<bool, 3> programmed_{};  // a motion has led there
+  Source position_forgotten_{};       // by what, unless all is known
   // A deselection under G239 has left the tool beside the programmed point, and no straight motion
   // in the plane has followed.
   bool displaced_ = false;

@@ -94,7 +94,7 @@ class ToolInForce {
 
   // What takes the place of the terms in force, and who gave the radius.
   std::optional<Refusal> enter_terms(const RadiusTerms& terms, RadiusGiver giver);
-  // The same giver; a tool not found stays so.
+  // The giver stays; a tool not found stays so.
   std::optional<Refusal> change_terms(const RadiusTerms& terms);
   std::optional<Refusal> enter_row(const ToolRow& row, RadiusGiver giver);
   std::optional<Refusal> take_tool(std::int64_t number);

@@ -101,7 +101,7 @@ inline constexpr double largest_whole = 1e15;
 // larger than any double.
 [[nodiscard]] std::size_t read_number(std::string_view text, double& value, bool& whole);
 
-// The same of Sinumerik, where 5EX1 is 50.
+// A number of Sinumerik, where 5EX1 is 50.
 [[nodiscard]] std::size_t read_named_number(std::string_view text, double& value, bool& whole);
 
 // S[M3 REV1000], S2[POS=90 M19] of ISG, from the S on: behind the bracket; 0: it is a number or an

@@ -37,7 +37,7 @@ class NcWriter {
     bool inch = false;
     Spelling spelling{};
     std::string tracking_letters{};  // one per tracking axis
-    // Likewise: those of more than one character, which are written X1=5; else empty.
+    // Names of more than one character, which are written X1=5; else empty.
     std::vector<std::string> tracking_names{};
     bool renumbers = false;
   };

@@ -52,8 +52,7 @@ class LoopRemoval {
 
   // The short way in, in plain_entry.h.
   class PlainEntry;
-  // The short way out: where what leaves next needs no block made for it, null otherwise, and while
-  // it still enters.
+  // The short way out, while a selection is leaving and all of it has entered; else null.
   [[nodiscard]] LoopRelease* releases_path() {
     return is_leaving() && held_.entering.empty() ? &release_ : nullptr;
   }

@@ -25,8 +25,9 @@ namespace trc {
 // path blocks.
 //
 // What comes out, and when, is bit for bit what the passes put out. It asks the same geometry
-// the same questions; whatever is to be reported, or takes more than a rule for two blocks, it
-// leaves to them: it stops before such a block, as if it had never been there.
+// the same questions; whatever is to be reported, but for the errors of LoopRemoval, or takes more
+// than a rule for two blocks, it leaves to them: it stops before such a block, as if it had never
+// been there.
 class ShortWay {
  public:
   ShortWay(const CompensatorSetup& setup, const Diagnostics& diagnostics, LoopRemoval& loop_removal,
