@@ -244,6 +244,8 @@ constexpr auto fragments = std::to_array<Fragment>({
      "einer Kontur, das dahinter noch gilt: CIP neu schreiben"},
     {"of a further axis", "einer weiteren Achse"},
     {"of a lathe", "einer Drehmaschine"},
+    {"one centre word alone under G90.1", "ein Mittelpunktswort allein unter G90.1"},
+    {"where the tool stands in front of the contour", "wo das Werkzeug vor der Kontur steht"},
     {"once, 0 or more", "einmal, 0 oder mehr"},
     {"only", "allein"},
     {"open corners", "offene Ecken"},

@@ -362,6 +362,11 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Den TOOL CALL vor der Kontur selbst schreiben."},
     {"with the tool of the section", "Write the TOOL CALL in front of the contour itself.",
      "Den TOOL CALL vor der Kontur selbst schreiben."},
+    {"where the tool stands in front of the contour",
+     "Write the motion to where the approach begins in front of it, or say where the tool stands: "
+     "--set start_position=X,Y,Z.",
+     "Davor die Bewegung dorthin schreiben, wo das Anfahren beginnt, oder sagen, wo das Werkzeug "
+     "steht: --set start_position=X,Y,Z."},
     {"CIP of a contour, which holds behind it",
      "Write CIP, G1, G2 or G3 into the first block behind the contour.",
      "CIP, G1, G2 oder G3 in den ersten Satz hinter der Kontur schreiben."},

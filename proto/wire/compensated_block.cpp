@@ -154,7 +154,7 @@ void read_geometry(const v1::CompensatedBlock& message, CompensatedBlock& block)
 
 }  // namespace
 
-void CompensatedReader::seat_text(CompensatedBlock& block) const {
+void CompensatedReader::place_text(CompensatedBlock& block) const {
   const Point here = to_plane(block.plane, position_);
   const double height = position_[axes_of(block.plane).third];
   block.path = Line{.start = here, .end = here};
@@ -199,7 +199,7 @@ bool CompensatedReader::read(const v1::CompensatedBlock& message, const FieldPat
 
   ++next_block_;
   if (message.geometry_case() == Message::GEOMETRY_NOT_SET) {
-    seat_text(block);
+    place_text(block);
     return true;
   }
   read_geometry(message, block);

@@ -50,7 +50,7 @@ class CompensatedReader {
  private:
   bool expect(std::uint64_t first_block, const FieldPath& path, FieldFaults& faults);
 
-  void seat_text(CompensatedBlock& block) const;
+  void place_text(CompensatedBlock& block) const;
   void follow(const CompensatedBlock& block);
 
   std::uint64_t next_block_ = 0;

@@ -197,7 +197,7 @@ bool CompensatedReader::read(const v1::CompensatedColumns& message,
     if (moves) {
       follow(block);
     } else {
-      seat_text(block);
+      place_text(block);
     }
   }
   columns.check_used_up(faults);

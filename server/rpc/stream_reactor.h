@@ -166,7 +166,7 @@ class StreamReactor
       if (!waits_for_request) given_up_ = why;
     }
     if (waits_for_request) {
-      let_go_of_work();
+      release_work();
       return finish(end_of_given_up(why));
     }
 
@@ -222,7 +222,7 @@ class StreamReactor
     {
       const StreamAccount::Turn accounted(account_);
       take_turn_here();
-      if (turn_.next == Turn::Next::finish) let_go_of_work();
+      if (turn_.next == Turn::Next::finish) release_work();
     }
     conclude();
   }
@@ -239,10 +239,10 @@ class StreamReactor
     } catch (Refused& refused) {
       turn_ = end(std::move(refused.ending));
     } catch (const std::bad_alloc&) {
-      let_go_of_work();
+      release_work();
       turn_ = end_for_want_of_memory();
     } catch (const std::exception& bug) {
-      let_go_of_work();
+      release_work();
       try {
         turn_ = end(record_.incident(bug.what()));
       } catch (const std::bad_alloc&) {
@@ -252,7 +252,7 @@ class StreamReactor
   }
 
   void give_up_work() noexcept {
-    let_go_of_work();
+    release_work();
     try {
       turn_ = end(gone());
     } catch (const std::bad_alloc&) {
@@ -268,7 +268,7 @@ class StreamReactor
 
   // In whatever thread ends the stream, best in the pool: a session may hold so much that a
   // reaction should not have to free it.
-  void let_go_of_work() noexcept {
+  void release_work() noexcept {
     constexpr std::uint64_t large = 32U << 20U;
     const bool held_much = account_.held_bytes() > large;
     work_.reset();

@@ -52,6 +52,27 @@ TEST(LinuxcncExpressions, RefuseExistsOfWhatIsNoParameter) {
   EXPECT_EQ(refusal_of("#1=[EXISTS[#2\nG0 X#1\nM2\n", linuxcnc()), std::pair(900308, 1U));
 }
 
+TEST(LinuxcncPrograms, HaveNoMotionFunctionBehindG80) {
+  const std::string head = "G21 G90 G17\nG0 X0 Y0 Z5\nG81 Z-5 R2 F100\nG80\n";
+  const std::string contour = "X10 Y0\nY20\nX40\nG40 X60\nM2\n";
+  EXPECT_EQ(refusal_of(head + "G41.1 D4 " + contour, linuxcnc()), std::pair(900019, 5U));
+  EXPECT_EQ(refusal_of(head + "G41.1 D4 G1 F300 " + contour, linuxcnc()), std::pair(0, 0U));
+}
+
+TEST(LinuxcncPrograms, HaveBothCentreWordsUnderG901) {
+  const std::string head = "G21 G90 G17 G90.1 F200\nG0 X20 Y-10\nG42.1 D4 G1 X20 Y0\nY10\n";
+  const std::string end = "G1 Y0\nG40 Y-10\nM2\n";
+  EXPECT_EQ(refusal_of(head + "G3 X0 Y10 I10 J10\n" + end, linuxcnc()), std::pair(0, 0U));
+  EXPECT_EQ(refusal_of(head + "G3 X0 Y10 I10\n" + end, linuxcnc()), std::pair(900101, 5U));
+  EXPECT_EQ(refusal_of(head + "G3 X0 Y10 J10\n" + end, linuxcnc()), std::pair(900101, 5U));
+}
+
+// QtPlasmaC's filter reads the text in front of the control.
+TEST(LinuxcncPrograms, KeepWhatAFilterLooksFor) {
+  EXPECT_EQ(flat("#<pierce-only>=1\n#<holes> = 4\n#<other>=3\nG0 X#<other>\nM2\n"),
+            "#<pierce-only>=1\n#<holes>=4\nG0 X3\nM2\n");
+}
+
 TEST(LinuxcncPrograms, LoseNoContourBehindTheirEnd) {
   const std::string contour = "G0 X-20 Y-20\nG41.1 D4 G1 X0 Y0 F300\nY40\nG40 X80\n";
   EXPECT_EQ(refusal_of("#31=5\nG0 X#31\nM2\n" + contour + "M2\n", linuxcnc()),

@@ -49,6 +49,9 @@ TEST(SinumerikArchives, OfASubprogramAloneBeginNoContourByChance) {
   assumed.session.program.start_is_assumed = true;
   const std::string lines = contour + "M17\n";
   EXPECT_EQ(refusal_of(sub, assumed), std::pair(900106, 2U));
+  const ProgramRun ran = to_text(sub, assumed);
+  ASSERT_EQ(ran.diagnostics.size(), 1U);
+  EXPECT_NE(help_of(ran.diagnostics.front()).find("start_position"), std::string::npos);
   EXPECT_EQ(refusal_of("G0 X0 Y0\n" + lines, assumed), std::pair(0, 0U));
   EXPECT_EQ(refusal_of("G0 Y-20\n" + lines, assumed), std::pair(0, 0U));
   EXPECT_EQ(refusal_of("G0 Y0\n" + lines, assumed), std::pair(900106, 2U));

@@ -233,6 +233,14 @@ bool apply_motion(Reading& reading, ProgramLine& line, BlockWords& block) {
                       block.center ? reading.place_of_word(line, *block.center).column : 0);
   if (!reading.motion_given && reading.state.contour_open())
     return reading.refuse(line, TextFault{.code = Code::motion_unknown, .begin = begin});
+  const PlaneAxes axes = axes_of(reading.state.mode().plane);
+  const auto& center = block.move.center;
+  const bool is_linuxcnc = reading.dialect.name == DialectName::linuxcnc;
+  if (is_linuxcnc && reading.absolute_center &&
+      center[axes.first].has_value() != center[axes.second].has_value())
+    return reading.refuse(line, TextFault{.code = Code::circle_incomplete,
+                                          .begin = *block.center,
+                                          .detail = "one centre word alone under G90.1"});
   if (reading.state.contour_open() && !check_feed_of_contour(reading, line, block, begin))
     return false;
   if (reading.gcode.soft.approach) return begin_contour_of_approach(reading, line, block);

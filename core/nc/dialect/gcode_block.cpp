@@ -53,6 +53,9 @@ void end_modes_before(Reading& reading, BlockWords& block) {
       block.has(motion) && reading.dialect.name != DialectName::sinumerik;
   // What a line that may be skipped ends may still hold.
   if ((motion_ends_cycle || block.has(cycle_end)) && !block.to_skip) reading.gcode.cycle = false;
+  // It stands in the group of motions there: up to the next one there is none.
+  if (block.has(cycle_end) && reading.dialect.name == DialectName::linuxcnc)
+    reading.motion_given = false;
   if (block.has(motion)) reading.gcode.tangent_arcs.in_force = false;
   reading.gcode.tangent_arcs.in_force |= block.arc.begins_tangents;
   if (block.arc.begins_tangents) reading.gcode.tangent_arcs.are_written = reading.trc_active();
@@ -131,7 +134,10 @@ bool may_read_plain_lines(const Reading& reading) {
   const bool plain_whole_numbers = reading.dialect.name != DialectName::fanuc ||
                                    whole == WholeNumbers::units ||
                                    (whole == WholeNumbers::unsaid && reading.gcode.seen.points);
-  return !reading.gcode.cycle && reading.gcode.coordinates.unfollowed.empty() &&
+  // What G90.1 asks of an arc is looked at word by word.
+  const bool plain_centers =
+      reading.dialect.name != DialectName::linuxcnc || !reading.absolute_center;
+  return plain_centers && !reading.gcode.cycle && reading.gcode.coordinates.unfollowed.empty() &&
          !reading.gcode.tangent_arcs.in_force && !reading.gcode.skipped.dimension &&
          !reading.gcode.skipped.motion && reading.gcode.skipped.feed == 0 && reading.gcode.seen.y &&
          reading.faults.empty() && plain_whole_numbers && !reading.gcode.enters_parameters &&

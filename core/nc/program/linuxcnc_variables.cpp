@@ -12,6 +12,11 @@
 namespace trc::program {
 namespace {
 
+// Parameters that QtPlasmaC's filter looks for in the text, in front of the control.
+constexpr auto read_by_the_filter =
+    std::to_array<std::string_view>({"h_diameter", "h_velocity", "holes", "i_diameter",
+                                     "i_velocity", "keep-z-motion", "oclength", "pierce-only"});
+
 // What the control itself puts into a parameter, and knows only when the program runs.
 constexpr auto states = std::to_array<std::string_view>({
     "_a",
@@ -115,6 +120,11 @@ bool LinuxcncFlow::assign(const Assignment& assignment) {
   if (is_state(assignment.target))
     return refuse(number == 0 && name.empty() ? Code::value_invalid : Code::machine_state,
                   assignment.begin, spelling);
+  if (std::ranges::find(read_by_the_filter, name) != read_by_the_filter.end()) {
+    settings_.append(spelling).append("=");
+    append_value(settings_, assignment.value, PointStyle::as_whole);
+    settings_.append(line_end());
+  }
   const bool is_everyones = !is_own(assignment.target);
   kept_text_ = assignment.kept;
   if (is_everyones) note_counter(spelling);

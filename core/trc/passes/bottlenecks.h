@@ -64,7 +64,7 @@ class Bottlenecks {
   [[nodiscard]] std::optional<Wall> wall_for(std::size_t path, std::size_t other,
                                              double limit) const;
   bool end_selection(PathBlocks& out);
-  // Lets go all blocks around which the contour is known.
+  // Releases all blocks around which the contour is known.
   bool examine(Input input, PathBlocks& out);
   bool check(const PathBlock& block, std::size_t number);
   void forget();
