@@ -60,7 +60,7 @@ TEST(ContourWords, CipHasAPointBetweenInEitherReference) {
 
 TEST(ContourWords, ACornerIsCutWhereNothingElseMoves) {
   const std::string between = "X20 RND=8\n";
-  expect_same(between + "M8\nM7\nS500\nY80\n", "X20 RND=8\nM8\nM7\nS500\nY80\n");
+  expect_same(between + "M8\nM7\nS500\nY80\n", "X12\nG3 X20 Y48 I0 J8\nM8\nM7\nS500\nG1 Y80\n");
   EXPECT_EQ(refused(between + "M8\nM7\nS500\nM3\nY80\n"),
             "a rounding or a chamfer that is not between two motions of one contour, at feed and "
             "in the plane");

@@ -317,7 +317,7 @@ bool move(Reading& reading, ProgramLine& line, MoveRequest& request) {
   line.is_motion = true;
   const PlaneAxes axes = axes_of(reading.state.mode().plane);
   if (request.end[axes.first] || request.end[axes.second])
-    reading.gcode.tangent_arcs.leave_contour = reading.state.contour_open();
+    reading.gcode.leaves_contour = reading.state.contour_open();
   return leads_on_an_arc ? reading.state.approach_on_arc(request) : reading.state.move(request);
 }
 

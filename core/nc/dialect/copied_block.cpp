@@ -177,8 +177,8 @@ NotWhileActive find_what_is_copied(Reading& reading, BlockWords& block) {
 // number says cannot be written anew.
 bool check_motion_before(Reading& reading, const ProgramLine& line, const BlockWords& block) {
   const bool selects = block.selects();
-  if (reading.gcode.tangent_arcs.in_force && block.axis &&
-      reading.gcode.tangent_arcs.leave_contour && reading.faults.empty() && !reading.trc_active())
+  if (reading.gcode.tangent_arcs.in_force && block.axis && reading.gcode.leaves_contour &&
+      reading.faults.empty() && !reading.trc_active())
     return reading.refuse(
         line, TextFault{.code = Code::nc_unsupported,
                         .begin = *block.axis,
@@ -289,7 +289,7 @@ bool copy_gcode_block(Reading& reading, ProgramLine& line, BlockWords& block) {
   const bool says_place = block.has(axis_technology) || block.has(frame) || block.has(dwell) ||
                           block.has(tool_data) || block.has(zero_shift);
   if ((block.move.end[axes.first] || block.move.end[axes.second]) && !says_place)
-    reading.gcode.tangent_arcs.leave_contour = false;
+    reading.gcode.leaves_contour = false;
   take_for_technology(line, WordRole::coordinate);
   take_for_technology(line, WordRole::trc);
   return true;

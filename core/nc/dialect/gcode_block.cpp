@@ -53,19 +53,17 @@ void end_modes_before(Reading& reading, BlockWords& block) {
       block.has(motion) && reading.dialect.name != DialectName::sinumerik;
   // What a line that may be skipped ends may still hold.
   if ((motion_ends_cycle || block.has(cycle_end)) && !block.to_skip) reading.gcode.cycle = false;
-  // It stands in the group of motions there: up to the next one there is none.
+  // LinuxCNC has G80 in the group of motions: up to the next one there is none.
   if (block.has(cycle_end) && reading.dialect.name == DialectName::linuxcnc)
     reading.motion_given = false;
-  if (block.has(motion)) reading.gcode.tangent_arcs.in_force = false;
-  reading.gcode.tangent_arcs.in_force |= block.arc.begins_tangents;
-  if (block.arc.begins_tangents) reading.gcode.tangent_arcs.are_written = reading.trc_active();
-  GcodeModes::ThroughArcs& through_arcs = reading.gcode.through_arcs;
-  if (block.has(motion) || block.arc.begins_tangents)
-    through_arcs = {.in_force = block.arc.is_through, .are_written = reading.trc_active()};
+  const bool begins_tangents = block.arc.begins_tangents;
+  reading.gcode.tangent_arcs.take(block.has(motion), begins_tangents, reading.trc_active());
+  reading.gcode.through_arcs.take(block.has(motion) || begins_tangents, block.arc.is_through,
+                                  reading.trc_active());
   const auto& between = block.arc.through;
-  block.arc.is_through |=
-      through_arcs.in_force && std::any_of(between.begin(), between.end(),
-                                           [](const auto& word) { return word.has_value(); });
+  block.arc.is_through |= reading.gcode.through_arcs.in_force &&
+                          std::any_of(between.begin(), between.end(),
+                                      [](const auto& word) { return word.has_value(); });
   reading.gcode.tooth_feed = block.tooth_feed.has_value() ||
                              (reading.gcode.tooth_feed && !(block.feed && !block.has(dwell)));
 }

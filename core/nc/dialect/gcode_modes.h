@@ -162,21 +162,16 @@ struct GcodeModes {
       archive(open, modal_rounding, feed);
     }
   };
-  // CT
-  struct TangentArcs {
+  // CT, CIP: arcs by name, up to another motion function.
+  struct NamedArcs {
     bool in_force = false;
-    bool are_written = false;    // its word is in the output no longer
-    bool leave_contour = false;  // the last motion in the plane was one of a contour
+    bool are_written = false;  // their word is in the output no longer
 
-    template <class Archive>
-    void serialize(Archive& archive) {
-      archive(in_force, are_written, leave_contour);
+    // What a line does to them. `writes`: what begins there is written as other words.
+    void take(bool ends, bool begins, bool writes) {
+      in_force = begins || (in_force && !ends);
+      if (begins) are_written = writes;
     }
-  };
-  // CIP, which holds up to another motion function.
-  struct ThroughArcs {
-    bool in_force = false;
-    bool are_written = false;  // its word is in the output no longer
 
     template <class Archive>
     void serialize(Archive& archive) {
@@ -245,8 +240,9 @@ struct GcodeModes {
   Skipped skipped{};
   Coordinates coordinates{};
   Corners corners{};
-  TangentArcs tangent_arcs{};
-  ThroughArcs through_arcs{};
+  NamedArcs tangent_arcs{};     // CT
+  NamedArcs through_arcs{};     // CIP
+  bool leaves_contour = false;  // the last motion in the plane was one of a contour
   Polar polar{};
   SoftLeads soft{};
   Calls calls{};
@@ -259,8 +255,9 @@ struct GcodeModes {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(tools, last_register, skipped, coordinates, corners, tangent_arcs, through_arcs, polar,
-            soft, calls, seen, cycle, kept, feed_mode_line, tooth_feed, enters_parameters);
+    archive(tools, last_register, skipped, coordinates, corners, tangent_arcs, through_arcs,
+            leaves_contour, polar, soft, calls, seen, cycle, kept, feed_mode_line, tooth_feed,
+            enters_parameters);
   }
 };
 

@@ -179,7 +179,7 @@ class SinumerikFlow : public Flow, private Variables {
   void write_values();
   void lose_values();
 
-  // sinumerik_contours.cpp: what stands behind the program and stays.
+  // sinumerik_kept_parts.cpp: what stands behind the program and stays.
   void note_named_by_cycles(std::string_view written);
   bool keep_parts_behind_end(const std::vector<bool>& called, std::string& flat);
   bool find_named_labels(const std::vector<std::string>& names, std::set<std::size_t>& lines);

@@ -146,8 +146,8 @@ bool ProgramState::approach_by(const Lead& lead, const MoveRequest& request, con
   if (lead_ || in_plane_blocks_ > 0 || !mode_.active())
     return report(request.source, Code::nc_unsupported,
                   "APPR or G147, G247, G347 within a contour");
-  const std::size_t assumed = axis_of_assumed_start(request);
-  if (assumed < known_.size()) return refuse_assumed_start(request.source, assumed);
+  if (const auto assumed = axis_of_assumed_start(request))
+    return refuse_assumed_start(request.source, *assumed);
   if (!check_radius(request.source)) return false;
   lead_ = PendingLead{
       .lead = lead, .request = request, .way = way, .from = position_, .infeed = infeed};

@@ -144,13 +144,12 @@ std::optional<Refusal> ProgramState::unknown_start(const MoveRequest& request) c
   return {};
 }
 
-std::size_t ProgramState::axis_of_assumed_start(const MoveRequest& request) const {
-  constexpr std::size_t none = 3;
-  if (!setup_.start_is_assumed || !mode_.active() || in_plane_blocks_ > 0) return none;
+std::optional<std::size_t> ProgramState::axis_of_assumed_start(const MoveRequest& request) const {
+  if (!setup_.start_is_assumed || !mode_.active() || in_plane_blocks_ > 0) return {};
   const PlaneAxes axes = axes_of(mode_.plane);
   for (const std::size_t axis : {axes.first, axes.second})
     if (request.end[axis] && !programmed_[axis]) return axis;
-  return none;
+  return {};
 }
 
 bool ProgramState::refuse_assumed_start(const Source& source, std::size_t axis) {
@@ -230,7 +229,7 @@ bool ProgramState::move_straight(const MoveRequest& request, const Position& end
     return report(request.source, Code::nc_unsupported, "a circle word in a straight motion");
   TrackingTravel tracking;
   if (!move_tracking(request, tracking)) return false;
-  const std::size_t assumed = axis_of_assumed_start(request);
+  const std::optional<std::size_t> assumed = axis_of_assumed_start(request);
   enter_target(request, end);
   Line line{.start = to_plane(mode_.plane, position_), .end = to_plane(mode_.plane, end)};
   if (retract_pending_ && leads_back(request)) line.start = last_equidistant_point();
@@ -240,7 +239,7 @@ bool ProgramState::move_straight(const MoveRequest& request, const Position& end
     return append_between_corners(request, line, end, std::move(tracking));
   }
   // The tool would go along the contour itself (D-156).
-  if (assumed < known_.size()) return refuse_assumed_start(request.source, assumed);
+  if (assumed) return refuse_assumed_start(request.source, *assumed);
   const bool tracking_moves = std::ranges::any_of(tracking, &AxisTravel::moves);
   append_passive(request, end, std::move(tracking), tracking_moves);
   return true;

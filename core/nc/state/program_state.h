@@ -313,8 +313,8 @@ class ProgramState {
   [[nodiscard]] bool all_known() const { return known_[0] && known_[1] && known_[2]; }
   [[nodiscard]] std::string told_increments() const;
   [[nodiscard]] std::optional<Refusal> unknown_start(const MoveRequest& request) const;
-  // An axis of the plane whose place nobody has said: 3: none.
-  [[nodiscard]] std::size_t axis_of_assumed_start(const MoveRequest& request) const;
+  // An axis that the first motion of a selection names, and whose place nobody has said.
+  [[nodiscard]] std::optional<std::size_t> axis_of_assumed_start(const MoveRequest& request) const;
   bool refuse_assumed_start(const Source& source, std::size_t axis);
   bool move_straight(const MoveRequest& request, const Position& end);
   bool move_on_circle(const MoveRequest& request, const Position& end);

@@ -1,7 +1,6 @@
 #include "core/trc/passes/joints.h"
 
 #include <cmath>
-#include <cstdint>
 #include <numbers>
 
 #include "core/geometry/parallel.h"
@@ -14,27 +13,24 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// To the contour with its first block, or from it behind its last one.
-enum class LeadKind : std::uint8_t { approach, retract };
-
 bool is_contour(const PathBlock& block) { return block.role == Role::contour; }
 
 OffsetCurve straight(const Point& anchor, const Vector& tangent) {
   return {.anchor = anchor, .tangent = tangent};
 }
 
-JointResult on_path(const std::optional<Joint>& joint, LeadKind kind, const Corner& corner) {
+JointResult on_path(const std::optional<Joint>& joint, Role role, const Corner& corner) {
   if (joint) return JoinedBlocks{.joint = *joint};
   return JointRefusal{.code = Code::selection_block_too_short,
-                      .of_after = kind == LeadKind::retract,
+                      .of_after = role == Role::retract,
                       .place = corner.programmed};
 }
 
 // The corner with a way in place of its first block, of its second one for a retract, that comes
 // from `far`, or goes there, along a tangent of the circle about it. Nothing from within the
 // circle.
-std::optional<Corner> corner_touched_from(const Point& far, const Corner& corner, LeadKind kind) {
-  const bool leaves = kind == LeadKind::retract;
+std::optional<Corner> corner_touched_from(const Point& far, const Corner& corner, Role role) {
+  const bool leaves = role == Role::retract;
   const Vector way = leaves ? far - corner.programmed : corner.programmed - far;
   const double length = way.norm();
   if (length < corner.tool_radius() || length == 0) return std::nullopt;
@@ -50,10 +46,10 @@ std::optional<Corner> corner_touched_from(const Point& far, const Corner& corner
 
 // KONT, at an outside corner. The way turns further than the programmed one: the tool may go more
 // than half round the corner, which no line does.
-JointResult round_by_tangent(const Point& far, const Corner& corner, const TrcMode& mode,
-                             LeadKind kind, const Tolerances& tolerances) {
-  const auto touched = corner_touched_from(far, corner, kind);
-  if (!touched) return on_path({}, kind, corner);
+JointResult round_by_tangent(const Point& far, const Corner& corner, const TrcMode& mode, Role role,
+                             const Tolerances& tolerances) {
+  const auto touched = corner_touched_from(far, corner, role);
+  if (!touched) return on_path({}, role, corner);
   const bool more_than_half = touched->sine_of_turn() * corner.shift > 0;
   if (!more_than_half) return JoinedBlocks{.joint = transition_joint(*touched, mode, tolerances)};
   const double turn = touched->turn();
@@ -82,13 +78,13 @@ JointResult approach(const PathBlock& before, const PathBlock& after, const Corn
       if (kind_of(corner, tolerances) != CornerKind::outside) break;
       if (mode.touches_corner_circle)
         return round_by_tangent(start_of(before.programmed.path), corner, after.mode(),
-                                LeadKind::approach, tolerances);
+                                Role::approach, tolerances);
       return JoinedBlocks{.joint = transition_joint(corner, after.mode(), tolerances)};
     case Selection::on_path:
       return on_path(
           selection::approach_on_path(corner, before.programmed.path, before.tangent_at_end,
                                       selection::around_corner(mode), tolerances),
-          LeadKind::approach, corner);
+          Role::approach, corner);
     case Selection::perpendicular:
       return JoinedBlocks{.joint = joint_across(corner.programmed, corner.after.anchor)};
     case Selection::inside_corner: {
@@ -118,14 +114,14 @@ JointResult retract(const PathBlock& after, Selection mode, const Corner& corner
     case Selection::indirect:
       if (kind_of(corner, tolerances) != CornerKind::outside) break;
       if (after.mode().touches_corner_circle && after.role == Role::retract)
-        return round_by_tangent(end_of(after.programmed.path), corner, after.mode(),
-                                LeadKind::retract, tolerances);
+        return round_by_tangent(end_of(after.programmed.path), corner, after.mode(), Role::retract,
+                                tolerances);
       return JoinedBlocks{.joint = transition_joint(corner, after.mode(), tolerances)};
     case Selection::on_path:
       return on_path(
           selection::retract_on_path(corner, after.programmed.path, after.tangent_at_start,
                                      selection::around_corner(after.mode()), tolerances),
-          LeadKind::retract, corner);
+          Role::retract, corner);
     case Selection::perpendicular:
       return JoinedBlocks{.joint = joint_across(corner.before.anchor, corner.programmed)};
     case Selection::inside_corner: {
