@@ -10,9 +10,14 @@
 set(standard "[a-z_]+")
 set(generated "trc/v1/.*|google/rpc/.*|grpc/.*")
 
+# `folder` may also be how the names of some files begin.
 function(layer folder quoted angled)
-  file(GLOB_RECURSE files RELATIVE "${ROOT}" "${ROOT}/${folder}/*.h" "${ROOT}/${folder}/*.cpp"
-       "${ROOT}/${folder}/*.h.in" "${ROOT}/${folder}/*.cpp.in")
+  if(IS_DIRECTORY "${ROOT}/${folder}")
+    file(GLOB_RECURSE files RELATIVE "${ROOT}" "${ROOT}/${folder}/*.h" "${ROOT}/${folder}/*.cpp"
+         "${ROOT}/${folder}/*.h.in" "${ROOT}/${folder}/*.cpp.in")
+  else()
+    file(GLOB files RELATIVE "${ROOT}" "${ROOT}/${folder}*")
+  endif()
   foreach(file IN LISTS files)
     file(STRINGS "${ROOT}/${file}" includes REGEX "^[ \t]*#[ \t]*include")
     foreach(include IN LISTS includes)
@@ -34,17 +39,23 @@ foreach(folder geometry nc/text nc/state nc/dialect nc/program)
   layer(core/${folder} "${known}" "Eigen/.*")
 endforeach()
 # The verification takes of trc what follows from the program alone, and the path that came out.
-layer(core/verify "${known}|core/verify/.*|core/trc/((result|walls)/.*|state_archive\\.h)" "Eigen/.*")
+set(of_trc "core/trc/((result|walls)/.*|(lead_settings|state_archive)\\.h)")
+layer(core/verify "${known}|core/verify/.*|${of_trc}" "Eigen/.*")
 foreach(folder trc nc/writer nc/convert verify session survey)
   string(APPEND known "|core/${folder}/.*")
   layer(core/${folder} "${known}" "Eigen/.*")
 endforeach()
 
-# The rooms of core/trc, each above those before it; the compensator stands above all of them.
-string(REPLACE "|core/trc/.*" "|core/trc/(pass|path_block|setup|state_archive)\\.h" in_trc "${known}")
-foreach(room result corner selection walls passes loops short_way)
-  string(APPEND in_trc "|core/trc/${room}/.*")
-  layer(core/trc/${room} "${in_trc}" "Eigen/.*")
+# The rooms of core/trc and the files beside them, each above those before it.
+string(REPLACE "|core/trc/.*" "" in_trc "${known}")
+foreach(place lead_settings.h setup.h pass.h result path_block.h state_archive.h corner selection
+        walls passes loops short_way compensator.h entry_trial entry_help compensator)
+  if(IS_DIRECTORY "${ROOT}/core/trc/${place}")
+    string(APPEND in_trc "|core/trc/${place}/.*")
+  else()
+    string(APPEND in_trc "|core/trc/${place}.*")
+  endif()
+  layer(core/trc/${place} "${in_trc}" "Eigen/.*")
 endforeach()
 
 string(APPEND known "|proto/wire/.*|(proto/)?(${generated})")

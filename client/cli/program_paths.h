@@ -8,8 +8,8 @@
 #include "client/cli/program_options.h"
 #include "core/base/diagnostic.h"
 #include "core/nc/state/block.h"
+#include "core/trc/lead_settings.h"
 #include "core/trc/result/compensated_block.h"
-#include "core/trc/walls/walls.h"
 #include "proto/wire/diagnostic.h"
 #include "proto/wire/path_item.h"
 

@@ -1,6 +1,7 @@
 #include "client/cli/service.h"
 
 #include <chrono>
+#include <cstdint>
 #include <iostream>
 #include <memory>
 #include <set>
@@ -54,8 +55,10 @@ class Service {
   [[nodiscard]] const client::Connection& connection() const { return *connection_; }
   [[nodiscard]] const std::shared_ptr<server::InProcessServer>& own_server() const { return own_; }
 
+  // Of a call that failed.
+  enum class Answered : std::uint8_t { nothing, a_part };
   // Says what went wrong and returns how the program ends.
-  [[nodiscard]] Exit explain(const client::Failure& failure, bool answered) const {
+  [[nodiscard]] Exit explain(const client::Failure& failure, Answered answered) const {
     if (failure.reason == "CALLER_STOPPED") return Exit::wrong_call;
     for (const wire::FieldFault& field : failure.fields)
       complain(std::string(as_setting(field.field)) + ": " + field.description);
@@ -106,7 +109,7 @@ class Service {
     return {.status = "INVALID_ARGUMENT", .message = std::move(fault), .reason = "LIMITS_WRONG"};
   }
 
-  void explain_unreachable(const client::Failure& failure, bool answered) const {
+  void explain_unreachable(const client::Failure& failure, Answered answered) const {
     // A server that gives a reason speaks for itself; the transport does not.
     if (failure.reason == "SERVER_DRAINING" && !name_.empty()) {
       complain("the server at " + name_ + " is there, but shuts down and takes no new programs");
@@ -118,7 +121,7 @@ class Service {
       complain(failure.message);
     } else if (failure.status == "UNAUTHENTICATED" || failure.status == "PERMISSION_DENIED") {
       complain("the server at " + name_ + " does not let this client in");
-    } else if (answered) {
+    } else if (answered == Answered::a_part) {
       complain("lost the connection to the server" + (name_.empty() ? "" : " at " + name_) +
                "; the path is not complete");
     } else {
@@ -228,15 +231,16 @@ Outcome compensate_program(const ServiceOptions& options, const v1::ProgramSetup
                            Input& input, Reporter& reporter, const AnswerSink& sink) {
   Patience patience(options, reporter);
   const Service service(options, patience.how());
-  if (service.failure()) return {.exit = service.explain(*service.failure(), false)};
+  if (service.failure())
+    return {.exit = service.explain(*service.failure(), Service::Answered::nothing)};
   client::RemoteProgramSession session(service.connection(), setup);
   Progress& progress = reporter.progress();
   session.tell_measuring(
       [&](std::uint64_t measured, std::uint64_t all) { progress.measured(measured, all); });
-  bool answered = false;
+  auto answered = Service::Answered::nothing;
   std::uint64_t bytes = 0;
   Answers answers([&](Answer& answer) {
-    answered = true;
+    answered = Service::Answered::a_part;
     reporter.report(answer.diagnostics);
     progress.read(bytes, input.size());
     return sink(answer);
@@ -271,11 +275,11 @@ Exit survey_program(const ServiceOptions& options, const v1::SurveySetup& setup,
                     std::string_view text, Reporter& reporter, v1::SurveyAnswer& answer) {
   Patience patience(options, reporter);
   const Service service(options, patience.how());
-  if (service.failure()) return service.explain(*service.failure(), false);
-  bool answered = false;
+  if (service.failure()) return service.explain(*service.failure(), Service::Answered::nothing);
+  auto answered = Service::Answered::nothing;
   const auto failure = client::survey_program(
       service.connection(), setup, text, [&](const v1::SurveyRadiiResponse& response) {
-        answered = true;
+        answered = Service::Answered::a_part;
         for (const v1::Diagnostic& told : response.diagnostics()) {
           reporter.report({wire::from_proto(told)});
           *answer.add_diagnostics() = told;
@@ -295,9 +299,9 @@ Exit connect(const ServiceOptions& options, std::size_t count, ServiceConnection
   if (options.server.empty()) count = 1;
   for (std::size_t i = 0; i < count; ++i) {
     const Service service(options, {.separate = true});
-    if (service.failure()) return service.explain(*service.failure(), false);
+    if (service.failure()) return service.explain(*service.failure(), Service::Answered::nothing);
     if (const auto failure = service.connection().server_info(longest_question, info))
-      return service.explain(*failure, false);
+      return service.explain(*failure, Service::Answered::nothing);
     connections.own_server = service.own_server();
     connections.channels.push_back(service.connection().channel());
   }
@@ -306,16 +310,16 @@ Exit connect(const ServiceOptions& options, std::size_t count, ServiceConnection
 
 Exit server_info(const ServiceOptions& options, v1::GetServerInfoResponse& info) {
   const Service service(options);
-  if (service.failure()) return service.explain(*service.failure(), false);
+  if (service.failure()) return service.explain(*service.failure(), Service::Answered::nothing);
   const auto failure = service.connection().server_info(longest_question, info);
-  return failure ? service.explain(*failure, false) : Exit::done;
+  return failure ? service.explain(*failure, Service::Answered::nothing) : Exit::done;
 }
 
 Exit server_health(const ServiceOptions& options, std::chrono::seconds timeout, bool& serving) {
   const Service service(options);
-  if (service.failure()) return service.explain(*service.failure(), false);
+  if (service.failure()) return service.explain(*service.failure(), Service::Answered::nothing);
   const auto failure = service.connection().health(timeout, serving);
-  return failure ? service.explain(*failure, false) : Exit::done;
+  return failure ? service.explain(*failure, Service::Answered::nothing) : Exit::done;
 }
 
 }  // namespace trc::cli

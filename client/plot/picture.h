@@ -10,8 +10,8 @@
 #include "core/base/language.h"
 #include "core/geometry/plane.h"
 #include "core/nc/state/block.h"
+#include "core/trc/lead_settings.h"
 #include "core/trc/result/compensated_block.h"
-#include "core/trc/walls/walls.h"
 
 namespace trc::plot {
 

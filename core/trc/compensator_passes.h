@@ -26,6 +26,7 @@
 #include "core/trc/short_way/short_release.h"
 #include "core/trc/short_way/short_way.h"
 #include "core/trc/state_archive.h"
+#include "core/trc/walls/state_archive.h"
 
 namespace trc {
 

@@ -7,7 +7,7 @@
 #include "core/base/tolerances.h"
 #include "core/geometry/plane.h"
 #include "core/nc/state/block.h"
-#include "core/trc/walls/walls.h"
+#include "core/trc/lead_settings.h"
 
 namespace trc {
 

@@ -5,8 +5,6 @@
 #include "core/nc/state/state_archive.h"
 #include "core/trc/path_block.h"
 #include "core/trc/result/summary.h"
-#include "core/trc/walls/left_out.h"
-#include "core/trc/walls/walls.h"
 
 namespace trc {
 
@@ -32,32 +30,6 @@ void serialize_rejoin(Archive& archive, std::optional<PathBlock::Rejoin>& rejoin
   auto value = rejoin ? *rejoin : PathBlock::Rejoin{};
   archive(value);
   rejoin = value;
-}
-
-template <class Archive>
-void serialize(Archive& archive, Walls::Range& range) {
-  auto& [first, end] = range;
-  archive(first, end);
-}
-
-template <class Archive>
-void serialize(Archive& archive, Walls::Part& part) {
-  auto& [number, from, to] = part;
-  archive(number, from, to);
-}
-
-template <class Archive>
-void serialize(Archive& archive, Walls& walls) {
-  auto& [leads, parts, rings, head, tail, touch, touch_of_rings, blocks_beside_lead,
-         blocks_of_overrun, blocks_of_round, turns_in, turns_out, touch_of_turns] = walls;
-  archive(leads, parts, rings, head, tail, touch, touch_of_rings, blocks_beside_lead,
-          blocks_of_overrun, blocks_of_round, turns_in, turns_out, touch_of_turns);
-}
-
-template <class Archive>
-void serialize(Archive& archive, LeftOut& stretch) {
-  auto& [first, last, length, of_walls, tool_radius, in_all, is_a_part] = stretch;
-  archive(first, last, length, of_walls, tool_radius, in_all, is_a_part);
 }
 
 template <class Archive>

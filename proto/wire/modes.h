@@ -2,7 +2,7 @@
 
 #include "core/nc/state/block.h"
 #include "core/nc/state/trc_mode.h"
-#include "core/trc/walls/walls.h"
+#include "core/trc/lead_settings.h"
 #include "proto/wire/enums.h"
 #include "trc/v1/block.pb.h"
 #include "trc/v1/setup.pb.h"

@@ -91,8 +91,8 @@ bool apply_modes(Reading& reading, const ProgramLine& line, const BlockWords& bl
   if (block.tooth_feed) reading.feed = 0;
   if (block.has(circle_center)) {
     const GFunction& function = *block.of(circle_center).function;
-    reading.absolute_center = function.number == 161 || function.tenths() == tenths_of(90, 1);
-    reading.state.set_absolute_center(reading.absolute_center);
+    reading.state.set_absolute_center(function.number == 161 ||
+                                      function.tenths() == tenths_of(90, 1));
   }
   if (block.has(circle_check)) reading.state.set_circle_correction(block.of(circle_check).is(165));
   if (block.has(zero_shift)) forget_position(reading, line, block);
@@ -236,7 +236,7 @@ bool apply_motion(Reading& reading, ProgramLine& line, BlockWords& block) {
   const PlaneAxes axes = axes_of(reading.state.mode().plane);
   const auto& center = block.move.center;
   const bool is_linuxcnc = reading.dialect.name == DialectName::linuxcnc;
-  if (is_linuxcnc && reading.absolute_center &&
+  if (is_linuxcnc && reading.state.absolute_center() &&
       center[axes.first].has_value() != center[axes.second].has_value())
     return reading.refuse(line, TextFault{.code = Code::circle_incomplete,
                                           .begin = *block.center,

@@ -55,9 +55,10 @@ bool move_in_full_turns(Reading& reading, ProgramLine& line, const BlockWords& b
     return *arc.end[axis] + (reading.incremental ? at(axis) : 0);
   };
   const Point start(at(axes.first), at(axes.second));
-  const Vector words(arc.center[axes.first].value_or(reading.absolute_center ? start.x() : 0),
-                     arc.center[axes.second].value_or(reading.absolute_center ? start.y() : 0));
-  const Point center = reading.absolute_center ? Point(words) : Point(start + words);
+  const bool is_absolute = reading.state.absolute_center();
+  const Vector words(arc.center[axes.first].value_or(is_absolute ? start.x() : 0),
+                     arc.center[axes.second].value_or(is_absolute ? start.y() : 0));
+  const Point center = is_absolute ? Point(words) : Point(start + words);
   const double begin = at(axes.third);
   const double rise = end_of_axis(axes.third) - begin;
   const Point end(end_of_axis(axes.first), end_of_axis(axes.second));

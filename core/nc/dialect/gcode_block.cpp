@@ -134,7 +134,7 @@ bool may_read_plain_lines(const Reading& reading) {
                                    (whole == WholeNumbers::unsaid && reading.gcode.seen.points);
   // What G90.1 asks of an arc is looked at word by word.
   const bool plain_centers =
-      reading.dialect.name != DialectName::linuxcnc || !reading.absolute_center;
+      reading.dialect.name != DialectName::linuxcnc || !reading.state.absolute_center();
   return plain_centers && !reading.gcode.cycle && reading.gcode.coordinates.unfollowed.empty() &&
          !reading.gcode.tangent_arcs.in_force && !reading.gcode.skipped.dimension &&
          !reading.gcode.skipped.motion && reading.gcode.skipped.feed == 0 && reading.gcode.seen.y &&

@@ -185,7 +185,7 @@ void Interpreter::enter_modes(ProgramLine& line) const {
   line.incremental = reading_.incremental;
   line.inch = reading_.inch;
   line.feed_in_inch = reading_.inch && !reading_.feed_in_mm;
-  line.absolute_center = reading_.absolute_center;
+  line.absolute_center = reading_.state.absolute_center();
   line.plane = reading_.state.programmed_plane();
   line.feed = reading_.feed_mode == 94 ? reading_.feed : 0;
 }

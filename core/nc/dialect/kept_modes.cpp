@@ -37,7 +37,7 @@ bool apply_kept_modes(Reading& reading, const ProgramLine& line, const BlockWord
   if (block.kept_modes->value == keeping) {
     reading.gcode.kept = KeptModes{.inch = reading.inch,
                                    .incremental = reading.incremental,
-                                   .absolute_center = reading.absolute_center,
+                                   .absolute_center = reading.state.absolute_center(),
                                    .feed_mode = reading.feed_mode,
                                    .feed = reading.feed,
                                    .plane = reading.state.programmed_plane(),
@@ -54,8 +54,7 @@ bool apply_kept_modes(Reading& reading, const ProgramLine& line, const BlockWord
   reading.count_in(line, kept.inch);
   if (kept.incremental && !reading.incremental) reading.state.count_increments_since(line.source);
   reading.incremental = kept.incremental;
-  reading.absolute_center = kept.absolute_center;
-  reading.state.set_absolute_center(reading.absolute_center);
+  reading.state.set_absolute_center(kept.absolute_center);
   reading.feed_mode = kept.feed_mode;
   reading.gcode.feed_mode_line = line.source.line;
   reading.feed = kept.feed;

@@ -39,12 +39,10 @@ Reading::Reading(const ReaderLimits& limits_of_text, ProgramState& state_of_prog
       motion(dialect.motion.value_or(MotionKind::rapid)),
       motion_given(dialect.motion.has_value()),
       inch(state.setup().inch),
-      absolute_center(state.setup().absolute_center),
       reads_plain_lines(dialect.name == DialectName::isg) {
   diagnostics.units().count_in(inch, 0);
   state.set_inch(inch);
   if (dialect.name == DialectName::heidenhain) {
-    absolute_center = true;
     state.set_absolute_center(true);
     for (const auto& [name, value] : state.setup().variables) {
       const std::string parameter = in_upper_case(name);

@@ -96,9 +96,8 @@ struct Reading {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(lines_read, blocks_read, comment_block, ended, motion, motion_given, incremental, inch,
-            absolute_center, feed_mode, feed, isg_word_seen, reads_plain_lines, feed_in_mm, gcode,
-            klartext_modes, faults, scanned_trc, in_front_of_tape, called_motion, called_dimension,
-            in_subprogram);
+            feed_mode, feed, isg_word_seen, reads_plain_lines, feed_in_mm, gcode, klartext_modes,
+            faults, scanned_trc, in_front_of_tape, called_motion, called_dimension, in_subprogram);
   }
 
   ReaderLimits limits;
@@ -124,7 +123,6 @@ struct Reading {
   bool incremental = false;
   bool inch = false;
   bool feed_in_mm = false;  // whatever lengths count in
-  bool absolute_center = false;
   std::int16_t feed_mode = 94;
   double feed = 0;  // mm/min
   // A subprogram has been called, and the program has not said anew which motion holds and how

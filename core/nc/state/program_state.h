@@ -146,7 +146,9 @@ class ProgramState {
   bool call_tool(const ToolRow& row, const Source& source);
   // A STRETCH_FACTOR out of range becomes 1, with a warning (22007). 22125, 900005.
   bool set_options(const TrcOptions& options, const Source& source);
-  void set_absolute_center(bool absolute) { absolute_center_ = absolute; }        // G161 / G162
+  // Of I, J and K: G161 / G162.
+  [[nodiscard]] bool absolute_center() const { return absolute_center_; }
+  void set_absolute_center(bool absolute) { absolute_center_ = absolute; }
   void set_circle_correction(bool correct) { circle_.correct_center = correct; }  // G165 / G164
   // How finely coordinates are written: G70 / G71.
   void set_inch(bool inch) { circle_.last_digit = last_digit(inch); }

@@ -75,7 +75,9 @@ std::size_t end_of_line(std::string_view text, std::size_t begin) {
   return end == std::string_view::npos ? text.size() : end;
 }
 
-std::size_t first_bad_byte(std::string_view text, bool control_characters_pass) {
+enum class ControlCharacters : std::uint8_t { pass, are_bad };
+
+std::size_t first_bad_byte(std::string_view text, ControlCharacters control) {
   for (std::size_t at = 0; at < text.size();) {
     const Class kind = class_of(text[at]);
     if (kind == Class::high) {
@@ -84,7 +86,8 @@ std::size_t first_bad_byte(std::string_view text, bool control_characters_pass) 
       at += length;
       continue;
     }
-    if (kind == Class::control && !control_characters_pass && !is_line_end(text[at])) return at;
+    if (kind == Class::control && control == ControlCharacters::are_bad && !is_line_end(text[at]))
+      return at;
     ++at;
   }
   return std::string_view::npos;
@@ -108,10 +111,12 @@ std::size_t behind_spindle_words(std::string_view text) {
 }
 
 std::size_t first_byte_that_is_no_text(std::string_view text) {
-  return first_bad_byte(text, false);
+  return first_bad_byte(text, ControlCharacters::are_bad);
 }
 
-std::size_t first_byte_that_is_no_utf8(std::string_view text) { return first_bad_byte(text, true); }
+std::size_t first_byte_that_is_no_utf8(std::string_view text) {
+  return first_bad_byte(text, ControlCharacters::pass);
+}
 
 bool is_continued(std::string_view line) {
   const std::string_view block = without_blanks_behind(line);

@@ -8,6 +8,7 @@
 #include "core/base/tolerances.h"
 #include "core/geometry/segment.h"
 #include "core/nc/state/block.h"
+#include "core/trc/lead_settings.h"
 #include "core/trc/walls/walls.h"
 
 namespace trc {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <variant>
 
@@ -29,11 +30,15 @@ Segment backwards(const Segment& segment) {
   return Line{.start = end_of(segment), .end = start_of(segment)};
 }
 
+enum class ContourEnd : std::uint8_t { begin, end };
+
 // The blocks of a contour from one of its ends on, each the way the tool comes by from there.
 class FromEnd {
  public:
-  FromEnd(const ContourView& contour, bool is_end)
-      : contour_(contour), is_end_(is_end), left_((contour.tool_side == Side::left) != is_end) {}
+  FromEnd(const ContourView& contour, ContourEnd end)
+      : contour_(contour),
+        is_end_(end == ContourEnd::end),
+        left_((contour.tool_side == Side::left) != is_end_) {}
 
   [[nodiscard]] std::size_t count() const { return contour_.count; }
   [[nodiscard]] Segment block(std::size_t index) const {
@@ -136,7 +141,7 @@ bool is_beside(const ContourView& contour, const Circle& turns, const Closing& c
 // what closes there goes round with them.
 bool are_roughing(const ContourView& contour, const Circle& turns, const Closing& closing,
                   double tolerance, double tool_radius) {
-  const FromEnd blocks(contour, false);
+  const FromEnd blocks(contour, ContourEnd::begin);
   double length = 0;
   double of_bore = 0;
   for (std::size_t number = closing.first.number; number <= closing.second.number; ++number) {
@@ -156,8 +161,8 @@ bool are_roughing(const ContourView& contour, const Circle& turns, const Closing
 
 std::optional<BetweenTurns> between_turns(const ContourView& contour, double tolerance) {
   if (contour.tool_side == Side::off || contour.count == 0) return std::nullopt;
-  const Turns in = whole_turns(FromEnd(contour, false), tolerance);
-  const Turns out = whole_turns(FromEnd(contour, true), tolerance);
+  const Turns in = whole_turns(FromEnd(contour, ContourEnd::begin), tolerance);
+  const Turns out = whole_turns(FromEnd(contour, ContourEnd::end), tolerance);
   const std::size_t blocks = in.blocks + out.blocks;
   if (blocks == 0 || blocks >= contour.count) return std::nullopt;
   return BetweenTurns{.first = in.blocks, .end = contour.count - out.blocks};
@@ -169,8 +174,8 @@ bool are_leads(const ContourView& contour, const BetweenTurns& between, const Cl
   Outline ring(scratch.memory());
   ring.append(contour, closing.first, closing.second);
   const bool tool_is_inside = (ring.area() > 0) == (contour.tool_side == Side::left);
-  const auto lead = [&](bool is_end) {
-    const auto turns = FromEnd(contour, is_end).first_circle();
+  const auto is_lead = [&](ContourEnd end) {
+    const auto turns = FromEnd(contour, end).first_circle();
     if (are_roughing(contour, *turns, closing, tolerance, tool_radius)) return false;
     const double of_path = std::max(turns->radius - tool_radius, 0.0);
     constexpr int probes = 8;
@@ -181,7 +186,8 @@ bool are_leads(const ContourView& contour, const BetweenTurns& between, const Cl
     }
     return tool_is_inside || is_beside(contour, *turns, closing, tool_radius);
   };
-  return (between.first == 0 || lead(false)) && (between.end == contour.count || lead(true));
+  return (between.first == 0 || is_lead(ContourEnd::begin)) &&
+         (between.end == contour.count || is_lead(ContourEnd::end));
 }
 
 }  // namespace trc

@@ -81,11 +81,11 @@ void View::measure(const ProgramSession& session, const std::vector<Diagnostic>&
   }
 }
 
-v1::ViewBlock View::described(const Elements& elements, std::size_t index, bool on_path) const {
+v1::ViewBlock View::described(const Elements& elements, std::size_t index) const {
   const Element& element = elements[index];
   const Plane plane = plane_of(parts_.said.plane());
   v1::ViewBlock block;
-  block.set_on_path(on_path);
+  block.set_on_path(&elements == &parts_.path);
   block.set_index(index);
   block.set_origin(static_cast<v1::CompensatedBlock::Origin>(element.origin));
   block.set_line(element.line);
@@ -105,12 +105,12 @@ v1::ViewBlock View::described(const Elements& elements, std::size_t index, bool 
 v1::ViewBlocks View::blocks_of_line(std::uint32_t line) const {
   constexpr int most_blocks = 1000;
   v1::ViewBlocks found;
-  const auto look = [&](const Elements& elements, bool on_path) {
+  const auto look = [&](const Elements& elements) {
     for (std::size_t i = 0; i < elements.size() && found.blocks_size() < most_blocks; ++i)
-      if (elements[i].line == line) *found.add_blocks() = described(elements, i, on_path);
+      if (elements[i].line == line) *found.add_blocks() = described(elements, i);
   };
-  look(parts_.contour, false);
-  look(parts_.path, true);
+  look(parts_.contour);
+  look(parts_.path);
   return found;
 }
 
@@ -126,7 +126,7 @@ v1::ViewPlace View::place_at(double share) const {
       double{element.third_from} + found->share * double{element.third_to - element.third_from};
   *place.mutable_position() = message_of(plane_of(parts_.said.plane()), point, third);
   set(*place.mutable_point(), point);
-  *place.mutable_block() = described(parts_.path, found->element, true);
+  *place.mutable_block() = described(parts_.path, found->element);
   return place;
 }
 

@@ -76,8 +76,8 @@ class View {
  private:
   [[nodiscard]] std::string compensated_text(Verify verify, const std::function<void()>& interrupt);
   void measure(const ProgramSession& session, const std::vector<Diagnostic>& found);
-  [[nodiscard]] v1::ViewBlock described(const Elements& elements, std::size_t index,
-                                        bool on_path) const;
+  // One of the contour or of the path.
+  [[nodiscard]] v1::ViewBlock described(const Elements& elements, std::size_t index) const;
 
   Share share_;
   const ViewParts parts_;

@@ -1,4 +1,4 @@
-#include "core/trc/result/inverse_path.h"
+#include "core/trc/passes/inverse_path.h"
 
 #include "core/geometry/parallel.h"
 
