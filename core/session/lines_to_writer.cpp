@@ -90,7 +90,7 @@ void LinesToWriter::enter_meaning(const ProgramLine& line) {
   const std::uint32_t motions_before = std::exchange(meaning_.motions, 0U);
   meaning_.gives_block = meaning_.keeps_place = false;
   meaning_.moved = 0;
-  const std::span<const Block> waiting = path_.waiting();
+  const std::span<const Block> waiting = path_.waiting_blocks();
   while (line.has_words && blocks_taken_ < waiting.size() &&
          index_of(waiting[blocks_taken_]) == line.source.index)
     add(waiting[blocks_taken_++], meaning_);

@@ -43,7 +43,9 @@ class PathSession {
   // (Source::index).
   [[nodiscard]] Diagnostics& found() { return found_; }
   // Given, but not compensated.
-  [[nodiscard]] std::span<const Block> waiting() const { return std::span(blocks_).subspan(next_); }
+  [[nodiscard]] std::span<const Block> waiting_blocks() const {
+    return std::span(blocks_).subspan(next_);
+  }
 
   // Compensates everything given since the last call and appends what has become certain. Returns
   // false once the stream must stop, or no more is wanted.

@@ -41,9 +41,9 @@ struct ProgramSession::Parts {
   // Reads: `read` gives lines and blocks.
   template <class Read>
   auto reading(const Read& read) {
-    const std::size_t before = path.waiting().size();
+    const std::size_t before = path.waiting_blocks().size();
     const auto result = read();
-    const std::span<const Block> waiting = path.waiting();
+    const std::span<const Block> waiting = path.waiting_blocks();
     if (setup.blocks_read && waiting.size() > before) setup.blocks_read(waiting.subspan(before));
     return result;
   }

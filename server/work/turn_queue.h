@@ -26,15 +26,15 @@ class TurnQueue {
   class Group;
 
   // A turn that has begun and stands still.
-  struct Standing {
+  struct StandingTurn {
     std::condition_variable changed{};
     bool goes_on = false;
   };
   // A job whose turn has not begun, or a turn that stands still.
-  struct Waiting {
+  struct WaitingTurn {
     Group* group = nullptr;
     Job* job = nullptr;
-    Standing* standing = nullptr;
+    StandingTurn* standing = nullptr;
     std::chrono::steady_clock::time_point since{};
   };
 
@@ -45,7 +45,7 @@ class TurnQueue {
 
    private:
     friend class TurnQueue;
-    std::deque<Waiting> waiting_{};
+    std::deque<WaitingTurn> waiting_{};
     std::size_t standing_ = 0;
   };
 
@@ -55,7 +55,7 @@ class TurnQueue {
   static constexpr std::size_t most_standing = 256;
   static constexpr std::size_t most_standing_of_one_group = 96;
 
-  void push(const Waiting& waiting) {
+  void push(const WaitingTurn& waiting) {
     Group& group = *waiting.group;
     group.waiting_.push_back(waiting);
     if (group.waiting_.size() == 1) {
@@ -73,7 +73,7 @@ class TurnQueue {
   }
 
   // The next one; not of an empty queue.
-  Waiting pop() {
+  WaitingTurn pop() {
     for (auto group = turns_.begin(); group != turns_.end(); ++group) {
       auto& waiting = (*group)->waiting_;
       auto next = waiting.begin();
@@ -83,7 +83,7 @@ class TurnQueue {
     return take(turns_.begin(), turns_.front()->waiting_.begin());
   }
   // The next one that stands still; there must be one.
-  Waiting pop_standing() {
+  WaitingTurn pop_standing() {
     for (auto group = turns_.begin(); group != turns_.end(); ++group) {
       auto& waiting = (*group)->waiting_;
       const auto next = std::find_if(waiting.begin(), waiting.end(), is_standing);
@@ -110,15 +110,15 @@ class TurnQueue {
  private:
   using Turns = std::list<Group*>;
 
-  static bool is_standing(const Waiting& waiting) { return waiting.standing != nullptr; }
+  static bool is_standing(const WaitingTurn& waiting) { return waiting.standing != nullptr; }
   [[nodiscard]] bool may_begin(const Group& group) const {
     if (group.standing_ == 0) return standing_ < most_standing;
     return group.standing_ + standing_ < 2 * most_standing_of_one_group;
   }
 
-  Waiting take(Turns::iterator place, const std::deque<Waiting>::iterator& next) {
+  WaitingTurn take(Turns::iterator place, const std::deque<WaitingTurn>::iterator& next) {
     Group& group = **place;
-    const Waiting taken = *next;
+    const WaitingTurn taken = *next;
     group.waiting_.erase(next);
     --size_;
     if (is_standing(taken)) {

@@ -97,7 +97,7 @@ void WorkerPool::give_way() {
   {
     std::unique_lock lock(mutex_);
     if (queue_.empty() || stopping_) return;
-    TurnQueue::Standing standing;
+    TurnQueue::StandingTurn standing;
     try {
       queue_.push({.group = group_of_turn,
                    .standing = &standing,
@@ -110,7 +110,7 @@ void WorkerPool::give_way() {
       changed_.notify_one();
     } else {
       // Perhaps this one.
-      TurnQueue::Standing& next = *queue_.pop_standing().standing;
+      TurnQueue::StandingTurn& next = *queue_.pop_standing().standing;
       next.goes_on = true;
       next.changed.notify_one();
     }
@@ -152,7 +152,7 @@ void WorkerPool::run() {
       changed_.notify_all();
       return;
     }
-    const TurnQueue::Waiting next = queue_.pop();
+    const TurnQueue::WaitingTurn next = queue_.pop();
     ++taken_;
     if (next.standing != nullptr) {
       next.standing->goes_on = true;

@@ -299,12 +299,12 @@ TEST(TurnQueue, NoNumberOfGreedyGroupsKeepsOthersFromBeginning) {
   constexpr std::size_t jobs_of_group = 300;
   Long job;
   std::array<TurnQueue::Group, 30> greedy;
-  std::list<TurnQueue::Standing> standing;
+  std::list<TurnQueue::StandingTurn> standing;
   TurnQueue queue;
   // Whoever has a turn gives way at once. Whether it was the other one's.
   Long other;
   const auto give_turn = [&] {
-    TurnQueue::Waiting next = queue.pop();
+    TurnQueue::WaitingTurn next = queue.pop();
     if (next.job == &other) return true;
     if (next.standing == nullptr) next.standing = &standing.emplace_back();
     next.job = nullptr;

@@ -57,7 +57,8 @@ bool stands_for_itself(const ProgramLine& line, const CompensatedBlock& block) {
 
 }  // namespace
 
-bool NcWriter::copy_motion(const Waiting& own, const CompensatedBlock& block, std::string& out) {
+bool NcWriter::copy_motion(const WaitingLine& own, const CompensatedBlock& block,
+                           std::string& out) {
   const ProgramLine& line = *own.line;
   const bool stays_in_contour = is_programmed_path(own.meaning, block) && !has_polar_words(line) &&
                                 stands_for_itself(line, block);
@@ -91,7 +92,7 @@ bool NcWriter::copy_motion(const Waiting& own, const CompensatedBlock& block, st
   return true;
 }
 
-bool NcWriter::reads_as(const Waiting& own, const CompensatedBlock& block,
+bool NcWriter::reads_as(const WaitingLine& own, const CompensatedBlock& block,
                         WrittenState& after) const {
   const ProgramLine& line = *own.line;
   const AxisSet named = axes_named_in(line);

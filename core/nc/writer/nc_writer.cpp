@@ -41,13 +41,13 @@ void NcWriter::take(LinePointer line, const Meaning& meaning) {
     ++waiting_for_blocks_;
     silent_bytes_ = 0;
   } else {
-    silent_bytes_ += sizeof(Waiting) + sizeof(ProgramLine) + line->text.size();
+    silent_bytes_ += sizeof(WaitingLine) + sizeof(ProgramLine) + line->text.size();
   }
   waiting_.push_back({.line = std::move(line), .meaning = meaning});
 }
 
 void NcWriter::drop_first() {
-  const Waiting& first = waiting_[first_++];
+  const WaitingLine& first = waiting_[first_++];
   if (first.meaning.gives_block) --waiting_for_blocks_;
   if (first.line->has_words) keep_removed_words(*first.line);
 }
@@ -103,7 +103,7 @@ void NcWriter::write(const CompensatedBlock& block, std::string& out) {
   if (has_own && own_ == nullptr) drop_first();
 }
 
-void NcWriter::write_without_motion(const Waiting& own, std::string& out) {
+void NcWriter::write_without_motion(const WaitingLine& own, std::string& out) {
   const ProgramLine& line = *own.line;
   if (line.third_set) state_.position[axes_of(line.plane).third] = *line.third_set;
   write_what_it_counts_on(line, out);
@@ -248,7 +248,7 @@ void NcWriter::write_piece(const CompensatedBlock& block, const Segment& piece,
 // The words of the line for axes that need not move by our count. They stay:
 // where the machine is at the start of the program or after a shift of the zero
 // point only the line says. Under TRC the line names the programmed place, not that of the tool.
-AxisSet NcWriter::axes_to_keep(const Waiting& own, const CompensatedBlock& block,
+AxisSet NcWriter::axes_to_keep(const WaitingLine& own, const CompensatedBlock& block,
                                const Position& end) const {
   AxisSet kept = axes_named_in(*own.line) & ~own.meaning.moved;
   if (block.origin != Origin::uncompensated) return kept & ~plane_axes(block.plane);
@@ -324,7 +324,7 @@ void NcWriter::write_plane(Plane plane, std::string& out) {
   state_.plane = plane;
 }
 
-void NcWriter::enter_modes(const Waiting& own) {
+void NcWriter::enter_modes(const WaitingLine& own) {
   if (!own.line->has(WordRole::mode)) return;
   state_.incremental = own.line->incremental;
   state_.inch = own.line->inch;

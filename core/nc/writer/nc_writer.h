@@ -85,7 +85,7 @@ class NcWriter {
   }
 
  private:
-  struct Waiting {
+  struct WaitingLine {
     LinePointer line{};
     Meaning meaning{};
 
@@ -96,7 +96,7 @@ class NcWriter {
   };
 
   void drop_first();
-  [[nodiscard]] bool comes_before(const Waiting& waiting, const Source& source) const {
+  [[nodiscard]] bool comes_before(const WaitingLine& waiting, const Source& source) const {
     const Source& own = waiting.line->source;
     return own.index < source.index || (own.index == source.index && !waiting.line->has_words);
   }
@@ -108,11 +108,11 @@ class NcWriter {
   // Modes among the words of TRC of the line, which do not come out.
   void keep_removed_words(const ProgramLine& line);
   // The line without its motion and TRC words; as it is when it has neither.
-  void write_without_motion(const Waiting& own, std::string& out);
+  void write_without_motion(const WaitingLine& own, std::string& out);
   // Copies the line if a reader makes the motion of the block from it.
-  bool copy_motion(const Waiting& own, const CompensatedBlock& block, std::string& out);
+  bool copy_motion(const WaitingLine& own, const CompensatedBlock& block, std::string& out);
   // Whether a reader who starts at `after` makes that motion; moves `after` to its end.
-  [[nodiscard]] bool reads_as(const Waiting& own, const CompensatedBlock& block,
+  [[nodiscard]] bool reads_as(const WaitingLine& own, const CompensatedBlock& block,
                               WrittenState& after) const;
 
   // What Klartext takes for granted: pole, polar radius, the tangent of the motion before.
@@ -160,8 +160,8 @@ class NcWriter {
   void end_line_before(std::string& out) {
     if (std::exchange(line_end_missing_, false)) out += line_end_;
   }
-  void enter_modes(const Waiting& own);
-  [[nodiscard]] AxisSet axes_to_keep(const Waiting& own, const CompensatedBlock& block,
+  void enter_modes(const WaitingLine& own);
+  [[nodiscard]] AxisSet axes_to_keep(const WaitingLine& own, const CompensatedBlock& block,
                                      const Position& end) const;
   [[nodiscard]] AxisSet axes_named_in(const ProgramLine& line) const {
     if (line.klartext) return line.klartext->axes;
@@ -194,7 +194,7 @@ class NcWriter {
   std::vector<RemovedWord> removed_{};
 
   // Lines that have not come out are those from `first_` on.
-  std::vector<Waiting> waiting_;
+  std::vector<WaitingLine> waiting_;
   std::size_t first_ = 0;
   std::size_t waiting_for_blocks_ = 0;
   std::size_t silent_bytes_ = 0;
@@ -203,7 +203,7 @@ class NcWriter {
   std::uint64_t rewritten_index_ = std::numeric_limits<std::uint64_t>::max();
   // Of the line copied last: what else it gives has come out with it.
   std::uint64_t copied_index_ = std::numeric_limits<std::uint64_t>::max();
-  const Waiting* own_ = nullptr;      // the line of the block being written, until it has come out
+  const WaitingLine* own_ = nullptr;  // the line of the block being written, until it has come out
   TextBuffer words_;                  // of the line being written, a blank before each
   TextBuffer last_comment_;           // behind them: what begins with `;` ends the line
   TrackingTravel tracking_{};         // of the piece being written

@@ -10,34 +10,35 @@
 
 namespace trc {
 
-DroppedBlocks::Standing DroppedBlocks::standing(const AxisTravel& normal,
-                                                const TrackingTravel& tracking,
-                                                double AxisTravel::*end) {
-  Standing place{.normal = normal.*end};
+DroppedBlocks::OtherAxes DroppedBlocks::other_axes_at(const AxisTravel& normal,
+                                                      const TrackingTravel& tracking,
+                                                      double AxisTravel::*end) {
+  OtherAxes place{.normal = normal.*end};
   for (const AxisTravel& axis : tracking) place.tracking.push_back(axis.*end);
   return place;
 }
 
-DroppedBlocks::Standing DroppedBlocks::standing_behind(const PathBlock& block) {
-  return standing(block.programmed.normal, block.programmed.tracking, &AxisTravel::to);
+DroppedBlocks::OtherAxes DroppedBlocks::other_axes_behind(const PathBlock& block) {
+  return other_axes_at(block.programmed.normal, block.programmed.tracking, &AxisTravel::to);
 }
 
 // Where its passive blocks leave them.
-DroppedBlocks::Standing DroppedBlocks::standing_after(const PathBlock& block) {
+DroppedBlocks::OtherAxes DroppedBlocks::other_axes_after(const PathBlock& block) {
   const PassiveBlock& last = block.passive.back();
-  return standing(last.normal, last.tracking, &AxisTravel::to);
+  return other_axes_at(last.normal, last.tracking, &AxisTravel::to);
 }
 
 void DroppedBlocks::add(PathBlockPtr block) {
   if (!std::exchange(begun_, true))
-    stands_ = standing(block->programmed.normal, block->programmed.tracking, &AxisTravel::from);
+    other_axes_ =
+        other_axes_at(block->programmed.normal, block->programmed.tracking, &AxisTravel::from);
   if (block->passive.empty()) {
     waiting_ = std::move(block);
     return;
   }
   waiting_.reset();
   move_behind(*block);
-  stands_ = standing_after(*block);
+  other_axes_ = other_axes_after(*block);
   PathBlock& carrier = *out_.emplace_back(std::make_unique<PathBlock>());
   carrier.role = Role::passive;
   carrier.programmed.source = block->programmed.source;
@@ -51,16 +52,16 @@ void DroppedBlocks::finish() {
 
 void DroppedBlocks::move_behind(const PathBlock& block) {
   const MotionBlock& programmed = block.programmed;
-  const Standing target = standing_behind(block);
+  const OtherAxes target = other_axes_behind(block);
   TrackingTravel tracking = programmed.tracking;
   // Before an axis is programmed for the first time all stand at 0, and are not mentioned.
-  stands_.tracking.resize(tracking.size());
+  other_axes_.tracking.resize(tracking.size());
   for (std::size_t axis = 0; axis < tracking.size(); ++axis)
-    tracking[axis] = {stands_.tracking[axis], target.tracking[axis]};
-  const AxisTravel normal{.from = stands_.normal, .to = target.normal};
+    tracking[axis] = {other_axes_.tracking[axis], target.tracking[axis]};
+  const AxisTravel normal{.from = other_axes_.normal, .to = target.normal};
   const auto moves = [](const AxisTravel& axis) { return axis.moves(); };
   if (!normal.moves() && std::none_of(tracking.begin(), tracking.end(), moves)) return;
-  stands_ = target;
+  other_axes_ = target;
   PathBlock& carrier = *out_.emplace_back(std::make_unique<PathBlock>());
   carrier.role = Role::contour;
   carrier.origin = Origin::masked;

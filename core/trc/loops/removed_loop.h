@@ -21,21 +21,21 @@ class DroppedBlocks {
 
  private:
   // Where the axes out of the plane stand.
-  struct Standing {
+  struct OtherAxes {
     double normal = 0;
     std::vector<double> tracking{};
   };
 
-  static Standing standing(const AxisTravel& normal, const TrackingTravel& tracking,
-                           double AxisTravel::*end);
-  static Standing standing_behind(const PathBlock& block);
-  static Standing standing_after(const PathBlock& block);
+  static OtherAxes other_axes_at(const AxisTravel& normal, const TrackingTravel& tracking,
+                                 double AxisTravel::*end);
+  static OtherAxes other_axes_behind(const PathBlock& block);
+  static OtherAxes other_axes_after(const PathBlock& block);
   // One motion, where they are not yet where the block leaves them.
   void move_behind(const PathBlock& block);
 
   Point place_;
   PathBlocks& out_;
-  Standing stands_{};
+  OtherAxes other_axes_{};
   bool begun_ = false;
   PathBlockPtr waiting_{};  // its travel is still to be made: one motion does for many blocks
 };

@@ -61,7 +61,7 @@ void IntoLoopRemoval::hold_inserted(const Joint& joint, HeldPath::Reach reach, c
   }
 }
 
-// What is reported belongs to the block that was taken last: the run ends with it.
+// What is reported belongs to the block that was taken last: the stretch ends with it.
 void IntoLoopRemoval::put_out_leaving(std::vector<CompensatedBlock>& out) {
   if (goes_on_ && !leaving_.empty()) goes_on_ = leave_selection_(leaving_, out);
   leaving_.clear();

@@ -30,7 +30,7 @@ class IntoLoopRemoval {
 
   // Whether LoopRemoval holds the contour so far, so that this is where the short way ends.
   [[nodiscard]] bool is_open() const { return entry_.is_open(); }
-  // Whether a run may begin behind this block.
+  // Whether a stretch of plain blocks may begin behind this block.
   [[nodiscard]] bool takes_more_like(const PathBlock& block) const {
     return entry_.takes_more_like(block);
   }
@@ -38,7 +38,7 @@ class IntoLoopRemoval {
     entry_.go_on_like_last();
     goes_on_ = true;
   }
-  // Whether the run may go on behind the last block that was taken.
+  // Whether the stretch may go on behind the last block that was taken.
   [[nodiscard]] bool goes_on() const { return goes_on_; }
 
   // Takes the block before the corner and what is inserted behind it, which can be travelled or

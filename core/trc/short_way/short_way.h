@@ -41,9 +41,9 @@ class ShortWay {
 
   // Whether it ends in LoopRemoval now.
   [[nodiscard]] bool goes_into_loop_removal() const { return into_loop_removal_.is_open(); }
-  // Whether a run may begin behind these two blocks: `open` has its start, but not yet its end,
-  // `held` has neither. No pass behind Transitions holds or wants them, but LoopRemoval where it
-  // holds the contour before them.
+  // Whether a stretch of plain blocks may begin behind these two blocks: `open` has its start, but
+  // not yet its end, `held` has neither. No pass behind Transitions holds or wants them, but
+  // LoopRemoval where it holds the contour before them.
   [[nodiscard]] bool may_begin(const PathBlock& open, const PathBlock& held) const;
   // Takes blocks from the front of `blocks`, which then stand in `open` and `held`, and puts out
   // what lay before them. Returns how many; where any, last_out() is the one before `open`.
@@ -54,7 +54,7 @@ class ShortWay {
 
  private:
   void begin(const PathBlock& held);
-  // Whether the run goes as far as to this block.
+  // Whether the stretch goes as far as to this block.
   [[nodiscard]] bool takes(const MotionBlock& block) const;
   // Sets the equidistant of a block: behind the corner it begins at, before the one it ends at.
   void offset(MotionBlock& programmed, ShortStep& step, Corner& begin, Corner& end) const;
@@ -73,7 +73,7 @@ class ShortWay {
   double input_resolution_;  // mm
   IntoLoopRemoval into_loop_removal_;
   IntoResult into_result_;
-  // Of the run.
+  // Of the stretch.
   const TrcMode* mode_ = nullptr;
   double shift_ = 0;  // as in Compensation
   Loops loops_ = Loops::kept;
