@@ -2,15 +2,17 @@
 
 #include <array>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 #include <string_view>
 #include <vector>
 
-#include "client/load/json_object.h"
 #include "client/load/report_words.h"
 #include "core/base/text_width.h"
 
 namespace trc::cli::load {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 std::string_view name_of(Layout layout) {
   switch (layout) {
@@ -169,40 +171,38 @@ class Rows {
   Language language_;
 };
 
-JsonObject latency_json(const Histogram& histogram) {
-  JsonObject object;
-  object.add("count", histogram.count());
+Json latency_json(const Histogram& histogram) {
+  Json object{{"count", histogram.count()}};
   if (histogram.count() == 0) return object;
   for (const Percentile& percentile : percentiles)
-    object.add(percentile.key, ms(histogram.at(percentile.share)));
-  return object.add("max", ms(histogram.max()));
+    object[percentile.key] = ms(histogram.at(percentile.share));
+  object["max"] = ms(histogram.max());
+  return object;
 }
 
-JsonObject server_json(const Outcome::Server& server, double blocks) {
-  return JsonObject()
-      .add("pid", static_cast<std::uint64_t>(server.process))
-      .add("cpuSeconds", server.cpu_s)
-      .add("systemSeconds", server.system_s)
-      .add("nsPerBlock", ratio(1e9 * server.cpu_s, blocks))
-      .add("residentMib", JsonObject()
-                              .add("first", server.resident_mib_first)
-                              .add("warm", server.resident_mib_warm)
-                              .add("least", server.resident_mib_least)
-                              .add("most", server.resident_mib_most)
-                              .add("last", server.resident_mib_last));
+Json server_json(const Outcome::Server& server, double blocks) {
+  return {{"pid", server.process},
+          {"cpuSeconds", server.cpu_s},
+          {"systemSeconds", server.system_s},
+          {"nsPerBlock", ratio(1e9 * server.cpu_s, blocks)},
+          {"residentMib",
+           {{"first", server.resident_mib_first},
+            {"warm", server.resident_mib_warm},
+            {"least", server.resident_mib_least},
+            {"most", server.resident_mib_most},
+            {"last", server.resident_mib_last}}}};
 }
 
-JsonObject run_json(const RunDescription& run, const Plan& plan, const Job& job) {
-  return JsonObject()
-      .add("loop", plan.open_loop() ? "open" : "closed")
-      .add("rate", plan.rate)
-      .add("streams", plan.streams)
-      .add("connections", static_cast<std::uint64_t>(run.connections))
-      .add("layout", name_of(job.layout()))
-      .add("shape", run.shape)
-      .add("blocks", job.items())
-      .add("batch", std::uint64_t{job.batch()})
-      .add("server", run.server);
+Json run_json(const RunDescription& run, const Plan& plan, const Job& job) {
+  return {{"loop", plan.open_loop() ? "open" : "closed"},
+          {"rate", plan.rate},
+          {"streams", plan.streams},
+          {"connections", run.connections},
+          {"layout", name_of(job.layout())},
+          {"shape", run.shape},
+          {"blocks", job.items()},
+          {"batch", job.batch()},
+          {"server", run.server}};
 }
 
 }  // namespace
@@ -221,35 +221,34 @@ std::string report_json(const RunDescription& run, const Plan& plan, const Job& 
                         const Outcome& outcome) {
   const Tally& tally = outcome.tally;
   const auto blocks = static_cast<double>(tally.blocks_in);
-  JsonObject errors;
-  for (const auto& [name, count] : tally.errors) errors.add(name, count);
-  JsonObject object;
-  object.add("run", run_json(run, plan, job))
-      .add("seconds", outcome.seconds)
-      .add("interrupted", outcome.interrupted)
-      .add("mostStreamsOpen", outcome.most_open)
-      .add("blocksIn", tally.blocks_in)
-      .add("blocksOut", tally.blocks_out)
-      .add("blocksPerSecond", per(tally.blocks_in, outcome.seconds))
-      .add("streamsPerSecond", per(tally.completed, outcome.seconds))
-      .add("bytesSentPerBlock", per(tally.bytes_sent, blocks))
-      .add("bytesReceivedPerBlock", per(tally.bytes_received, blocks))
-      .add("firstOutputMs", latency_json(tally.first_output))
-      .add("batchMs", latency_json(tally.batch))
-      .add("streamMs", latency_json(tally.stream))
-      .add("completed", tally.completed)
-      .add("cancelled", tally.cancelled)
-      .add("slow", tally.slow)
-      .add("unfinished", tally.unfinished)
-      .add("errors", errors)
-      .add("verified", tally.verified)
-      .add("differing", tally.differing);
-  if (!tally.first_error.empty()) object.add("firstError", tally.first_error);
-  if (!tally.first_difference.empty()) object.add("firstDifference", tally.first_difference);
-  if (outcome.server) object.add("server", server_json(*outcome.server, blocks));
-  object.add("ownNsPerBlock", ratio(1e9 * outcome.own_cpu_s, blocks))
-      .add("generatorLagMs", ms(outcome.generator_lag));
-  return object.text();
+  Json object{{"run", run_json(run, plan, job)},
+              {"seconds", outcome.seconds},
+              {"interrupted", outcome.interrupted},
+              {"mostStreamsOpen", outcome.most_open},
+              {"blocksIn", tally.blocks_in},
+              {"blocksOut", tally.blocks_out},
+              {"blocksPerSecond", per(tally.blocks_in, outcome.seconds)},
+              {"streamsPerSecond", per(tally.completed, outcome.seconds)},
+              {"bytesSentPerBlock", per(tally.bytes_sent, blocks)},
+              {"bytesReceivedPerBlock", per(tally.bytes_received, blocks)},
+              {"firstOutputMs", latency_json(tally.first_output)},
+              {"batchMs", latency_json(tally.batch)},
+              {"streamMs", latency_json(tally.stream)},
+              {"completed", tally.completed},
+              {"cancelled", tally.cancelled},
+              {"slow", tally.slow},
+              {"unfinished", tally.unfinished},
+              {"errors", Json::object()},
+              {"verified", tally.verified},
+              {"differing", tally.differing}};
+  for (const auto& [name, count] : tally.errors) object["errors"][name] = count;
+  if (!tally.first_error.empty()) object["firstError"] = tally.first_error;
+  if (!tally.first_difference.empty()) object["firstDifference"] = tally.first_difference;
+  if (outcome.server) object["server"] = server_json(*outcome.server, blocks);
+  object["ownNsPerBlock"] = ratio(1e9 * outcome.own_cpu_s, blocks);
+  object["generatorLagMs"] = ms(outcome.generator_lag);
+  // What the reasons of foreign servers hold need not be text.
+  return object.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace trc::cli::load
