@@ -76,7 +76,7 @@ class Pieces {
   std::atomic<std::size_t> in_use_ = 0;
 };
 
-// Never destroyed: what is, may let go of pieces later.
+// Never destroyed: what is, may give pieces back later.
 Pieces& pieces() {
   static auto* all = new Pieces();
   return *all;

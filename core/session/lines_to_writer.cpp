@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/base/tolerances.h"
 #include "core/nc/writer/writer_setup.h"
 
 namespace trc {
@@ -15,8 +16,6 @@ namespace {
 constexpr std::uint64_t silent_lines_per_release = 256;
 constexpr std::size_t most_silent_bytes = 16 * 1024 * 1024;
 
-constexpr double same_place = 1e-9;  // mm
-
 void add(const Block& block, NcWriter::Meaning& meaning) {
   meaning.gives_block = true;
   std::visit(
@@ -25,7 +24,7 @@ void add(const Block& block, NcWriter::Meaning& meaning) {
         if constexpr (std::is_same_v<decltype(given), const MotionBlock&>) {
           const Point before = to_plane(plane, meaning.end);
           meaning.keeps_place = given.mode->active() && given.mode->tool_radius == 0 &&
-                                (start_of(given.path) - before).norm() <= same_place;
+                                (start_of(given.path) - before).norm() <= Tolerances{}.rounding;
           ++meaning.motions;
           meaning.end = from_plane(plane, end_of(given.path), given.normal.to);
         }

@@ -15,7 +15,7 @@ class IncomingRequest {
  public:
   // Where the bytes arrive.
   [[nodiscard]] grpc::ByteBuffer& bytes() { return bytes_; }
-  // Whether the bytes are no more than `most`; else they are let go of at once.
+  // Whether the bytes are no more than `most`; else they are freed at once.
   bool keep_up_to(std::size_t most) {
     const std::size_t size = bytes_.Length();
     if (size <= most) return true;
@@ -42,7 +42,7 @@ class IncomingRequest {
     return *message_;
   }
   [[nodiscard]] const Message& message() { return *message_; }
-  // Lets go of the message.
+  // Frees the message.
   void reset() { message_.reset(); }
 
  private:

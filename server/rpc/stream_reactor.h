@@ -227,7 +227,7 @@ class StreamReactor
     conclude();
   }
 
-  // A failure lets go of the work first: it may be memory that is wanted.
+  // A failure frees the work first: it may be memory that is wanted.
   void take_turn_here() noexcept {
     if (cancelled_ || context_.IsCancelled()) return give_up_work();
     try {

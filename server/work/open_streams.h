@@ -79,7 +79,7 @@ class OpenStreams {
 
  private:
   void leave(Ticket::Place place);
-  // A stream may end while it is looked at, so each is held; not to be let go under the lock: its
+  // A stream may end while it is looked at, so each is held; not to be freed under the lock: its
   // end gives a ticket back.
   [[nodiscard]] std::vector<std::shared_ptr<OpenStream>> held() const;
   [[nodiscard]] bool beats() const { return heartbeat_ > heartbeat_.zero(); }

@@ -67,7 +67,7 @@ class NcWriter {
 
   // Bytes held since the last line that gives a block.
   [[nodiscard]] std::size_t silent_bytes() const { return silent_bytes_; }
-  // Lets go of the lines that have come out: `taker` may use their memory again. Until then they
+  // Gives back the lines that have come out: `taker` may use their memory again. Until then they
   // are kept.
   template <class Taker>
   void release_lines(Taker taker) {
