@@ -75,7 +75,7 @@ Server::Start Server::start(const Config& settings) {
   }
   std::string fault = server->read_certificates();
   if (!fault.empty()) return {.server = nullptr, .fault = std::move(fault), .misconfigured = true};
-  fault = server->open(true);
+  fault = server->open(Callers::of_addresses);
   if (!fault.empty()) return {.server = nullptr, .fault = std::move(fault)};
   return {.server = std::move(server), .fault = {}};
 }
@@ -84,7 +84,7 @@ std::unique_ptr<Server> Server::start_in_process(const Config& settings) {
   Config config = settings;
   if (fill_in_own_limits(config, memory_limit_bytes())) return nullptr;
   std::unique_ptr<Server> server(new Server(config, resume_key({}).key));
-  return server->open(false).empty() ? std::move(server) : nullptr;
+  return server->open(Callers::in_process).empty() ? std::move(server) : nullptr;
 }
 
 Server::Start Server::start_http(const Config& config, http::Offer offer) {
@@ -122,8 +122,9 @@ std::string Server::read_certificates() {
   return {};
 }
 
-std::string Server::open(bool with_addresses) {
+std::string Server::open(Callers callers) {
   const Config& config = backend_.config;
+  const bool has_addresses = callers == Callers::of_addresses;
   grpc::EnableDefaultHealthCheckService(true);
   grpc::ServerBuilder builder;
   set_limits(builder, config, config.max_message_bytes + refused_message_bytes,
@@ -135,7 +136,7 @@ std::string Server::open(bool with_addresses) {
   }
   grpc::ServerBuilder health_builder;
   set_limits(health_builder, config, health_message_bytes, health_buffer_mib);
-  if (with_addresses) {
+  if (has_addresses) {
     for (const std::string& address : config.listen) {
       int port = 0;
       std::string fault =
@@ -161,12 +162,12 @@ std::string Server::open(bool with_addresses) {
   if (health_port_ > 0) health_ = health_builder.BuildAndStart();
   if (grpc_ == nullptr || (health_port_ > 0 && health_ == nullptr))
     return "gRPC did not start; its messages say why";
-  if (with_addresses) {
+  if (has_addresses) {
     std::string fault = listen_for_http(std::nullopt);
     if (!fault.empty()) return fault;
   }
   set_serving(true);
-  if (with_addresses) acceptor_.start();
+  if (has_addresses) acceptor_.start();
   started_ = true;
   return {};
 }

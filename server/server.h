@@ -67,8 +67,10 @@ class Server {
   Server(const Config& config, std::string resume_key);
   // Empty when there are none or they can be used.
   std::string read_certificates();
+  // Who can call it: whoever reaches its addresses, or this process alone.
+  enum class Callers : std::uint8_t { of_addresses, in_process };
   // Empty when the server runs.
-  std::string open(bool with_addresses);
+  std::string open(Callers callers);
   std::string listen(grpc::ServerBuilder& builder, const std::string& address,
                      const std::shared_ptr<const Certificates>& certificates, Acceptor::Use use,
                      int& port);

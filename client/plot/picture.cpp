@@ -159,9 +159,9 @@ class Composer {
     const bool parted = wall && wall->to > wall->from && !lost && is_finite(motion.path);
     if (parted) {
       const double length = length_of(motion.path);
-      show_part(motion, 0, wall->from, true);
-      show_part(motion, wall->from, wall->to, false);
-      show_part(motion, wall->to, length, true);
+      show_part(motion, 0, wall->from, Layer::lead);
+      show_part(motion, wall->from, wall->to, Layer::programmed);
+      show_part(motion, wall->to, length, Layer::lead);
     } else {
       const bool leads = wall && !(wall->to > wall->from);
       const bool inside = blocks.is_in_contour(motion.source.index);
@@ -180,11 +180,11 @@ class Composer {
                                 .text = number_of(motion.source, words_)});
   }
 
-  void show_part(const MotionBlock& motion, double from, double to, bool leads) {
+  void show_part(const MotionBlock& motion, double from, double to, Layer layer) {
     if (!(to > from)) return;
     const Segment part = stretch_of(motion.path, from, to, point_along(motion.path, from),
                                     point_along(motion.path, to));
-    show(motion, part, leads ? Layer::lead : Layer::programmed);
+    show(motion, part, layer);
   }
 
   void show(const MotionBlock& motion, const Segment& part, Layer layer) {
