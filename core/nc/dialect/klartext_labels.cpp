@@ -111,15 +111,15 @@ bool read_label(Reading& reading, ProgramLine& line, std::size_t begin,
   if (statement.starts_with("CALL")) return call_label(reading, line, begin, statement);
   const std::string label = label_of(line.text, begin, statement);
   const std::uint64_t contours = reading.klartext_modes.contours;
-  enter_section(reading, label);
   if (label == "0") {
-    for (auto& [name, of_label] : reading.klartext_modes.labels)
-      if (!of_label.behind) of_label.behind = contours;
+    for (const auto& [name, unused] : reading.klartext_modes.open_labels)
+      reading.klartext_modes.labels[name].behind = contours;
   } else {
     // A contour that is open goes on behind the label.
     reading.klartext_modes.labels[label] = {.before =
                                                 reading.trc_active() ? contours - 1 : contours};
   }
+  enter_section(reading, label);
   if (reading.klartext_modes.called_section != 0 && reading.trc_active())
     return refuse_klartext(reading, line, begin, "LBL, which is called, while TRC is active");
   if (label != "0") hand_on_klartext_pole(reading, line);
