@@ -472,6 +472,7 @@ constexpr auto phrases = std::to_array<Phrase>({
     {"a bracket without )", "eine Klammer ohne )"},
     {"a bracket without ]", "eine Klammer ohne ]"},
     {"a call behind words", "ein Aufruf hinter Wörtern"},
+    {"a call of lines that are not followed", "ein Aufruf von Zeilen, denen nicht gefolgt wird"},
     {"a comment without )", "ein Kommentar ohne )"},
     {"a comparison", "ein Vergleich"},
     {"a comparison of numbers that are nearly equal",

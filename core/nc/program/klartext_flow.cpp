@@ -25,7 +25,13 @@ KlartextFlow::KlartextFlow(const ProgramSetup& setup, CallPlaces& calls, Program
 }
 
 void KlartextFlow::read_outline() {
-  outline_.read(texts_.front().line(lines_in_outline_++));
+  using Execution = KlartextOutline::Execution;
+  const std::string_view line = texts_.front().line(lines_in_outline_++);
+  const std::size_t sign = line.find_first_not_of("0123456789 \t");
+  const bool may_be = may_be_skipped(sign != std::string_view::npos && line[sign] == '/');
+  outline_.read(line, is_left_out(line) ? Execution::never
+                      : may_be          ? Execution::perhaps
+                                        : Execution::certain);
   if (lines_in_outline_ == texts_.front().size()) outline_.finish();
 }
 
@@ -54,6 +60,7 @@ bool KlartextFlow::execute_line(std::string& flat) {
   frame().current = frame().next++;
   if (!count_line()) return false;
   if (!outline_.repeats_contour()) {
+    take_effects_of_call();
     write_as_written(flat);
     return true;
   }
@@ -80,6 +87,14 @@ bool KlartextFlow::execute_line(std::string& flat) {
   }
   write_as_written(flat);
   return true;
+}
+
+// The label stays where it is.
+void KlartextFlow::take_effects_of_call() {
+  const std::string_view line = text_of(frame()).line(frame().current);
+  if (!klartext_computes(line)) return;
+  const LabelStatement statement = label_statement_in(line);
+  if (!statement.repeats) call_leaves_ = outline_.effects_of(statement.label);
 }
 
 void KlartextFlow::write_as_written(std::string& flat) {

@@ -25,6 +25,7 @@ class KlartextFlow : public Flow {
  private:
   // Takes a line into the outline; how the program comes out is known behind the last one.
   void read_outline();
+  void take_effects_of_call();
   void write_as_written(std::string& flat);
   void write_name(std::string& flat, const std::string& label);
   bool execute_call(const LabelStatement& statement, std::string& flat);

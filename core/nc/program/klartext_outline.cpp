@@ -34,6 +34,9 @@ std::size_t begin_of_statement(std::string_view line) {
   return std::min(line.find_first_not_of("0123456789 \t/"), line.size());
 }
 
+// CALL LBL Q5
+bool is_parameter(std::string_view label) { return label.starts_with('Q'); }
+
 }  // namespace
 
 LabelStatement label_statement_in(std::string_view line, std::string_view words) {
@@ -73,7 +76,14 @@ const KlartextOutline::Label* KlartextOutline::label(const std::string& name) co
   return &labels_[known->second];
 }
 
-void KlartextOutline::read(std::string_view line) {
+std::optional<KlartextEffects> KlartextOutline::effects_of(const std::string& name) {
+  if (is_parameter(name)) return effects_.of_any();
+  const auto known = names_.find(name);
+  if (known == names_.end() || !effects_.has(known->second)) return {};
+  return effects_.of(known->second);
+}
+
+void KlartextOutline::read(std::string_view line, Execution execution) {
   const std::string words = statement_of(line.substr(begin_of_statement(line)));
   is_named_by_cycles_ |= names_labels_for_cycles(words);
   if (place_of_klartext_side(line) != nowhere) {
@@ -93,13 +103,35 @@ void KlartextOutline::read(std::string_view line) {
                       .repeats = statement.repeats,
                       .in_contour = in_contour_});
   }
+  if (execution != Execution::never) read_effects(line, words, execution);
   ++lines_;
+}
+
+void KlartextOutline::read_effects(std::string_view line, std::string_view words,
+                                   Execution execution) {
+  const auto target = [&](std::string_view in_front) {
+    const std::size_t at = words.find(in_front);
+    if (at == std::string_view::npos) return LabelEffects::no_label;
+    const std::string label = label_of(line, begin_of_statement(line), words.substr(at));
+    return is_parameter(label) ? LabelEffects::no_label : index_of(label);
+  };
+  const LabelStatement statement = label_statement_in(line, words);
+  const KlartextEffects effects = effects_of_line(line.substr(begin_of_statement(line)), words);
+  const bool calls = statement.kind == LabelStatement::Kind::call;
+  if (jumps(words)) effects_.add_jump(target("LBL "));
+  if (calls && !statement.repeats) effects_.add_call(target("CALL LBL"));
+  // Lines in front of the label are executed as well, and again.
+  const bool is_choice = execution == Execution::perhaps && (calls || effects.touched() != 0);
+  if (is_choice || (calls && statement.repeats)) effects_.add_choice();
+  effects_.add(effects);
+  if (statement.kind == LabelStatement::Kind::program_end) effects_.end_section();
 }
 
 void KlartextOutline::read_label(const std::string& name) {
   if (name == "0") {
     for (const std::size_t index : sections_.back().labels) labels_[index].end = lines_;
     sections_.emplace_back();
+    effects_.end_section();
     return;
   }
   const std::size_t index = index_of(name);
@@ -107,6 +139,7 @@ void KlartextOutline::read_label(const std::string& name) {
   label.is_twice = label.line != nowhere;
   if (label.is_twice) return;
   label.line = lines_;
+  effects_.begin_label(index);
   sections_.back().labels.push_back(index);
 }
 

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/nc/program/klartext_label_effects.h"
+
 namespace trc::program {
 
 // A line of Klartext, as far as it has to do with labels.
@@ -40,7 +42,9 @@ class KlartextOutline {
     bool has_contour = false;  // RL or RR stands there, or in what is called from there
   };
 
-  void read(std::string_view line);
+  // Whether the line is executed, as far as `/` and the setup say.
+  enum class Execution : std::uint8_t { certain, perhaps, never };
+  void read(std::string_view line, Execution execution);
   // Behind the last line.
   void finish();
 
@@ -49,6 +53,8 @@ class KlartextOutline {
   [[nodiscard]] bool repeats_contour() const { return repeats_contour_ && !is_named_by_cycles_; }
   // Null: no line has it.
   [[nodiscard]] const Label* label(const std::string& name) const;
+  // What a call of the label leaves in force; nothing where no line has it, nor is it a parameter.
+  [[nodiscard]] std::optional<KlartextEffects> effects_of(const std::string& name);
 
  private:
   struct Call {
@@ -67,6 +73,7 @@ class KlartextOutline {
 
   [[nodiscard]] std::size_t index_of(const std::string& name);
   void read_label(const std::string& name);
+  void read_effects(std::string_view line, std::string_view words, Execution execution);
   // Behind the labels of the section a contour, or a call of one, stands in that line.
   void take_contour(Section& section, std::size_t line);
   void find_contours_of_labels();
@@ -78,6 +85,7 @@ class KlartextOutline {
   std::vector<Call> calls_{};
   std::vector<std::size_t> contours_{};  // lines of RL and RR, and of calls that reach one; rising
   std::vector<std::size_t> reached_{};   // labels found to have a contour, whose calls are to come
+  LabelEffects effects_{};
   std::size_t lines_ = 0;
   bool in_contour_ = false;
   bool is_named_by_cycles_ = false;
