@@ -251,6 +251,8 @@ constexpr auto fragments = std::to_array<Fragment>({
     {"open corners", "offene Ecken"},
     {"or", "oder"},
     {"or behind what moves it", "oder hinter etwas, das ihn verschiebt"},
+    {"directly behind RND or CHF", "direkt hinter RND oder CHF"},
+    {"where the feed before is not known", "wo der Vorschub davor nicht bekannt ist"},
     {"perhaps", "vielleicht"},
     {"set from", "gesetzt aus"},
     {"straight back", "geradewegs zurück"},

@@ -75,6 +75,7 @@ bool call_label(Reading& reading, ProgramLine& line, std::size_t begin,
   reading.klartext_modes.pole.reset();
   reading.klartext_modes.polar_radius.reset();
   line.feed_it_takes = std::exchange(reading.feed, 0);
+  reading.klartext_modes.feed_of_control = false;
   return copy_klartext(reading, line, begin, WordRole::technology);
 }
 

@@ -36,6 +36,7 @@ struct KlartextModes {
   bool rapid = false;                    // the last motion was one with FMAX
   double feed_before = 0;                // in force before the block
   double called_feed = 0;                // F AUTO, mm/min
+  bool feed_of_control = false;          // in force, with a value that only the control knows: FQ5
   bool feed_per_turn = false;            // M136
   bool modal_cycle = false;              // M89
   std::uint32_t unfollowed = 0;  // by what coordinates are scaled or led: bits of KlartextLead
@@ -70,7 +71,8 @@ struct KlartextModes {
     archive(pole, polar_radius, tangent, rapid, called_feed, feed_per_turn, modal_cycle, unfollowed,
             tool, radius_delta, open_delta, parameters, tool_name, tool_place, only_tool_name,
             contours, labels, calls, called_section, open_labels, section, unfollowed_call,
-            tool_of_label, jump, labels_of_cycles, cycle_section, pole_across, open_corner);
+            tool_of_label, jump, labels_of_cycles, cycle_section, pole_across, open_corner,
+            feed_of_control);
   }
 };
 

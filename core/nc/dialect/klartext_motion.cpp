@@ -46,10 +46,12 @@ bool leaves_with_one_axis(const Reading& reading, const KlartextBlock& block) {
 // Feed and side before the motion, as in every other dialect.
 bool apply_klartext_modes(Reading& reading, ProgramLine& line, KlartextBlock& block) {
   reading.klartext_modes.feed_before = reading.feed;
-  if (block.feed && !block.is_corner())
-    reading.feed = block.feed->value * klartext_feed_unit(reading);
+  const bool says_feed = block.feed && !block.is_corner();
+  if (says_feed) reading.feed = block.feed->value * klartext_feed_unit(reading);
   if (block.called_feed) reading.feed = reading.klartext_modes.called_feed;
   if (block.feed_per_turn || block.open_feed) reading.feed = 0;
+  if (says_feed || block.called_feed || block.open_feed)
+    reading.klartext_modes.feed_of_control = block.open_feed.has_value();
   if (block.side || block.adapts_feed || block.masks)
     reading.place(line, block.side ? block.side_begin : block.begin);
   if (block.adapts_feed && !reading.state.set_feed_adaptation(*block.adapts_feed, line.source))
@@ -187,6 +189,11 @@ bool apply_klartext_motion(Reading& reading, ProgramLine& line, KlartextBlock& b
       reading.klartext_modes.tangent.reset();
       if (!open) return true;
       const bool round = block.is(rounding);
+      // Behind the corner the feed before it has to be written again.
+      if (block.feed && reading.feed == 0 && !reading.klartext_modes.feed_of_control)
+        return refuse_klartext(
+            reading, line, block.feed->begin,
+            "F beside " + block.title() + ", where the feed before is not known");
       const double size = (round ? block.radius : block.length)->value * reading.length_unit();
       line.is_motion = true;
       if (size == 0) return true;

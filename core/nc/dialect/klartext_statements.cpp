@@ -137,6 +137,9 @@ bool copy_motion_of_machine(Reading& reading, ProgramLine& line, std::size_t beg
       !is_letter(first[1]))
     line.feed_it_takes = reading.feed;
   if (line.calls_the_machine) {
+    // What is called may say another feed.
+    reading.feed = 0;
+    reading.klartext_modes.feed_of_control = false;
     hand_on_klartext_pole(reading, line);
     const std::string_view call = std::string_view(line.text).substr(begin);
     take_call(reading, line, call.substr(0, call.find(';')));
@@ -213,9 +216,6 @@ bool copy_klartext(Reading& reading, ProgramLine& line, std::size_t begin, WordR
   return reading.state.end(line.source);
 }
 
-void hand_on_klartext_pole(const Reading& reading, ProgramLine& line) {
-  if (!reading.klartext_modes.pole || reading.contour_open()) return;
-  line.klartext.emplace();
 void take_klartext_effects(Reading& reading, const KlartextEffects& effects) {
   KlartextModes& modes = reading.klartext_modes;
   const std::uint32_t on = effects.sets | effects.unsure;
@@ -228,6 +228,9 @@ void take_klartext_effects(Reading& reading, const KlartextEffects& effects) {
   modes.section.note(effects);
 }
 
+void hand_on_klartext_pole(const Reading& reading, ProgramLine& line) {
+  if (!reading.klartext_modes.pole || reading.contour_open()) return;
+  line.klartext.emplace();
   line.klartext->hands_pole_on = true;
   line.klartext->pole_x = reading.klartext_modes.pole->x();
   line.klartext->pole_y = reading.klartext_modes.pole->y();
