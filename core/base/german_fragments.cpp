@@ -124,6 +124,9 @@ constexpr auto fragments = std::to_array<Fragment>({
      "ein Radius, der geändert wird, muss vorher da sein"},
     {"a reference that it cannot have", "ein Bezug, den es nicht haben kann"},
     {"a retract along the tool", "ein Rückzug in Werkzeugrichtung"},
+    {"a lead by LCT whose line comes nearer to the contour than the radius of the tool",
+     "An- oder Wegfahren mit LCT, dessen Gerade der Kontur näher kommt als der Radius des "
+     "Werkzeugs"},
     {"a rounding or a chamfer beside G40 … G42, or behind a motion that is none",
      "eine Rundung oder Fase neben G40 … G42, oder hinter einer Bewegung, die keine ist"},
     {"a rounding or a chamfer that is not between two motions of one contour, at feed and in the "

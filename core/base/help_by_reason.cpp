@@ -287,6 +287,11 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "An seine Stelle DISC=0 programmieren."},
     {"an approach that goes on smoothly", "Program NORM or KONT in its place.",
      "An seine Stelle NORM oder KONT programmieren."},
+    {"a lead by LCT whose line",
+     "Let the lead come from a place, and lead to one, on the side of the contour where the tool "
+     "runs.",
+     "Den Punkt vor APPR und den von DEP auf die Seite der Kontur legen, auf der das Werkzeug "
+     "läuft."},
     {"an approach or a departure that has no room",
      "Correct its length or its radius, or begin farther off.",
      "Ihre Länge oder ihren Radius berichtigen, oder weiter weg beginnen."},
