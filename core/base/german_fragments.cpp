@@ -21,8 +21,10 @@ constexpr auto fragments = std::to_array<Fragment>({
      "G40 … G42 zwischen weichem Anfahren und seiner Kontur"},
     {"D of G41, G42 is the number of a tool: G41.1, G42.1 take a diameter",
      "D von G41, G42 ist die Nummer eines Werkzeugs: einen Durchmesser nehmen G41.1, G42.1"},
+    {"RL behind RR without R0 in between", "RL hinter RR ohne R0 dazwischen"},
     {"RL, RR behind line", "RL, RR hinter Zeile"},
     {"RL, RR in the contour of the cycles of line", "RL, RR in der Kontur der Zyklen von Zeile"},
+    {"RR behind RL without R0 in between", "RR hinter RL ohne R0 dazwischen"},
     {"SPLIT needs a main axis (or SPLIT_PATH) and a positive DIST_SEG and FEED_SEG for each "
      "segment",
      "SPLIT braucht eine Hauptachse (oder SPLIT_PATH) und für jeden Abschnitt DIST_SEG und "

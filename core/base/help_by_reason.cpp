@@ -292,6 +292,8 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "runs.",
      "Den Punkt vor APPR und den von DEP auf die Seite der Kontur legen, auf der das Werkzeug "
      "läuft."},
+    {"without R0 in between", "Write a motion with R0 in front of the block.",
+     "Vor den Satz eine Bewegung mit R0 schreiben."},
     {"an approach or a departure that has no room",
      "Correct its length or its radius, or begin farther off.",
      "Ihre Länge oder ihren Radius berichtigen, oder weiter weg beginnen."},

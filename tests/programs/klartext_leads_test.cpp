@@ -56,5 +56,14 @@ TEST(KlartextLeads, AcrossTheWallAreRefused) {
   EXPECT_EQ(told("L X+40 Y+30 Z+2 R0 FMAX\nAPPR LCT X+0 Y+0 Z-5 R8 RL F300\n" + back), "");
 }
 
+TEST(KlartextContours, ChangeTheirSideBehindR0Alone) {  // D-162
+  const std::string right = "L X+40\nL Y+0\nL X+100 R0\n";
+  EXPECT_EQ(told(wall + "L X+40 RR\n" + right), "900003 RR behind RL without R0 in between");
+  EXPECT_EQ(told("L X+0 Y+0 RR F300\nL Y+60\nL X+40 RL\n" + right),
+            "900003 RL behind RR without R0 in between");
+  EXPECT_EQ(told(wall + "L X-40 Y+90 R0\nL X+0 Y+60 RR\n" + right), "");
+  EXPECT_EQ(told("L X+0 Y+0 RL F300\nL Y+60 RL\nL X-40 R0\n"), "");
+}
+
 }  // namespace
 }  // namespace trc::support::klartext_leads
