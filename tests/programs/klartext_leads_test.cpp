@@ -56,6 +56,20 @@ TEST(KlartextLeads, AcrossTheWallAreRefused) {
   EXPECT_EQ(told("L X+40 Y+30 Z+2 R0 FMAX\nAPPR LCT X+0 Y+0 Z-5 R8 RL F300\n" + back), "");
 }
 
+// The contour of the arc begins in the centre of the bore, its path a radius beside it.
+TEST(KlartextLeads, BeginWhereTheToolStands) {
+  const ProgramRun ran =
+      run("CC X+0 Y+0\nL X+0 Y+0 R0 FMAX\nAPPR CT X+30 Y+0 CCA180 R10 RL F300\nCP IPA+360 DR+\n"
+          "DEP CT CCA180 R10\n");
+  ASSERT_FALSE(ran.stopped) << ran.report();
+  bool is_at_lead = false;
+  for (const CompensatedBlock& block : ran.blocks) {
+    EXPECT_LE(end_of(block.path).norm(), 60) << listing_of({block});
+    is_at_lead |= (start_of(block.path) - Point(5, 0)).norm() < 1e-9;
+  }
+  EXPECT_TRUE(is_at_lead) << ran.listing();
+}
+
 TEST(KlartextContours, ChangeTheirSideBehindR0Alone) {  // D-162
   const std::string right = "L X+40\nL Y+0\nL X+100 R0\n";
   EXPECT_EQ(told(wall + "L X+40 RR\n" + right), "900003 RR behind RL without R0 in between");

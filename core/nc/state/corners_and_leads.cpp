@@ -213,7 +213,11 @@ bool ProgramState::approach_contour(const Segment& contour) {
     append_motion(request, shape, end, standing_tracking(), blocks_);
     std::get<MotionBlock>(blocks_.back()).role = ContourRole::lead;
   };
-  if (path->contour) {
+  // The line to an arc that begins where the tool stands would have no length, so that no line of
+  // the contour would lead to its path.
+  const bool stands_at_arc = path->contour && !pending.infeed &&
+                             (start_of(*path->contour) - from).norm() <= tolerances_.same_point;
+  if (path->contour && !stands_at_arc) {
     const bool climbs = pending.infeed && pending.infeed->along_the_lead;
     go(pending.way, Line{.start = from, .end = start_of(*path->contour)});
     if (pending.infeed) come_down(pending);
@@ -228,7 +232,10 @@ bool ProgramState::approach_contour(const Segment& contour) {
     go(pending.way, Line{.start = from, .end = path->away});
     travel_across(pending.request);
     change_mode() = mode;
-    go(pending.request, Line{.start = path->away, .end = begin.point});
+    go(pending.request,
+       Line{.start = path->away, .end = path->contour ? start_of(*path->contour) : begin.point});
+    if (path->contour)
+      std::visit([&](const auto& shape) { go(pending.request, shape); }, *path->contour);
   }
   const double height = here[third];
   position_ = from_plane(mode_.plane, begin.point, height);
