@@ -550,6 +550,7 @@ constexpr auto phrases = std::to_array<Phrase>({
     {"back boring", "Rückwärtsbohren"},
     {"behind $ELSE", "hinter $ELSE"},
     {"behind other words", "hinter anderen Wörtern"},
+    {"below 0", "kleiner 0"},
     {"beside G65", "neben G65"},
     {"beside M98", "neben M98"},
     {"beyond the range of its type", "außerhalb des Bereichs des Datentyps"},

@@ -79,5 +79,13 @@ TEST(KlartextContours, ChangeTheirSideBehindR0Alone) {  // D-162
   EXPECT_EQ(told("L X+0 Y+0 RL F300\nL Y+60 RL\nL X-40 R0\n"), "");
 }
 
+TEST(KlartextContours, SayWhatIsWrongWithTheirLeads) {
+  EXPECT_EQ(told("APPR LT X+0 Y+0 LEN0 RL F300\nL Y+60\n").substr(7), "LEN0, not above 0");
+  EXPECT_EQ(told(wall + "DEP LN LEN-5\n").substr(7), "LEN-5, not above 0");
+  EXPECT_EQ(told(wall + "DEP LN\n").substr(7), "DEP LN without LEN");
+  EXPECT_EQ(told(wall + "CHF 4\nCT X+40 Y+60\nL X+80 R0\n").substr(7),
+            "CT directly behind RND or CHF");
+}
+
 }  // namespace
 }  // namespace trc::support::klartext_leads

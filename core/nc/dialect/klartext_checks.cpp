@@ -94,8 +94,10 @@ bool check_klartext_form(Reading& reading, const ProgramLine& line, const Klarte
   if (block.form.empty()) return wrong(" without LT, LN, CT or LCT", Code::nc_syntax);
   const bool straight =
       block.lead.form == Lead::Form::tangent || block.lead.form == Lead::Form::normal;
-  if (straight && !(block.length && block.length->value > 0))
-    return wrong(" without LEN", Code::nc_number);
+  if (straight && !block.length) return wrong(" without LEN", Code::nc_number);
+  if (straight && !(block.length->value > 0))
+    return refuse_klartext(reading, line, block.length->begin,
+                           word_at(line, block.length->begin) + ", not above 0", Code::nc_number);
   if (!straight && !(block.radius && block.radius->value != 0))
     return wrong(" without R", Code::nc_number);
   const bool arc = block.lead.form == Lead::Form::arc;

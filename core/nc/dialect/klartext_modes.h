@@ -64,7 +64,8 @@ struct KlartextModes {
   // while one of them is read.
   std::map<std::string, std::uint32_t> labels_of_cycles{};
   std::uint32_t cycle_section = 0;
-  WordPlace open_corner{};  // RND, CHF whose next motion is still to come
+  WordPlace open_corner{};     // RND, CHF whose next motion is still to come
+  bool behind_corner = false;  // no motion has come since RND or CHF
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -72,7 +73,7 @@ struct KlartextModes {
             tool, radius_delta, open_delta, parameters, tool_name, tool_place, only_tool_name,
             contours, labels, calls, called_section, open_labels, section, unfollowed_call,
             tool_of_label, jump, labels_of_cycles, cycle_section, pole_across, open_corner,
-            feed_of_control);
+            feed_of_control, behind_corner);
   }
 };
 

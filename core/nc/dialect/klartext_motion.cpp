@@ -187,6 +187,7 @@ bool apply_klartext_motion(Reading& reading, ProgramLine& line, KlartextBlock& b
     case rounding:
     case chamfer: {
       reading.klartext_modes.tangent.reset();
+      reading.klartext_modes.behind_corner = true;
       if (!open) return true;
       const bool round = block.is(rounding);
       // Behind the corner the feed before it has to be written again.
@@ -343,6 +344,7 @@ bool move_in_klartext(Reading& reading, ProgramLine& line, MoveRequest& request)
   request.feed = reading.klartext_modes.feed_per_turn ? 0 : reading.feed;
   reading.klartext_modes.rapid = reading.motion == MotionKind::rapid;
   line.is_motion = true;
+  reading.klartext_modes.behind_corner = false;
   if (!reading.state.move(request)) return false;
   const Point end = to_plane(reading.state.mode().plane, reading.state.position());
   const bool known = reading.state.is_known(axes.first) && reading.state.is_known(axes.second);
