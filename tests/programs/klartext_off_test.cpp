@@ -82,6 +82,12 @@ TEST(KlartextOff, TheTipOfTheToolIsLedAlongNoSide) {
       0);
 }
 
+TEST(KlartextOff, ALoneMOfOlderControlsIsNoFunction) {
+  EXPECT_EQ(code_of("L X-20 Y-20 R0 FMAX M\nL X+0 Y-10 RL F200 M\nL Y+40 M ; up\nL X-20 R0 M\n"),
+            0);
+  EXPECT_EQ(code_of("L X-20 Y-20 R0 M FMAX\n"), 900003);
+}
+
 TEST(KlartextOff, CyclesThatMoveAtOnce) {
   for (const std::string moving :
        {"TCH PROBE 0.0 REF. PLANE Q5 X-\nTCH PROBE 0.1 X+5 Y+0 Z-5\n",
