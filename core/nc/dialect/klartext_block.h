@@ -65,6 +65,7 @@ struct KlartextObstacle {
     may_be_skipped,
     changed_radius,
     changed_coordinates,
+    unknown_place,  // polar, from there or about a pole that is not known
   };
 
   [[nodiscard]] Code code() const {

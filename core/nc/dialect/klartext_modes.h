@@ -66,6 +66,8 @@ struct KlartextModes {
   std::uint32_t cycle_section = 0;
   WordPlace open_corner{};     // RND, CHF whose next motion is still to come
   bool behind_corner = false;  // no motion has come since RND or CHF
+  // How many contours had been selected where CC stood last, outside of them: it is in the output.
+  std::optional<std::uint64_t> pole_said{};
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -73,7 +75,7 @@ struct KlartextModes {
             tool, radius_delta, open_delta, parameters, tool_name, tool_place, only_tool_name,
             contours, labels, calls, called_section, open_labels, section, unfollowed_call,
             tool_of_label, jump, labels_of_cycles, cycle_section, pole_across, open_corner,
-            feed_of_control, behind_corner);
+            feed_of_control, behind_corner, pole_said);
   }
 };
 

@@ -189,12 +189,12 @@ bool apply_klartext_motion(Reading& reading, ProgramLine& line, KlartextBlock& b
       reading.klartext_modes.tangent.reset();
       reading.klartext_modes.behind_corner = true;
       if (!open) return true;
-      const bool round = block.is(rounding);
       // Behind the corner the feed before it has to be written again.
       if (block.feed && reading.feed == 0 && !reading.klartext_modes.feed_of_control)
         return refuse_klartext(
             reading, line, block.feed->begin,
             "F beside " + block.title() + ", where the feed before is not known");
+      const bool round = block.is(rounding);
       const double size = (round ? block.radius : block.length)->value * reading.length_unit();
       line.is_motion = true;
       if (size == 0) return true;
@@ -318,6 +318,7 @@ bool apply_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block) {
   if (departs) stop_behind_lead(line);
   if (line.has(WordRole::technology) && !pass_words(reading, line, WordRole::technology))
     return false;
+  if (copied && block.is_polar()) hand_on_klartext_pole(reading, line);
   if (copied) {
     forget_what_copied_block_moves(reading, line, block, alone);
   } else if (!apply_klartext_motion(reading, line, block)) {
@@ -343,8 +344,8 @@ bool move_in_klartext(Reading& reading, ProgramLine& line, MoveRequest& request)
   request.kind = reading.motion;
   request.feed = reading.klartext_modes.feed_per_turn ? 0 : reading.feed;
   reading.klartext_modes.rapid = reading.motion == MotionKind::rapid;
-  line.is_motion = true;
   reading.klartext_modes.behind_corner = false;
+  line.is_motion = true;
   if (!reading.state.move(request)) return false;
   const Point end = to_plane(reading.state.mode().plane, reading.state.position());
   const bool known = reading.state.is_known(axes.first) && reading.state.is_known(axes.second);
