@@ -21,8 +21,10 @@ constexpr auto fragments = std::to_array<Fragment>({
      "G40 … G42 zwischen weichem Anfahren und seiner Kontur"},
     {"D of G41, G42 is the number of a tool: G41.1, G42.1 take a diameter",
      "D von G41, G42 ist die Nummer eines Werkzeugs: einen Durchmesser nehmen G41.1, G42.1"},
+    {"RL behind RR without R0 in between", "RL hinter RR ohne R0 dazwischen"},
     {"RL, RR behind line", "RL, RR hinter Zeile"},
     {"RL, RR in the contour of the cycles of line", "RL, RR in der Kontur der Zyklen von Zeile"},
+    {"RR behind RL without R0 in between", "RR hinter RL ohne R0 dazwischen"},
     {"SPLIT needs a main axis (or SPLIT_PATH) and a positive DIST_SEG and FEED_SEG for each "
      "segment",
      "SPLIT braucht eine Hauptachse (oder SPLIT_PATH) und für jeden Abschnitt DIST_SEG und "
@@ -122,6 +124,9 @@ constexpr auto fragments = std::to_array<Fragment>({
      "ein Radius oder eine Ecke, die ausgeblendet sein können"},
     {"a radius that is changed has to be there",
      "ein Radius, der geändert wird, muss vorher da sein"},
+    {"a lead by LCT whose line comes nearer to the contour than the radius of the tool",
+     "An- oder Wegfahren mit LCT, dessen Gerade der Kontur näher kommt als der Radius des "
+     "Werkzeugs"},
     {"a reference that it cannot have", "ein Bezug, den es nicht haben kann"},
     {"a retract along the tool", "ein Rückzug in Werkzeugrichtung"},
     {"a rounding or a chamfer beside G40 … G42, or behind a motion that is none",
@@ -233,6 +238,7 @@ constexpr auto fragments = std::to_array<Fragment>({
     {"a contour of a cycle behind a program without M30",
      "eine Kontur eines Zyklus hinter einem Programm ohne M30"},
     {"a program behind one without M30", "ein Programm hinter einem ohne M30"},
+    {"not above 0", "nicht größer 0"},
     {"not alone in its block", "nicht allein in seinem Satz"},
     {"of", "von"},
     {"of TOOL CALL", "von TOOL CALL"},
@@ -245,6 +251,8 @@ constexpr auto fragments = std::to_array<Fragment>({
     {"of a further axis", "einer weiteren Achse"},
     {"of a lathe", "einer Drehmaschine"},
     {"one centre word alone under G90.1", "ein Mittelpunktswort allein unter G90.1"},
+    {"directly behind RND or CHF", "direkt hinter RND oder CHF"},
+    {"where the feed before is not known", "wo der Vorschub davor nicht bekannt ist"},
     {"where the tool stands in front of the contour", "wo das Werkzeug vor der Kontur steht"},
     {"once, 0 or more", "einmal, 0 oder mehr"},
     {"only", "allein"},

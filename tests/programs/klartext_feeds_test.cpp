@@ -92,6 +92,21 @@ TEST(KlartextFeeds, AreNotAdaptedWhereTheyAreNotKnown) {
   EXPECT_EQ(refusal("M109\n" + start + "APPR LCT X+0 Y+0 R5 RL FZ0.1\n" + end), 900003);
 }
 
+// Behind a call the feed is whatever the called lines have said last.
+TEST(KlartextFeeds, OfACornerWantTheOneBefore) {
+  const std::string start = "L X-20 Y-20 R0 FMAX\n";
+  const std::string corner = "L Y+40\nRND R6 F800\nL X+40\nL Y+0\nL X-6\nL X-20 Y-20 R0\n";
+  const std::string end = "M30\nLBL 1\nL Z+5 F300\nLBL 0\n";
+  for (const std::string call : {"CALL LBL 1\n", "CALL PGM K\n"}) {
+    const std::string behind = "L Z+2 R0 F150\n" + call + start;
+    EXPECT_EQ(refusal(behind + "L X+0 Y+0 RL\n" + corner + end), 900003);
+    EXPECT_EQ(refusal(behind + "L X+0 Y+0 RL F200\n" + corner + end), 0);
+    EXPECT_EQ(refusal("L Z+2 R0 FQ5\n" + call + start + "L X+0 Y+0 RL\n" + corner + end), 900003);
+  }
+  EXPECT_EQ(refusal("L Z+2 R0 F150\n" + start + "L X+0 Y+0 RL\n" + corner), 0);
+  EXPECT_EQ(refusal("L Z+2 R0 FQ5\n" + start + "L X+0 Y+0 RL\n" + corner), 0);
+}
+
 // What acts at the end of its block comes behind the last part of it.
 TEST(KlartextLeads, StopSpindleAndCoolantBehindThem) {
   EXPECT_EQ(text_of("L X-20 Y-20 R0 FMAX\nAPPR LCT X+0 Y+0 R5 RL F100 M8\nL Y+40\nL X+40\n"

@@ -82,6 +82,36 @@ TEST(KlartextOff, TheTipOfTheToolIsLedAlongNoSide) {
       0);
 }
 
+// Holes about a pole: only the control knows where the tool stands behind a cycle.
+TEST(KlartextOff, HolesOfACircleAreCopied) {
+  const std::string drill = "CYCL DEF 200 DRILLING Q200=2\n";
+  for (const std::string holes :
+       {"CC X+50 Y+50\nLP PR+30 PA+0 R0 FMAX\nCYCL CALL\nLP PA+60\nCYCL CALL\nLP PA+120 M99\n",
+        "CC X+50 Y+50\nLP PR+30 PA+0 R0 FMAX M99\nLP IPA+60 M99\nLP IPA+60 R0 FMAX M99\n",
+        "CC X+50 Y+50\nLP PR+30 PA+0 R0 FMAX M99\nLP IPR+5 IPA+60 M99\nLP PA+90\n"}) {
+    const std::string program = "BEGIN PGM A MM\nTOOL CALL 5 Z S5000\n" + drill + holes + "M30\n";
+    EXPECT_EQ(text_of(program), program);
+    const std::string behind =
+        text_of("BEGIN PGM A MM\nTOOL CALL 5 Z S5000\nL X-20 Y-20 R0 FMAX\n" + contour + drill +
+                holes + "M30\n");
+    EXPECT_NE(behind.find(holes), std::string::npos) << behind;
+    EXPECT_EQ(code_of(drill + holes + contour), 900106);
+    EXPECT_EQ(code_of(drill + holes + "L X-20 Y-20 R0 FMAX\n" + contour), 0);
+  }
+  // The contour has a pole of its own, and LP no place without one.
+  const std::string rounded =
+      "L X-20 Y-20 R0 FMAX\nL X+0 Y-10 RL F200\nL Y+40\nL X+40\nL X+60 R0\n";
+  EXPECT_EQ(code_of("CC X+50 Y+50\nCYCL CALL\n" + rounded + "LP PR+30 PA+60 R0 FMAX\n"), 900003);
+  EXPECT_EQ(code_of("L X-20 Y-20 R0 FMAX\nLP PR+30 PA+60 R0 FMAX\n"), 900003);
+  EXPECT_EQ(code_of("L X-20 Y-20 R0 FMAX\nCC X+0 Y+0\nLP PA+60 R0 FMAX\n"), 900003);
+}
+
+TEST(KlartextOff, ALoneMOfOlderControlsIsNoFunction) {
+  EXPECT_EQ(code_of("L X-20 Y-20 R0 FMAX M\nL X+0 Y-10 RL F200 M\nL Y+40 M ; up\nL X-20 R0 M\n"),
+            0);
+  EXPECT_EQ(code_of("L X-20 Y-20 R0 M FMAX\n"), 900003);
+}
+
 TEST(KlartextOff, CyclesThatMoveAtOnce) {
   for (const std::string moving :
        {"TCH PROBE 0.0 REF. PLANE Q5 X-\nTCH PROBE 0.1 X+5 Y+0 Z-5\n",

@@ -367,10 +367,9 @@ TEST(ToolsOfPrograms, AreChangedByLabelsOfKlartext) {
             "900003 9 RL, RR with the tool of the section that line 7 calls\n");
   EXPECT_EQ(told(labels + "CALL LBL 1\nTOOL CALL 1 Z\n" + wall, setup), "");
   const std::string behind = "M30\nLBL 7\nCALL LBL 8\nLBL 0\nLBL 8\nTOOL CALL 2 Z\nLBL 0\n";
-  EXPECT_EQ(told("TOOL CALL 1 Z\nCALL LBL 8\n" + wall + behind, setup),
-            "900003 12 TOOL CALL in a section that line 2 calls in front of a contour\n");
-  EXPECT_EQ(told("TOOL CALL 1 Z\nCALL LBL 7\n" + wall + behind, setup),
-            "900003 12 TOOL CALL in a section that line 2 calls in front of a contour\n");
+  const std::string refused = "900003 4 RL, RR with the tool of the section that line 2 calls\n";
+  EXPECT_EQ(told("TOOL CALL 1 Z\nCALL LBL 8\n" + wall + behind, setup), refused);
+  EXPECT_EQ(told("TOOL CALL 1 Z\nCALL LBL 7\n" + wall + behind, setup), refused);
   EXPECT_EQ(told("TOOL CALL 1 Z\n" + wall + "CALL LBL 8\n" + behind, setup), "");
   EXPECT_EQ(told("CALL LBL 8\nTOOL CALL 1 Z\n" + wall + behind, setup), "");
 }

@@ -193,7 +193,7 @@ bool read_klartext(Reading& reading, ProgramLine& line) {
   const std::uint32_t led = reading.klartext_modes.unfollowed;
   const bool goes_on = read_statement(reading, line, block, *begin);
   // What a line that may be skipped ends may still hold.
-  if (block.to_skip) reading.klartext_modes.unfollowed |= led;
+  if (block.to_skip) take_klartext_effects(reading, {.unsure = led});
   return goes_on;
 }
 

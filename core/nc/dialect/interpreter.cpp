@@ -95,8 +95,10 @@ bool Interpreter::read(const FlatLine& line, std::vector<LinePointer>& lines) {
   reading_.sets_variables = line.sets_variables;
   reading_.calls_the_machine = line.calls_the_machine;
   reading_.machine_follows = line.machine_follows;
+  reading_.call_leaves = line.call_leaves;
   const bool goes_on = take_line(line.text, line_end, lines);
   reading_.sets_variables = reading_.calls_the_machine = reading_.machine_follows = false;
+  reading_.call_leaves.reset();
   return goes_on;
 }
 

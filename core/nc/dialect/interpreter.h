@@ -64,6 +64,7 @@ class Interpreter {
     bool sets_variables = false;     // for a call of the machine: copied as it stands
     bool calls_the_machine = false;  // what only the machine has: passes as ISG's calls do
     bool machine_follows = false;    // a macro of the machine, behind the motion of the line
+    std::optional<KlartextEffects> call_leaves{};  // behind the label that it calls
   };
   // Reads it as `feed` does a whole line.
   bool read(const FlatLine& line, std::vector<LinePointer>& lines);

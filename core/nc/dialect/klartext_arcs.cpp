@@ -80,6 +80,7 @@ bool move_on_tangent_arc(Reading& reading, ProgramLine& line, KlartextBlock& blo
   const auto wrong = [&](const char* why) {
     return refuse_klartext(reading, line, block.begin, block.title() + why);
   };
+  if (reading.klartext_modes.behind_corner) return wrong(" directly behind RND or CHF");
   if (!reading.klartext_modes.tangent) return wrong(" without a motion in the plane before it");
   const Point start = to_plane(reading.state.mode().plane, reading.state.position());
   const Point end(request.end[axes.first].value_or(start.x()),

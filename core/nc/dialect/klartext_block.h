@@ -32,17 +32,6 @@ namespace trc {
 [[nodiscard]] bool has_glued_r0(std::string_view statement);
 [[nodiscard]] bool begins_with_word(std::string_view statement, std::string_view word);
 
-// What scales the coordinates, or leads the tool tip along them: KlartextModes::unfollowed.
-struct KlartextLead {
-  static constexpr std::uint32_t axes = 7;  // X Y Z of cycle 26, a bit each
-  static constexpr std::uint32_t cycle = 8;
-  static constexpr std::uint32_t trans = 16;
-  static constexpr std::uint32_t tip = 32;          // M128, FUNCTION TCPM
-  static constexpr std::uint32_t table = 64;        // M144
-  static constexpr std::uint32_t correction = 128;  // FUNCTION CORRDATA
-  static constexpr std::uint32_t tool_data = 256;   // FN 17 has written a radius
-};
-
 // What a block of Klartext that may move begins with.
 enum class KlartextStatement : std::uint8_t {
   none,  // M words alone
@@ -76,6 +65,7 @@ struct KlartextObstacle {
     may_be_skipped,
     changed_radius,
     changed_coordinates,
+    unknown_place,  // polar, from there or about a pole that is not known
   };
 
   [[nodiscard]] Code code() const {

@@ -225,6 +225,13 @@ bool read_klartext_name(Reading& reading, const KlartextWord& word, ProgramLine&
     block.rapid = true;
     return two_words(WordRole::motion);
   }
+  // M of older controls, at the end of the block: no function.
+  const std::string_view behind =
+      without_blanks_in_front(std::string_view(line.text).substr(word.end));
+  if (name == "M" && (behind.empty() || behind.front() == ';')) {
+    add(line, word, WordRole::technology);
+    return true;
+  }
   // R of older controls: the compensation stays as it is.
   if (name == "R" && block.is(KlartextStatement::straight)) {
     add(line, word, reading.contour_open() ? WordRole::trc : WordRole::mode);

@@ -43,6 +43,8 @@ std::string_view told(KlartextObstacle::Why why) {
       return ", a motion that may be skipped";
     case changed_radius:
       return ", with a radius that the program has changed";
+    case unknown_place:
+      return ", from a place or a pole that is not known";
     case changed_coordinates:
       return ", in coordinates that are scaled or led by the tool tip";
   }
@@ -94,8 +96,10 @@ bool check_klartext_form(Reading& reading, const ProgramLine& line, const Klarte
   if (block.form.empty()) return wrong(" without LT, LN, CT or LCT", Code::nc_syntax);
   const bool straight =
       block.lead.form == Lead::Form::tangent || block.lead.form == Lead::Form::normal;
-  if (straight && !(block.length && block.length->value > 0))
-    return wrong(" without LEN", Code::nc_number);
+  if (straight && !block.length) return wrong(" without LEN", Code::nc_number);
+  if (straight && !(block.length->value > 0))
+    return refuse_klartext(reading, line, block.length->begin,
+                           word_at(line, block.length->begin) + ", not above 0", Code::nc_number);
   if (!straight && !(block.radius && block.radius->value != 0))
     return wrong(" without R", Code::nc_number);
   const bool arc = block.lead.form == Lead::Form::arc;
@@ -162,6 +166,22 @@ bool check_feed_of_klartext(Reading& reading, const ProgramLine& line, const Kla
   return true;
 }
 
+// LP about a pole, or from a place, that only the control knows, as holes of a circle behind a
+// cycle call. CC stands in the output as in the program as long as no contour has come since.
+bool is_beyond_what_is_known(const Reading& reading, const KlartextBlock& block) {
+  const KlartextModes& modes = reading.klartext_modes;
+  if (!block.is(KlartextStatement::polar_line) || block.selects() || reading.contour_open() ||
+      modes.pole_said != modes.contours || modes.pole_across != 0)
+    return false;
+  const PlaneAxes axes = axes_of(reading.state.mode().plane);
+  const bool stands_where =
+      reading.state.is_known(axes.first) && reading.state.is_known(axes.second);
+  const bool has_radius =
+      modes.polar_radius || (block.polar_radius && !block.polar_radius->increment);
+  const bool has_angle = block.polar_angle && !block.polar_angle->increment;
+  return !modes.pole || (!stands_where && !(has_radius && has_angle));
+}
+
 // What keeps the block from being followed, if its words have not said so.
 void find_obstacle(const Reading& reading, KlartextBlock& block) {
   using Why = KlartextObstacle::Why;
@@ -179,6 +199,8 @@ void find_obstacle(const Reading& reading, KlartextBlock& block) {
     const bool other_radius = (led & (KlartextLead::correction | KlartextLead::tool_data)) != 0;
     block.leave_unfollowed(other_radius ? Why::changed_radius : Why::changed_coordinates);
   }
+  if (!block.unfollowed && is_beyond_what_is_known(reading, block))
+    block.leave_unfollowed(Why::unknown_place);
   if (block.selects() && !block.unfollowed) block.unfollowed = block.not_in_contour;
   if (!block.is(KlartextStatement::straight)) leave_plane_by_arc(reading, block);
 }

@@ -3,6 +3,8 @@
 #include <optional>
 
 #include "core/nc/dialect/klartext_block.h"
+#include "core/nc/dialect/klartext_effects.h"
+#include "core/nc/dialect/klartext_statements.h"
 #include "core/nc/dialect/reading.h"
 
 // M functions of Klartext.
@@ -49,12 +51,11 @@ WordRole role_of_function(int m) {
 }
 
 void take_klartext_function(Reading& reading, int m, KlartextBlock& block) {
+  take_klartext_effects(reading, effects_of_function(m));
   switch (m) {
     case 89:
     case 99:
       block.calls_cycle = true;
-      if (m == 89) reading.klartext_modes.modal_cycle = true;
-      if (m == 99) reading.klartext_modes.modal_cycle = false;
       break;
     case 91:
     case 92:
@@ -73,23 +74,12 @@ void take_klartext_function(Reading& reading, int m, KlartextBlock& block) {
       break;
     case 136:
       block.feed_per_turn = true;
-      reading.klartext_modes.feed_per_turn = true;
-      break;
-    case 137:
-      reading.klartext_modes.feed_per_turn = false;
-      break;
-    case 128:
-    case 144:
-      reading.klartext_modes.unfollowed |= m == 128 ? KlartextLead::tip : KlartextLead::table;
-      block.ignores_words = true;
-      break;
-    case 129:
-    case 145:
-      reading.klartext_modes.unfollowed &= ~(m == 129 ? KlartextLead::tip : KlartextLead::table);
       break;
     case 94:
     case 103:
     case 112:
+    case 128:
+    case 144:
       block.ignores_words = true;
       break;
     case 118:

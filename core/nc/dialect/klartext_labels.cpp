@@ -23,13 +23,30 @@ void enter_section(Reading& reading, const std::string& label) {
   if (ends)
     reading.klartext_modes.open_labels.clear();
   else
-    reading.klartext_modes.open_labels.emplace(label, 0);
+    reading.klartext_modes.open_labels.push_back(label);
   if (const auto call = reading.klartext_modes.calls.find(label);
       ends || call != reading.klartext_modes.calls.end())
     reading.klartext_modes.called_section = ends ? 0 : call->second;
   if (const auto cycle = reading.klartext_modes.labels_of_cycles.find(label);
       ends || cycle != reading.klartext_modes.labels_of_cycles.end())
     reading.klartext_modes.cycle_section = ends ? 0 : cycle->second;
+}
+
+// As if the lines of the label stood in the place of its call (D-160).
+bool take_effects_of_call(Reading& reading, const ProgramLine& line,
+                          const KlartextEffects& effects) {
+  using Mode = KlartextMode;
+  KlartextModes& modes = reading.klartext_modes;
+  take_klartext_effects(reading, effects);
+  if (((effects.sets | effects.unsure) & Mode::tool) != 0) modes.tool_of_label = line.source.line;
+  if ((effects.unsure & Mode::either_way) != 0) modes.unfollowed_call = line.source.line;
+  constexpr std::uint32_t adapts = Mode::adapts_feed | Mode::slows_feed;
+  if ((effects.touched() & adapts) == 0) return true;
+  return reading.state.set_feed_adaptation(
+      (effects.sets & Mode::adapts_feed) != 0  ? FeedAdaptation::on
+      : (effects.sets & Mode::slows_feed) != 0 ? FeedAdaptation::inside
+                                               : FeedAdaptation::off,
+      line.source);
 }
 
 // CALL LBL 1 runs the label to its LBL 0, CALL LBL 1 REP 3 all from the label to here. What a call
@@ -46,17 +63,19 @@ bool call_label(Reading& reading, ProgramLine& line, std::size_t begin,
                : known->second.has_contour(reading.klartext_modes.contours)))
     return refuse_klartext(reading, line, begin, "CALL LBL, which repeats a compensated contour");
   const bool stands_behind = known == reading.klartext_modes.labels.end();
-  if (stands_behind) {
-    reading.klartext_modes.calls.try_emplace(label, line.source.line);
-    reading.klartext_modes.calls_behind_tool.try_emplace(label, line.source.line);
-  } else if (!to_here && known->second.calls_tool) {
-    reading.klartext_modes.tool_of_label = line.source.line;
+  if (stands_behind) reading.klartext_modes.calls.try_emplace(label, line.source.line);
+  // What is repeated up to here has been read.
+  if (!to_here) {
+    const KlartextEffects of_label =
+        stands_behind ? KlartextEffects{.unsure = KlartextMode::anything} : known->second.leaves;
+    if (!take_effects_of_call(reading, line, reading.call_leaves.value_or(of_label))) return false;
   }
   hand_on_klartext_pole(reading, line);
   forget_klartext_position(reading, line);
   reading.klartext_modes.pole.reset();
   reading.klartext_modes.polar_radius.reset();
   line.feed_it_takes = std::exchange(reading.feed, 0);
+  reading.klartext_modes.feed_of_control = false;
   return copy_klartext(reading, line, begin, WordRole::technology);
 }
 
@@ -79,28 +98,6 @@ bool enter_label_behind_end(Reading& reading, const ProgramLine& line) {
   const std::string statement = statement_of(std::string_view(line.text).substr(begin));
   if (begins_with_word(statement, "LBL"))
     enter_section(reading, label_of(line.text, begin, statement));
-  if (begins_with_word(statement, "TOOL CALL")) return take_tool_of_label(reading, line, begin);
-  if (!begins_with_word(statement, "CALL LBL")) return true;
-  // A section that a contour counts on calls another one.
-  for (const auto& [label, unused] : reading.klartext_modes.open_labels)
-    if (const auto call = reading.klartext_modes.calls_of_contours.find(label);
-        call != reading.klartext_modes.calls_of_contours.end())
-      reading.klartext_modes.calls_of_contours.try_emplace(label_of(line.text, begin, statement),
-                                                           call->second);
-  return true;
-}
-
-bool take_tool_of_label(Reading& reading, const ProgramLine& line, std::size_t begin) {
-  for (const auto& [label, unused] : reading.klartext_modes.open_labels) {
-    if (const auto known = reading.klartext_modes.labels.find(label);
-        known != reading.klartext_modes.labels.end())
-      known->second.calls_tool = true;
-    const auto call = reading.klartext_modes.calls_of_contours.find(label);
-    if (call != reading.klartext_modes.calls_of_contours.end())
-      return refuse_klartext(reading, line, begin,
-                             "TOOL CALL in a section that line " + std::to_string(call->second) +
-                                 " calls in front of a contour");
-  }
   return true;
 }
 
@@ -111,15 +108,19 @@ bool read_label(Reading& reading, ProgramLine& line, std::size_t begin,
   if (statement.starts_with("CALL")) return call_label(reading, line, begin, statement);
   const std::string label = label_of(line.text, begin, statement);
   const std::uint64_t contours = reading.klartext_modes.contours;
-  enter_section(reading, label);
   if (label == "0") {
-    for (auto& [name, of_label] : reading.klartext_modes.labels)
-      if (!of_label.behind) of_label.behind = contours;
+    for (const std::string& name : reading.klartext_modes.open_labels) {
+      ContoursOfLabel& closed = reading.klartext_modes.labels[name];
+      closed.behind = contours;
+      closed.leaves = reading.klartext_modes.section.since(closed.steps);
+    }
   } else {
     // A contour that is open goes on behind the label.
-    reading.klartext_modes.labels[label] = {.before =
-                                                reading.trc_active() ? contours - 1 : contours};
+    reading.klartext_modes.labels[label] = {
+        .before = reading.trc_active() ? contours - 1 : contours,
+        .steps = reading.klartext_modes.section.steps()};
   }
+  enter_section(reading, label);
   if (reading.klartext_modes.called_section != 0 && reading.trc_active())
     return refuse_klartext(reading, line, begin, "LBL, which is called, while TRC is active");
   if (label != "0") hand_on_klartext_pole(reading, line);

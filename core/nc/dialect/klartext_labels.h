@@ -10,9 +10,6 @@ namespace trc {
 // Behind the end subprograms stand: one that is called is no leftover.
 bool enter_label_behind_end(Reading& reading, const ProgramLine& line);
 
-// TOOL CALL within a label. Called from elsewhere it changes the tool there.
-bool take_tool_of_label(Reading& reading, const ProgramLine& line, std::size_t begin);
-
 // LBL 1 … LBL 0.
 bool read_label(Reading& reading, ProgramLine& line, std::size_t begin, std::string_view statement);
 

@@ -5,8 +5,10 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/geometry/segment.h"
+#include "core/nc/dialect/klartext_effects.h"
 #include "core/nc/state/program_state.h"
 
 namespace trc {
@@ -15,13 +17,14 @@ namespace trc {
 struct ContoursOfLabel {
   std::uint64_t before = 0;
   std::optional<std::uint64_t> behind{};
-  bool calls_tool = false;  // TOOL CALL stands behind it
+  std::uint32_t steps = 0;  // of KlartextModes::section, in front of it
+  KlartextEffects leaves{.unsure = KlartextMode::anything};  // known behind its LBL 0
 
   // `now`: where no LBL 0 has come yet.
   [[nodiscard]] bool has_contour(std::uint64_t now) const { return behind.value_or(now) != before; }
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(before, behind, calls_tool);
+    archive(before, behind, steps, leaves);
   }
 };
 // What a program in Klartext has in force besides.
@@ -33,6 +36,7 @@ struct KlartextModes {
   bool rapid = false;                    // the last motion was one with FMAX
   double feed_before = 0;                // in force before the block
   double called_feed = 0;                // F AUTO, mm/min
+  bool feed_of_control = false;          // in force, with a value that only the control knows: FQ5
   bool feed_per_turn = false;            // M136
   bool modal_cycle = false;              // M89
   std::uint32_t unfollowed = 0;  // by what coordinates are scaled or led: bits of KlartextLead
@@ -50,28 +54,28 @@ struct KlartextModes {
   std::uint64_t contours = 0;
   std::map<std::string, ContoursOfLabel> labels{};
   std::map<std::string, std::uint32_t> calls{};
-  std::uint32_t called_section = 0;  // the line that called it; 0: not in one
-  // Labels up to the next LBL 0; those that were called since the last TOOL CALL and stand
-  // farther behind, and of these the ones that a contour counts on, with the lines of their
-  // calls.
-  std::map<std::string, std::uint32_t> open_labels{};
-  std::map<std::string, std::uint32_t> calls_behind_tool{};
-  std::map<std::string, std::uint32_t> calls_of_contours{};
-  std::uint32_t tool_of_label = 0;  // the line of a call that has changed the tool
-  std::uint32_t jump = 0;           // the line of the first jump to a label
+  std::uint32_t called_section = 0;        // the line that called it; 0: not in one
+  std::vector<std::string> open_labels{};  // up to the next LBL 0
+  KlartextSection section{};
+  std::uint32_t unfollowed_call = 0;  // the line of a call whose effects nobody knows
+  std::uint32_t tool_of_label = 0;    // the line of a call that has changed the tool
+  std::uint32_t jump = 0;             // the line of the first jump to a label
   // Labels whose contours cycle 14 or CONTOUR DEF names, with the line that does, and that line
   // while one of them is read.
   std::map<std::string, std::uint32_t> labels_of_cycles{};
   std::uint32_t cycle_section = 0;
-  WordPlace open_corner{};  // RND, CHF whose next motion is still to come
+  WordPlace open_corner{};     // RND, CHF whose next motion is still to come
+  bool behind_corner = false;  // no motion has come since RND or CHF
+  // How many contours had been selected where CC stood last, outside of them: it is in the output.
+  std::optional<std::uint64_t> pole_said{};
 
   template <class Archive>
   void serialize(Archive& archive) {
     archive(pole, polar_radius, tangent, rapid, called_feed, feed_per_turn, modal_cycle, unfollowed,
             tool, radius_delta, open_delta, parameters, tool_name, tool_place, only_tool_name,
-            contours, labels, calls, called_section, open_labels, calls_behind_tool,
-            calls_of_contours, tool_of_label, jump, labels_of_cycles, cycle_section, pole_across,
-            open_corner);
+            contours, labels, calls, called_section, open_labels, section, unfollowed_call,
+            tool_of_label, jump, labels_of_cycles, cycle_section, pole_across, open_corner,
+            feed_of_control, behind_corner, pole_said);
   }
 };
 

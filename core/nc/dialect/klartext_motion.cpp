@@ -46,10 +46,12 @@ bool leaves_with_one_axis(const Reading& reading, const KlartextBlock& block) {
 // Feed and side before the motion, as in every other dialect.
 bool apply_klartext_modes(Reading& reading, ProgramLine& line, KlartextBlock& block) {
   reading.klartext_modes.feed_before = reading.feed;
-  if (block.feed && !block.is_corner())
-    reading.feed = block.feed->value * klartext_feed_unit(reading);
+  const bool says_feed = block.feed && !block.is_corner();
+  if (says_feed) reading.feed = block.feed->value * klartext_feed_unit(reading);
   if (block.called_feed) reading.feed = reading.klartext_modes.called_feed;
   if (block.feed_per_turn || block.open_feed) reading.feed = 0;
+  if (says_feed || block.called_feed || block.open_feed)
+    reading.klartext_modes.feed_of_control = block.open_feed.has_value();
   if (block.side || block.adapts_feed || block.masks)
     reading.place(line, block.side ? block.side_begin : block.begin);
   if (block.adapts_feed && !reading.state.set_feed_adaptation(*block.adapts_feed, line.source))
@@ -185,7 +187,13 @@ bool apply_klartext_motion(Reading& reading, ProgramLine& line, KlartextBlock& b
     case rounding:
     case chamfer: {
       reading.klartext_modes.tangent.reset();
+      reading.klartext_modes.behind_corner = true;
       if (!open) return true;
+      // Behind the corner the feed before it has to be written again.
+      if (block.feed && reading.feed == 0 && !reading.klartext_modes.feed_of_control)
+        return refuse_klartext(
+            reading, line, block.feed->begin,
+            "F beside " + block.title() + ", where the feed before is not known");
       const bool round = block.is(rounding);
       const double size = (round ? block.radius : block.length)->value * reading.length_unit();
       line.is_motion = true;
@@ -310,6 +318,7 @@ bool apply_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block) {
   if (departs) stop_behind_lead(line);
   if (line.has(WordRole::technology) && !pass_words(reading, line, WordRole::technology))
     return false;
+  if (copied && block.is_polar()) hand_on_klartext_pole(reading, line);
   if (copied) {
     forget_what_copied_block_moves(reading, line, block, alone);
   } else if (!apply_klartext_motion(reading, line, block)) {
@@ -335,6 +344,7 @@ bool move_in_klartext(Reading& reading, ProgramLine& line, MoveRequest& request)
   request.kind = reading.motion;
   request.feed = reading.klartext_modes.feed_per_turn ? 0 : reading.feed;
   reading.klartext_modes.rapid = reading.motion == MotionKind::rapid;
+  reading.klartext_modes.behind_corner = false;
   line.is_motion = true;
   if (!reading.state.move(request)) return false;
   const Point end = to_plane(reading.state.mode().plane, reading.state.position());

@@ -31,6 +31,7 @@ bool take_klartext_pole(Reading& reading, ProgramLine& line, KlartextBlock& bloc
   if (!block.tracking.empty())
     return refuse_klartext(reading, line, block.begin, "CC with an axis that turns");
   reading.klartext_modes.pole_across = 0;
+  if (!reading.contour_open()) reading.klartext_modes.pole_said = reading.klartext_modes.contours;
   if (block.end[axes.third]) return take_pole_across(reading, line, block);
   const bool alone = !block.end[axes.first] && !block.end[axes.second];
   const std::optional<Point> old = reading.klartext_modes.pole;

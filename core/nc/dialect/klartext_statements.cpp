@@ -8,6 +8,7 @@
 #include "core/nc/dialect/apply_block.h"
 #include "core/nc/dialect/heidenhain.h"
 #include "core/nc/dialect/klartext_block.h"
+#include "core/nc/dialect/klartext_effects.h"
 #include "core/nc/dialect/klartext_labels.h"
 #include "core/nc/dialect/klartext_tools.h"
 #include "core/nc/dialect/left_contour.h"
@@ -80,85 +81,14 @@ bool ends_word(std::string_view statement, std::size_t at) {
   return at == statement.size() || statement[at] == ' ';
 }
 
-// Behind blanks at the begin of `text`; what is no number, as a parameter, scales.
-bool is_one(std::string_view text) {
-  const std::string_view number = without_blanks_in_front(text);
-  double value = 0;
-  bool whole = false;
-  return read_number(number, value, whole) > 0 && value == 1;
-}
-
-// The axes that cycle 26 scales, behind its CYCL DEF 26.1: X 1.4 Y0.6 CCX+15.
-std::uint32_t axes_scaled(std::string_view words, std::uint32_t before) {
-  std::uint32_t scaled = before;
-  constexpr std::string_view axes = "XYZ";
-  for (std::size_t at = 0; at < words.size(); ++at) {
-    const std::size_t axis = axes.find(words[at]);
-    const bool begins_word = at == 0 || words[at - 1] == ' ';
-    if (axis == std::string_view::npos || !begins_word) continue;
-    const auto bit = std::uint32_t{1} << axis;
-    scaled = is_one(words.substr(at + 1)) ? scaled & ~bit : scaled | bit;
-  }
-  return scaled;
-}
-
-// FN 9 … FN 12, IF: the program goes on elsewhere.
-bool jumps(std::string_view statement) {
-  return statement.find("GOTO") != std::string_view::npos || begins_with_word(statement, "IF");
-}
-
 bool assigns(std::string_view statement) {
   return begins_with_word(statement, "FN") || begins_with_word(statement, "Q") ||
          begins_with_word(statement, "QL") || begins_with_word(statement, "QR") ||
          begins_with_word(statement, "QS") || begins_with_word(statement, "DECLARE");
 }
 
-// FN 17: SYSWRITE ID50 NR2 IDX1 = +6: R of the tool table, of the tool in the spindle ID950; NR5 is
-// DR. A parameter may be any of them (D-72).
-bool writes_radius(std::string_view statement) {
-  if (statement.find("SYSWRITE") == std::string_view::npos) return false;
-  const auto number_behind = [&](std::string_view word) -> std::string_view {
-    const std::size_t at = statement.find(word);
-    if (at == std::string_view::npos) return {};
-    const std::string_view behind = without_blanks_in_front(statement.substr(at + word.size()));
-    return behind.substr(0, behind.find(' '));
-  };
-  const std::string_view id = number_behind(" ID");
-  const std::string_view nr = number_behind(" NR");
-  const bool of_tools = id == "50" || id == "950" || id.starts_with('Q');
-  return of_tools && (nr == "2" || nr == "5" || nr.starts_with('Q'));
-}
-
 std::string first_word(std::string_view statement) {
   return std::string(statement.substr(0, statement.find(' ')));
-}
-
-// Under scaling RL would be scaled too, with M128 and TCPM the tool tip is led.
-void take_klartext_scaling(Reading& reading, std::string_view statement) {
-  const auto set = [&](std::uint32_t lead, bool on) {
-    reading.klartext_modes.unfollowed =
-        on ? reading.klartext_modes.unfollowed | lead : reading.klartext_modes.unfollowed & ~lead;
-  };
-  constexpr std::string_view scale_axes = "CYCL DEF 26.";
-  constexpr std::string_view scale = "TRANS SCALE";
-  if (const std::size_t factor = statement.find(" SCL"); factor != std::string_view::npos)
-    set(KlartextLead::cycle, !is_one(statement.substr(factor + 4)));
-  if (begins_with_word(statement, scale))
-    set(KlartextLead::trans,
-        !statement.ends_with("RESET") && !is_one(statement.substr(scale.size())));
-  if (begins_with_word(statement, "FUNCTION TCPM")) set(KlartextLead::tip, true);
-  if (begins_with_word(statement, "FUNCTION RESET TCPM")) set(KlartextLead::tip, false);
-  // A row of a table of corrections, which has a DR of its own, up to the next tool.
-  if (begins_with_word(statement, "FUNCTION CORRDATA"))
-    set(KlartextLead::correction, statement.find("RESET") == std::string_view::npos);
-  if (begins_with_word(statement, "TOOL CALL")) set(KlartextLead::correction, false);
-  // CYCL DEF 26.0 has the name alone.
-  if (statement.starts_with(scale_axes) && !statement.starts_with("CYCL DEF 26.0")) {
-    const std::uint32_t before = reading.klartext_modes.unfollowed & KlartextLead::axes;
-    reading.klartext_modes.unfollowed &= ~KlartextLead::axes;
-    reading.klartext_modes.unfollowed |=
-        axes_scaled(statement.substr(scale_axes.size() + 1), before);
-  }
 }
 
 // CYCL CALL works where the tool stands, POS where its words say, and a pattern has places of its
@@ -207,6 +137,9 @@ bool copy_motion_of_machine(Reading& reading, ProgramLine& line, std::size_t beg
       !is_letter(first[1]))
     line.feed_it_takes = reading.feed;
   if (line.calls_the_machine) {
+    // What is called may say another feed.
+    reading.feed = 0;
+    reading.klartext_modes.feed_of_control = false;
     hand_on_klartext_pole(reading, line);
     const std::string_view call = std::string_view(line.text).substr(begin);
     take_call(reading, line, call.substr(0, call.find(';')));
@@ -283,6 +216,18 @@ bool copy_klartext(Reading& reading, ProgramLine& line, std::size_t begin, WordR
   return reading.state.end(line.source);
 }
 
+void take_klartext_effects(Reading& reading, const KlartextEffects& effects) {
+  KlartextModes& modes = reading.klartext_modes;
+  const std::uint32_t on = effects.sets | effects.unsure;
+  modes.unfollowed = (modes.unfollowed & ~effects.clears) | (on & KlartextLead::all);
+  const auto take = [&](std::uint32_t mode, bool& holds) {
+    if ((effects.touched() & mode) != 0) holds = (on & mode) != 0;
+  };
+  take(KlartextMode::modal_cycle, modes.modal_cycle);
+  take(KlartextMode::feed_per_turn, modes.feed_per_turn);
+  modes.section.note(effects);
+}
+
 void hand_on_klartext_pole(const Reading& reading, ProgramLine& line) {
   if (!reading.klartext_modes.pole || reading.contour_open()) return;
   line.klartext.emplace();
@@ -318,7 +263,7 @@ bool read_klartext_statement(Reading& reading, ProgramLine& line, std::size_t be
     return copy_klartext(reading, line, begin, WordRole::stop);
   }
   if (begins_with_word(statement, "TOOL")) {
-    take_klartext_scaling(reading, statement);
+    take_klartext_effects(reading, effects_of_statement(statement));
     if (begins_with_word(statement, "TOOL CALL"))
       return read_tool_call(reading, line, begin, statement);
     if (begins_with_word(statement, "TOOL DEF"))
@@ -331,7 +276,7 @@ bool read_klartext_statement(Reading& reading, ProgramLine& line, std::size_t be
   if (writes_radius(statement)) {
     if (reading.trc_active())
       return refuse_klartext(reading, line, begin, "FN 17, which writes the radius of a tool");
-    reading.klartext_modes.unfollowed |= KlartextLead::tool_data;
+    take_klartext_effects(reading, {.sets = KlartextLead::tool_data});
   }
   // A coordinate that needs it is refused at its own word.
   if (assigns(statement)) {
@@ -339,7 +284,7 @@ bool read_klartext_statement(Reading& reading, ProgramLine& line, std::size_t be
     return copy_klartext(reading, line, begin, WordRole::technology);
   }
   forget_parameters(reading, statement);
-  take_klartext_scaling(reading, statement);
+  take_klartext_effects(reading, effects_of_statement(statement));
   if (!take_labels_of_cycle(reading, line, begin, statement)) return false;
   if (!check_other_compensations(reading, line, begin, statement)) return false;
   if (acts_at_once(statement) || (is_any(statement, moving) && !is_any(statement, passing)))

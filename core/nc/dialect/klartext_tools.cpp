@@ -13,7 +13,6 @@
 #include "core/nc/dialect/heidenhain.h"
 #include "core/nc/dialect/klartext_block.h"
 #include "core/nc/dialect/klartext_formula.h"
-#include "core/nc/dialect/klartext_labels.h"
 #include "core/nc/dialect/klartext_statements.h"
 #include "core/nc/dialect/passing_calls.h"
 #include "core/nc/dialect/reading.h"
@@ -184,14 +183,11 @@ bool read_tool_call(Reading& reading, ProgramLine& line, std::size_t begin,
   if (reading.trc_active() && (call.named || call.changes_delta))
     return refuse_klartext(reading, line, begin, "TOOL CALL while TRC is active");
   KlartextModes& modes = reading.klartext_modes;
-  const bool changes_radius = call.named || call.changes_delta;
-  if (changes_radius && !take_tool_of_label(reading, line, begin)) return false;
   if (!reading.faults.empty()) return false;
   const Plane plane = call.plane.value_or(reading.state.mode().plane);
   // It holds from here on, not only for F AUTO.
   if (call.feed) reading.feed = modes.called_feed = *call.feed * klartext_feed_unit(reading);
   if (call.named) {
-    modes.calls_behind_tool.clear();
     modes.tool_of_label = 0;
     if (const std::int64_t number = number_of_tool_named(call.name, reading.state.tool());
         number > 0) {
@@ -201,7 +197,7 @@ bool read_tool_call(Reading& reading, ProgramLine& line, std::size_t begin,
     modes.tool_name = call.name;
     modes.tool_place = reading.place_of_word(line, static_cast<std::uint32_t>(begin));
     modes.tool = call.name.empty() ? call.number : reading.state.tool().tool_named(call.name);
-    modes.modal_cycle = false;
+    take_klartext_effects(reading, {.clears = KlartextMode::modal_cycle});
     modes.radius_delta = 0;
     modes.open_delta.clear();
     reading.gcode.calls.tool_said = true;
@@ -209,6 +205,8 @@ bool read_tool_call(Reading& reading, ProgramLine& line, std::size_t begin,
     third[axes_of(plane).third] = true;
     reading.state.forget_position(third, line.source);
   }
+  if (call.named || call.changes_delta)
+    take_klartext_effects(reading, {.sets = KlartextMode::tool});
   if (call.changes_delta) {
     modes.radius_delta = call.delta * reading.length_unit();
     modes.open_delta = std::move(call.open_delta);
@@ -312,11 +310,15 @@ bool select_in_klartext(Reading& reading, const ProgramLine& line, Side side, st
     return refuse_klartext(reading, line, begin,
                            "RL, RR with the tool of the section that line " +
                                std::to_string(reading.klartext_modes.tool_of_label) + " calls");
+  if (reading.klartext_modes.unfollowed_call != 0)
+    return refuse_klartext(reading, line, begin,
+                           "RL, RR behind line " +
+                               std::to_string(reading.klartext_modes.unfollowed_call) +
+                               ", a call of lines that are not followed");
   if (reading.klartext_modes.jump != 0)
     return refuse_klartext(reading, line, begin,
                            "RL, RR behind line " + std::to_string(reading.klartext_modes.jump) +
                                ", a jump to a label");
-  reading.klartext_modes.calls_of_contours.merge(reading.klartext_modes.calls_behind_tool);
   if (!reading.trc_active()) {
     ++reading.klartext_modes.contours;
     const auto place_of_side = static_cast<std::uint32_t>(begin);

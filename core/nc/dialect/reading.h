@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -139,6 +140,7 @@ struct Reading {
   bool sets_variables = false;
   bool calls_the_machine = false;
   bool machine_follows = false;
+  std::optional<KlartextEffects> call_leaves{};  // behind the label that it calls
   bool reads_flat = false;  // all lines are such
 
   std::vector<Fault> faults{};

@@ -114,6 +114,7 @@ Flow::Step Flow::step(std::string& flat) {
   warnings_.clear();
   settings_.clear();
   kept_text_ = {};
+  call_leaves_.reset();
   calls_the_machine_ = machine_follows_ = false;
   return looks_ahead_ ? look_at_next(flat) : execute_next(flat);
 }

@@ -15,6 +15,7 @@
 
 #include "core/base/call_places.h"
 #include "core/base/diagnostic.h"
+#include "core/nc/dialect/klartext_effects.h"
 #include "core/nc/program/expression.h"
 #include "core/nc/program/kept_text.h"
 #include "core/nc/program/program_text.h"
@@ -68,6 +69,8 @@ class Flow {
   [[nodiscard]] bool calls_the_machine() const { return calls_the_machine_; }
   // Behind the motion of that line the machine executes what it alone has: G66.
   [[nodiscard]] bool machine_follows() const { return machine_follows_; }
+  // Of the line executed last, where it calls a label that stays in the program.
+  [[nodiscard]] const std::optional<KlartextEffects>& call_leaves() const { return call_leaves_; }
   // Lines that set variables for a call of the machine, in front of what the line has become: they
   // are copied as they stand.
   [[nodiscard]] const std::string& settings() const { return settings_; }
@@ -166,6 +169,7 @@ class Flow {
   KeptText kept_text_{};
   std::map<std::string, bool, std::less<>> counters_{};  // those that the control counts
   bool is_as_written_ = true;
+  std::optional<KlartextEffects> call_leaves_{};
   bool calls_the_machine_ = false;
   bool machine_follows_ = false;
   bool ended_ = false;

@@ -2,12 +2,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
-#include <optional>
 #include <string>
 #include <string_view>
 
 #include "core/nc/program/flow.h"
+#include "core/nc/program/klartext_outline.h"
 
 namespace trc::program {
 
@@ -24,37 +23,16 @@ class KlartextFlow : public Flow {
   void keep_variables(std::size_t) override {}
 
  private:
-  static constexpr std::size_t nowhere = std::string_view::npos;
-
-  // LBL NAME … LBL 0.
-  struct Label {
-    std::size_t line = 0;
-    std::size_t end = nowhere;  // the line of its LBL 0
-    bool is_called = false;     // up to there
-    bool is_twice = false;
-  };
-  // A line, as far as it has to do with labels.
-  struct Statement {
-    enum class Kind { none, label, call, program_end };
-    Kind kind = Kind::none;
-    std::size_t begin = 0;  // of the statement
-    std::string label{};
-    bool repeats = false;
-    std::optional<std::uint64_t> repetitions{};  // none: they hang on a parameter
-  };
-
-  [[nodiscard]] static Statement statement_in(std::string_view line);
-  void find_labels();
-  [[nodiscard]] bool expands() const;
-  // RL or RR stands there, or in what is called from there.
-  [[nodiscard]] bool has_contour(std::size_t begin, std::size_t end, std::size_t depth) const;
+  // Takes a line into the outline; how the program comes out is known behind the last one.
+  void read_outline();
+  void take_effects_of_call();
   void write_as_written(std::string& flat);
   void write_name(std::string& flat, const std::string& label);
-  bool execute_call(const Statement& statement, std::string& flat);
+  bool execute_call(const LabelStatement& statement, std::string& flat);
   bool write_behind_end(std::string& flat);
 
-  std::map<std::string, Label> labels_{};
-  bool expands_ = false;
+  KlartextOutline outline_{};
+  std::size_t lines_in_outline_ = 0;
   bool behind_end_ = false;  // of the program: text alone
   bool leaves_out_ = false;  // there: a label that has been written out
 };

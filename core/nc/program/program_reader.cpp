@@ -354,7 +354,8 @@ bool ProgramReader::read_flat_lines(std::string_view flat, bool sets_variables,
         .is_as_written = !sets_variables && flow_->is_as_written() && flow_->line_within() == 0,
         .sets_variables = sets_variables,
         .calls_the_machine = !sets_variables && flow_->calls_the_machine() && next == flat.size(),
-        .machine_follows = !sets_variables && flow_->machine_follows() && next == flat.size()};
+        .machine_follows = !sets_variables && flow_->machine_follows() && next == flat.size(),
+        .call_leaves = flow_->call_leaves()};
     if (!interpreter_.read(line, lines)) return false;
     begin = next;
   }

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/geometry/distance.h"
 #include "core/nc/state/program_state.h"
 
 namespace trc {
@@ -14,9 +15,18 @@ namespace {
 constexpr const char* corner_without_contour =
     "a rounding or a chamfer that is not between two motions of one contour, at feed and in the "
     "plane";
+constexpr const char* lead_across_wall =
+    "a lead by LCT whose line comes nearer to the contour than the radius of the tool";
 constexpr const char* lead_without_room =
     "an approach or a departure that has no room: LCT from within its circle, CT, G247 and G347 "
     "with an arc that is smaller than the tool, G147 with DISR= that leaves no line";
+
+// The line between the arc of LCT and the point is no part of the contour, so that nothing later
+// looks at it (D-161).
+bool comes_too_near(const Line& line, const Segment& wall, double reach,
+                    const Tolerances& tolerances) {
+  return nearness(line, wall, tolerances.same_point).distance < reach - tolerances.on_contour;
+}
 
 }  // namespace
 
@@ -190,6 +200,12 @@ bool ProgramState::approach_contour(const Segment& contour) {
   if (!path) return report(pending.request.source, Code::nc_unsupported, lead_without_room);
   position_ = pending.from;
   const std::size_t third = axes_of(mode_.plane).third;
+  // Where the lead goes down, the line to it runs above the contour.
+  const bool is_in_depth =
+      pending.request.end[third].value_or(position_[third]) == position_[third];
+  if (pending.lead.form == Lead::Form::arc_and_line && is_in_depth && !pending.infeed &&
+      comes_too_near({.start = from, .end = path->away}, contour, begin.reach, tolerances_))
+    return report(pending.request.source, Code::nc_unsupported, lead_across_wall);
   const auto go = [&](const MoveRequest& request, const auto& shape, bool climbs = false) {
     if (length_of(shape) <= tolerances_.same_point) return;
     Position end = position_;
@@ -197,7 +213,11 @@ bool ProgramState::approach_contour(const Segment& contour) {
     append_motion(request, shape, end, standing_tracking(), blocks_);
     std::get<MotionBlock>(blocks_.back()).role = ContourRole::lead;
   };
-  if (path->contour) {
+  // The line to an arc that begins where the tool stands would have no length, so that no line of
+  // the contour would lead to its path.
+  const bool stands_at_arc = path->contour && !pending.infeed &&
+                             (start_of(*path->contour) - from).norm() <= tolerances_.same_point;
+  if (path->contour && !stands_at_arc) {
     const bool climbs = pending.infeed && pending.infeed->along_the_lead;
     go(pending.way, Line{.start = from, .end = start_of(*path->contour)});
     if (pending.infeed) come_down(pending);
@@ -212,7 +232,10 @@ bool ProgramState::approach_contour(const Segment& contour) {
     go(pending.way, Line{.start = from, .end = path->away});
     travel_across(pending.request);
     change_mode() = mode;
-    go(pending.request, Line{.start = path->away, .end = begin.point});
+    go(pending.request,
+       Line{.start = path->away, .end = path->contour ? start_of(*path->contour) : begin.point});
+    if (path->contour)
+      std::visit([&](const auto& shape) { go(pending.request, shape); }, *path->contour);
   }
   const double height = here[third];
   position_ = from_plane(mode_.plane, begin.point, height);
@@ -262,6 +285,11 @@ bool ProgramState::depart_by(const Lead& lead, const MoveRequest& request, bool 
   const ContourEnd last = contour_end(trc::end_of(last_path_), tangent_at_end(last_path_));
   const auto path = path_from(last, lead, to_plane(mode_.plane, end), tolerances_.same_point);
   if (!path) return report(request.source, Code::nc_unsupported, lead_without_room);
+  const bool to_a_point = lead.form == Lead::Form::arc_and_line;
+  const Point place = to_a_point ? to_plane(mode_.plane, end) : path->away;
+  if (to_a_point && !climbs &&
+      comes_too_near({.start = path->away, .end = place}, last_path_, last.reach, tolerances_))
+    return report(request.source, Code::nc_unsupported, lead_across_wall);
   const std::size_t third = axes_of(mode_.plane).third;
   const Arc* arc = path->contour ? std::get_if<Arc>(&*path->contour) : nullptr;
   if (arc != nullptr) {
@@ -273,10 +301,8 @@ bool ProgramState::depart_by(const Lead& lead, const MoveRequest& request, bool 
   if (!deselect(request.source)) return false;
   MoveRequest away = request;
   const PlaneAxes axes = axes_of(mode_.plane);
-  if (lead.form != Lead::Form::arc_and_line) {
-    away.end[axes.first] = path->away.x();
-    away.end[axes.second] = path->away.y();
-  }
+  away.end[axes.first] = place.x();
+  away.end[axes.second] = place.y();
   if (arc != nullptr || !climbs) away.end[third].reset();
   target_ = position_;
   if (!move(away)) return false;
