@@ -57,29 +57,39 @@ std::string fault_of_extras(const CLI::App& app, int argc, const char* const* ar
   return fault;
 }
 
-// Nothing, or a list of nothing, as "$A,$B" is where neither variable is set.
-bool is_empty(std::string_view value) {
-  return value.find_first_not_of(", []\"'") == std::string_view::npos;
-}
-
 // A guard that stands empty, as one does that a variable was to be put into, would be switched off
-// without a word. In a file it may be: there it is written down as such.
-std::optional<std::string> fault_of_empty_guard(int argc, const char* const* argv) {
-  for (const std::string guard :
-       {"tls-cert-file", "tls-key-file", "tls-client-ca-file", "tls-allowed-clients"}) {
+// without a word. Those of the file are looked at where it is read.
+std::optional<std::string> fault_of_empty_guard(const CLI::App& app, int argc,
+                                                const char* const* argv) {
+  for (const std::string& guard : guard_names()) {
     const std::string variable = environment_name(guard);
     const char* value = std::getenv(variable.c_str());
-    if (value != nullptr && is_empty(value))
+    if (value != nullptr && is_empty_value(value))
       return variable + " is set but empty; give it a value or unset it";
     for (int i = 1; i < argc; ++i) {
       const std::string_view word = argv[i];
-      const bool alone = word == "--" + guard && (i + 1 == argc || is_empty(argv[i + 1]));
+      const bool alone = word == "--" + guard && (i + 1 == argc || is_empty_value(argv[i + 1]));
       const std::string with_value = "--" + guard + "=";
-      if (alone || (word.starts_with(with_value) && is_empty(word.substr(with_value.size()))))
-        return guard + " is given but empty";
+      if (alone || (word.starts_with(with_value) && is_empty_value(word.substr(with_value.size()))))
+        return guard + " is given but empty; give it a value or leave it out";
     }
+    const CLI::Option* option = app.get_option("--" + guard);
+    for (const std::string& entry : option->results())
+      if (is_empty_value(entry)) return guard + " has an empty entry";
   }
   return std::nullopt;
+}
+
+// As TOML that reads back as the same. A guard that is not set would not be taken if it stood
+// empty.
+std::string text_of(const Printed& printed) {
+  std::string text;
+  for (const PrintedSetting& setting : printed) {
+    const std::string value = setting.value();
+    if (is_guard(setting.name) && is_empty_value(value)) text += "# ";
+    text += setting.name + '=' + value + '\n';
+  }
+  return text;
 }
 
 std::string one_line(std::string text) {
@@ -123,7 +133,7 @@ CommandLine read_command_line(int argc, const char* const* argv) {
     result.exit = CommandLine::Exit{.code = 0, .text = text.str()};
     return result;
   } catch (const CLI::Error& fault) {
-    const auto guard = fault_of_empty_guard(argc, argv);
+    const auto guard = fault_of_empty_guard(app, argc, argv);
     const bool extra = fault.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
     const std::string text =
         extra ? fault_of_extras(app, argc, argv, fault.what()) : std::string(fault.what());
@@ -138,13 +148,12 @@ CommandLine read_command_line(int argc, const char* const* argv) {
     const auto& listen = result.config.listen;
     result.config.reflection = std::all_of(listen.begin(), listen.end(), is_local_address);
   }
-  auto fault = fault_of_empty_guard(argc, argv);
+  auto fault = fault_of_empty_guard(app, argc, argv);
   if (!fault) fault = first_fault(result.config);
   if (fault) {
     result.exit = CommandLine::Exit{.code = 2, .text = *fault};
   } else if (print) {
-    result.exit = CommandLine::Exit{.code = 0, .text = {}};
-    for (const auto& setting : printed) result.exit->text += setting();
+    result.exit = CommandLine::Exit{.code = 0, .text = text_of(printed)};
   }
   return result;
 }

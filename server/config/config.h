@@ -25,7 +25,8 @@ struct Config {
   std::string tls_cert_file;
   std::string tls_key_file;
   std::string tls_client_ca_file;
-  // Common or alternative names of client certificates that are served; empty: all.
+  // Common or alternative names of client certificates that are served; empty, which cannot be
+  // written: all.
   std::vector<std::string> tls_allowed_clients;
   // How often the PEM files are looked at for a new certificate.
   std::uint32_t tls_refresh_s = 10;

@@ -1,4 +1,8 @@
+#include <cstddef>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "server/config/config.h"
 #include "server/config/plain_file.h"
@@ -45,9 +49,54 @@ std::optional<std::string> fault_of_http(const Config& config, bool tls) {
     return "http-listen: '" + config.http_listen +
            "' can be reached by other machines; give tls-cert-file and tls-key-file, or allow "
            "plain text with insecure-http";
-  for (const std::string& origin : config.http_cors_origins)
-    if (!origin.starts_with("https://") && !origin.starts_with("http://"))
-      return "http-cors-origins: '" + origin + "' is no origin, as in https://mes.example";
+  return std::nullopt;
+}
+
+bool is_host_of_origin(std::string_view host) {
+  const std::string_view allowed =
+      host.starts_with('[') ? "0123456789abcdef:[]" : "abcdefghijklmnopqrstuvwxyz0123456789-._";
+  return !host.empty() && host.find_first_not_of(allowed) == std::string_view::npos;
+}
+
+// A host, and a port where it is not the usual one.
+bool is_rest_of_origin(std::string_view rest, std::string_view usual_port) {
+  const std::size_t colon = rest.rfind(':');
+  if (colon == std::string_view::npos || rest.ends_with(']')) return is_host_of_origin(rest);
+  const std::string_view port = rest.substr(colon + 1);
+  return split_host_port(std::string(rest)) && !port.starts_with('0') && port != usual_port &&
+         is_host_of_origin(rest.substr(0, colon));
+}
+
+// As browsers write it (RFC 6454, 6.2): it is compared letter by letter.
+bool is_origin(std::string_view text) {
+  constexpr std::string_view https = "https://";
+  constexpr std::string_view http = "http://";
+  if (text.starts_with(https)) return is_rest_of_origin(text.substr(https.size()), "443");
+  return text.starts_with(http) && is_rest_of_origin(text.substr(http.size()), "80");
+}
+
+// What was likely meant by something that is no origin; empty: hard to say.
+std::string meant_origin(std::string_view text) {
+  std::string meant = text.find("://") == std::string_view::npos ? "https://" : "";
+  meant += text;
+  for (char& c : meant)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  const std::size_t end = meant.find('/', meant.find("://") + 3);
+  if (end != std::string::npos) meant.resize(end);
+  const std::string_view usual_port = meant.starts_with("https:") ? ":443" : ":80";
+  if (meant.ends_with(usual_port)) meant.resize(meant.size() - usual_port.size());
+  return is_origin(meant) ? meant : std::string();
+}
+
+std::optional<std::string> fault_of_origins(const std::vector<std::string>& origins) {
+  for (const std::string& origin : origins) {
+    if (is_origin(origin)) continue;
+    const std::string meant = meant_origin(origin);
+    return "http-cors-origins: '" + origin +
+           "' is no origin as browsers send it: https:// or http://, the host in small letters, a "
+           "port if it is not the usual one, and nothing behind it; write " +
+           (meant.empty() ? "it as in https://mes.example" : meant);
+  }
   return std::nullopt;
 }
 
@@ -66,6 +115,7 @@ std::optional<std::string> first_fault(const Config& config) {
 
   const bool tls = !config.tls_cert_file.empty();
   if (auto fault = fault_of_http(config, tls)) return fault;
+  if (auto fault = fault_of_origins(config.http_cors_origins)) return fault;
   if (tls != !config.tls_key_file.empty())
     return "tls-cert-file and tls-key-file must be given together";
   if (!tls && !config.tls_client_ca_file.empty())

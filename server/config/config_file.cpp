@@ -35,12 +35,14 @@ struct FileEntry {
 
 int line_of(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
 
+constexpr std::string_view must_be_plain =
+    " must be a string, an integer, true, false or a list of them";
+
 std::string toml_scalar(const std::string& file, const toml::node& node, const std::string& key) {
   if (const auto text = node.value_exact<std::string>()) return *text;
   if (const auto number = node.value_exact<std::int64_t>()) return std::to_string(*number);
   if (const auto flag = node.value_exact<bool>()) return *flag ? "true" : "false";
-  refuse_file(file, line_of(node),
-              "'" + key + "' must be a string, an integer, true, false or a list");
+  refuse_file(file, line_of(node), "'" + key + "'" + std::string(must_be_plain));
 }
 
 std::vector<FileEntry> toml_entries(const std::string& file, std::istream& input) {
@@ -62,6 +64,14 @@ std::vector<FileEntry> toml_entries(const std::string& file, std::istream& input
   return entries;
 }
 
+// The null of YAML would be the name "null".
+std::string yaml_scalar(const std::string& file, const YAML::Node& node, const FileEntry& entry) {
+  if (node.IsNull()) refuse_file(file, entry.line, "'" + entry.name + "' has an empty entry");
+  if (!node.IsScalar())
+    refuse_file(file, entry.line, "'" + entry.name + "'" + std::string(must_be_plain));
+  return node.Scalar();
+}
+
 std::vector<FileEntry> yaml_entries(const std::string& file, std::istream& input) {
   std::vector<FileEntry> entries;
   try {
@@ -73,16 +83,18 @@ std::vector<FileEntry> yaml_entries(const std::string& file, std::istream& input
     if (!whole.IsMap() && !whole.IsNull())
       refuse_file(file, 1, "must hold settings, `name: value`");
     for (const auto& named : whole) {
-      FileEntry entry{.name = named.first.as<std::string>(), .line = named.first.Mark().line + 1};
+      FileEntry entry{.line = named.first.Mark().line + 1};
+      if (!named.first.IsScalar()) refuse_file(file, entry.line, "must name a setting");
+      entry.name = named.first.Scalar();
       if (std::any_of(entries.begin(), entries.end(),
                       [&](const FileEntry& earlier) { return earlier.name == entry.name; }))
         refuse_file(file, entry.line, "'" + entry.name + "' is there already");
       const YAML::Node& value = named.second;
       if (value.IsNull()) refuse_file(file, entry.line, "'" + entry.name + "' has no value");
       if (value.IsSequence()) {
-        for (const YAML::Node& one : value) entry.values.push_back(one.as<std::string>());
+        for (const YAML::Node& one : value) entry.values.push_back(yaml_scalar(file, one, entry));
       } else {
-        entry.values.push_back(value.as<std::string>());
+        entry.values.push_back(yaml_scalar(file, value, entry));
       }
       entries.push_back(std::move(entry));
     }
@@ -130,6 +142,9 @@ class ConfigFile : public CLI::ConfigTOML {
     ValueCheck check;
     for (const FileEntry& entry : yaml ? yaml_entries(file, input) : toml_entries(file, input)) {
       const std::string value = value_of(file, entry);
+      if (is_guard(entry.name) && is_empty_value(value))
+        refuse_file(file, entry.line,
+                    "'" + entry.name + "' is empty; give it a value or leave it out");
       if (std::getenv(environment_name(entry.name).c_str()) != nullptr) continue;
       // An empty list is that of the defaults, where it may be empty.
       if (is_list(entry.name) && value.empty() && !needs_entry(entry.name)) continue;

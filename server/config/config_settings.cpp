@@ -2,6 +2,7 @@
 
 #include <toml++/toml.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <sstream>
@@ -36,6 +37,12 @@ std::string fault_of_number(const std::string& text) {
   return "'" + text + "' is no whole number written in decimal digits";
 }
 
+// CLI11 would read 5 and yes as true.
+std::string fault_of_switch(const std::string& text) {
+  if (text == "true" || text == "false") return {};
+  return "takes true or false, not '" + text + "'";
+}
+
 class Settings {
  public:
   Settings(CLI::App& app, Printed& printed) : app_(app), printed_(printed) {}
@@ -59,14 +66,15 @@ class Settings {
   void toggle(const std::string& name, bool& value, const std::string& description) {
     app_.add_flag("--" + name, value, description)
         ->envname(environment_name(name))
-        ->default_str(value ? "true" : "false");
+        ->default_str(value ? "true" : "false")
+        ->check(CLI::Validator(fault_of_switch, ""));
     print(name, value);
   }
 
  private:
   template <class Value>
   void print(const std::string& name, const Value& value) {
-    printed_.emplace_back([name, &value] { return name + '=' + toml_of(value) + '\n'; });
+    printed_.push_back({.name = name, .value = [&value] { return toml_of(value); }});
   }
 
   CLI::App& app_;
@@ -90,8 +98,8 @@ void declare_addresses(Settings& settings, Config& config) {
                "PEM authorities; clients must then show a certificate of one of them");
   settings
       .add("tls-allowed-clients", config.tls_allowed_clients,
-           "names of client certificates that are served (common name or alternative name); empty: "
-           "all the authority has signed")
+           "names of client certificates that are served (common name or alternative name); not "
+           "given: all the authority has signed")
       ->delimiter(',')
       ->expected(0, 1024);
   settings.number("tls-refresh-s", config.tls_refresh_s, 1, 86400,
@@ -242,10 +250,8 @@ std::vector<std::string> differing_settings(Config one, Config other) {
   declare(app, one, printed);
   declare(other_app, other, other_printed);
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < printed.size(); ++i) {
-    const std::string line = printed[i]();
-    if (line != other_printed[i]()) names.push_back(line.substr(0, line.find('=')));
-  }
+  for (std::size_t i = 0; i < printed.size(); ++i)
+    if (printed[i].value() != other_printed[i].value()) names.push_back(printed[i].name);
   return names;
 }
 
@@ -260,6 +266,20 @@ std::vector<std::string> setting_names(const CLI::App& app) {
   for (const CLI::Option* option : app.get_options())
     if (!option->get_envname().empty()) names.push_back(option->get_lnames().front());
   return names;
+}
+
+const std::vector<std::string>& guard_names() {
+  static const std::vector<std::string> names{"tls-cert-file", "tls-key-file", "tls-client-ca-file",
+                                              "tls-allowed-clients"};
+  return names;
+}
+
+bool is_guard(std::string_view setting) {
+  return std::find(guard_names().begin(), guard_names().end(), setting) != guard_names().end();
+}
+
+bool is_empty_value(std::string_view value) {
+  return value.find_first_not_of(", \t[]{}\"'") == std::string_view::npos;
 }
 
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates) {

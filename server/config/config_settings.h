@@ -10,8 +10,12 @@
 
 namespace trc::server {
 
-// Each setting as a line of TOML, with the value that it has at the time of the call.
-using Printed = std::vector<std::function<std::string()>>;
+// Each setting, with the value in TOML that it has at the time of the call.
+struct PrintedSetting {
+  std::string name{};
+  std::function<std::string()> value{};
+};
+using Printed = std::vector<PrintedSetting>;
 
 // Makes every setting an option of `app`, with its name in the environment, and appends it to
 // `printed`. The three have to live as long as each other.
@@ -22,6 +26,12 @@ void declare(CLI::App& app, Config& config, Printed& printed);
 
 // Of all settings that were declared.
 [[nodiscard]] std::vector<std::string> setting_names(const CLI::App& app);
+
+// The settings that keep clients out: they have a value or are not there.
+[[nodiscard]] const std::vector<std::string>& guard_names();
+[[nodiscard]] bool is_guard(std::string_view setting);
+// Nothing, or a list of nothing, as "$A,$B" is where neither variable is set.
+[[nodiscard]] bool is_empty_value(std::string_view value);
 
 // To end a sentence about a word that is none of the candidates: what was likely meant.
 [[nodiscard]] std::string did_you_mean(const std::string& word,

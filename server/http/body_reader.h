@@ -21,7 +21,26 @@ namespace trc::server::http {
 // A body makes that much way, and an answer too, or the connection ends.
 inline constexpr std::size_t piece_bytes = 64U << 10U;
 
-using BodyParser = boost::beast::http::request_parser<boost::beast::http::string_body>;
+// Reads a request whose trailer is bounded and dropped: the head alone decided what is done with
+// it. Beast throws where a field of a message is longer than 64 KiB.
+class BodyParser : public boost::beast::http::request_parser<boost::beast::http::string_body> {
+ public:
+  explicit BodyParser(std::size_t most_trailer_bytes) : trailer_room_(most_trailer_bytes) {}
+
+ private:
+  void on_field_impl(boost::beast::http::field name, boost::beast::string_view text,
+                     boost::beast::string_view value, boost::beast::error_code& fault) override {
+    if (!is_header_done()) return get().insert(name, text, value);
+    constexpr std::size_t colon_and_line_end = 4;
+    const std::size_t bytes = text.size() + value.size() + colon_and_line_end;
+    if (bytes > trailer_room_)
+      fault = boost::beast::http::error::header_limit;
+    else
+      trailer_room_ -= bytes;
+  }
+
+  std::size_t trailer_room_;
+};
 
 struct BodyBounds {
   std::size_t most_bytes = 0;
@@ -107,6 +126,10 @@ class BodyReader {
   void on_chunks(const std::shared_ptr<void>& owner, ErrorCode fault, std::size_t way) {
     using Error = boost::beast::http::error;
     if (fault == Error::body_limit) return done_({.refused = body_too_large(bounds_.most_bytes)});
+    if (fault == Error::header_limit || fault == Error::buffer_overflow) {
+      constexpr const char* too_large = "The trailer of the request is too large";
+      return done_({.refused = problem(431, "TRAILER_TOO_LARGE", too_large, too_large)});
+    }
     if (fault && fault.category() == make_error_code(Error::bad_chunk).category() &&
         fault != Error::partial_message && fault != Error::end_of_stream) {
       constexpr const char* malformed = "The body of the request is malformed";

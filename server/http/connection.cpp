@@ -148,7 +148,7 @@ class Connection final : public Exchange,
   void await_request() {
     give_memory_back();
     is_whole_ = false;
-    parser_.emplace();
+    parser_.emplace(limits_.most_header_bytes);
     parser_->header_limit(static_cast<std::uint32_t>(limits_.most_header_bytes));
     // The real limit follows when it is known what is asked.
     parser_->body_limit(std::numeric_limits<std::uint64_t>::max());

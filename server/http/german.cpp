@@ -59,6 +59,8 @@ constexpr auto sentences = std::to_array<Sentence>({
      "ein Inhalt kommt mit Content-Length oder mit Transfer-Encoding: chunked"},
     {"The expectation is not known", "Diese Erwartung (Expect) ist nicht bekannt"},
     {"only 100-continue is met", "erfüllt wird nur 100-continue"},
+    {"The head of the request is too large", "Der Kopf der Anfrage ist zu groß"},
+    {"The trailer of the request is too large", "Der Nachspann der Anfrage ist zu groß"},
     {"The body of the request is too large", "Der Inhalt der Anfrage ist zu groß"},
     {"none is taken here", "hier wird keiner angenommen"},
     {"at most {} bytes are taken here (http-max-body-mib, max-message-bytes)",

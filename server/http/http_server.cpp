@@ -8,9 +8,11 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/strand.hpp>
+#include <exception>
 #include <limits>
 #include <list>
 #include <mutex>
+#include <new>
 #include <sstream>
 #include <thread>
 #include <utility>
@@ -78,10 +80,11 @@ struct HttpServer::Parts {
     for (unsigned i = 0; i < thread_count; ++i) threads.emplace_back([this] { run(); });
   }
 
-  // A connection for which there is no memory goes; the others stay.
+  // A connection for which there is no memory, or that fails, goes; the others stay.
   void run() {
-    while (!io.stopped()) do_round([this] { io.run(); });
+    while (!io.stopped()) do_round([this] { serve_until_one_fails(); });
   }
+  void serve_until_one_fails();
   // Makes room for a connection of this client by the one that has waited longest for a request:
   // of the client's own, when it has as many as it may have. False when all of them are at work.
   bool make_room(const std::string& client, const std::string& peer);
@@ -103,6 +106,17 @@ struct HttpServer::Parts {
   std::list<Known> connections;
   std::vector<std::thread> threads;
 };
+
+// What a handler throws must not end the process, on which the streams of gRPC depend.
+void HttpServer::Parts::serve_until_one_fails() {
+  try {
+    io.run();
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& bug) {
+    backend.telemetry.log.error(LogLine("incident").text("what", bug.what()));
+  }
+}
 
 bool HttpServer::Parts::make_room(const std::string& client, const std::string& peer) {
   // Locked ones go after the mutex: a connection that ends does not come back here, but closing

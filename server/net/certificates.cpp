@@ -96,6 +96,10 @@ std::string fault_of_authorities(const Certificates::Files& files, const Certifi
   const Chain chain =
       certificates_in("tls-client-ca-file", files.client_authorities, read.client_authorities);
   if (!chain.fault.empty()) return chain.fault;
+  for (std::size_t i = 0; i < chain.certificates.size(); ++i)
+    if (const std::string fault = fault_of_authority(*chain.certificates[i]); !fault.empty())
+      return "tls-client-ca-file: certificate " + std::to_string(i + 1) + " of '" +
+             files.client_authorities + "' " + fault + ": no client of it could connect";
   const std::int64_t now_s = std::time(nullptr);
   const auto has_expired = [&](const X509Pointer& one) {
     return seconds_of(X509_get0_notAfter(one.get())) <= now_s;

@@ -5,8 +5,12 @@
 #include <openssl/obj_mac.h>
 #include <openssl/pem.h>
 #include <openssl/ssl.h>
+#include <openssl/x509_vfy.h>
+#include <openssl/x509v3.h>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <utility>
@@ -29,6 +33,12 @@ using Connection = std::unique_ptr<SSL, Free<SSL_free>>;
 
 Bio reader_of(const std::string& pem) {
   return Bio(BIO_new_mem_buf(pem.data(), static_cast<int>(pem.size())));
+}
+
+// OpenSSL's "certificate verify failed" does not say what is wrong with the certificate.
+std::string fault_of_client(const SSL* client, const std::string& otherwise) {
+  const auto result = SSL_get_verify_result(client);
+  return result == X509_V_OK ? otherwise : X509_verify_cert_error_string(result);
 }
 
 std::string last_error() {
@@ -61,18 +71,55 @@ bool take(SSL_CTX& context, const std::string& chain, const std::string& key) {
   return secret != nullptr && SSL_CTX_use_PrivateKey(&context, secret.get()) == 1;
 }
 
+// A client that trusts the end of the chain and looks at all else as every client does: what the
+// certificates are for, and how strong they are. Dates have messages of their own.
+bool trust_end_of(const std::string& chain, SSL_CTX& client) {
+  const Bio certificates = reader_of(chain);
+  Certificate end;
+  while (Certificate next{PEM_read_bio_X509(certificates.get(), nullptr, nullptr, nullptr)})
+    end = std::move(next);
+  ERR_clear_error();  // the end of the file is one
+  X509_STORE* const trusted = SSL_CTX_get_cert_store(&client);
+  X509_VERIFY_PARAM_set_flags(SSL_CTX_get0_param(&client),
+                              X509_V_FLAG_PARTIAL_CHAIN | X509_V_FLAG_NO_CHECK_TIME);
+  SSL_CTX_set_verify(&client, SSL_VERIFY_PEER, nullptr);
+  return end != nullptr && X509_STORE_add_cert(trusted, end.get()) == 1;
+}
+
 bool waits(const SSL* connection, int result) {
   return result == 1 || SSL_get_error(connection, result) == SSL_ERROR_WANT_READ;
 }
 
+// The bits that OpenSSL asks of keys at its level of security, which is that of the system.
+int least_security_bits() {
+  constexpr std::array<int, 6> bits_of_level{0, 80, 112, 128, 192, 256};
+  const Context context = context_as_of_grpc();
+  const auto level = static_cast<std::size_t>(SSL_CTX_get_security_level(context.get()));
+  return bits_of_level.at(std::min(level, bits_of_level.size() - 1));
+}
+
 }  // namespace
+
+std::string fault_of_authority(X509& authority) {
+  const EVP_PKEY* const key = X509_get0_pubkey(&authority);
+  if (key == nullptr) return "has a key that cannot be read";
+  if (EVP_PKEY_get_security_bits(key) < least_security_bits())
+    return "has a key that is too weak (" + std::to_string(EVP_PKEY_get_bits(key)) + " bits)";
+  constexpr int as_authority = 1;
+  constexpr int as_client = 0;
+  // A client may also show the very certificate that is trusted.
+  if (X509_check_purpose(&authority, X509_PURPOSE_SSL_CLIENT, as_authority) == 0 &&
+      X509_check_purpose(&authority, X509_PURPOSE_SSL_CLIENT, as_client) == 0)
+    return "is not meant to vouch for clients (keyUsage, extendedKeyUsage)";
+  return {};
+}
 
 std::string fault_of_handshake(const std::string& chain, const std::string& key) {
   ERR_clear_error();
   const Context of_server = context_as_of_grpc();
   const Context of_client = context_as_of_grpc();
   if (!take(*of_server, chain, key)) return last_error();
-  SSL_CTX_set_verify(of_client.get(), SSL_VERIFY_NONE, nullptr);
+  if (!trust_end_of(chain, *of_client)) return last_error();
   const Connection server(SSL_new(of_server.get()));
   const Connection client(SSL_new(of_client.get()));
   BIO* at_server = nullptr;
@@ -85,7 +132,7 @@ std::string fault_of_handshake(const std::string& chain, const std::string& key)
   constexpr int most_rounds = 20;
   for (int round = 0; round < most_rounds; ++round) {
     const int asked = SSL_do_handshake(client.get());
-    if (!waits(client.get(), asked)) return last_error();
+    if (!waits(client.get(), asked)) return fault_of_client(client.get(), last_error());
     const int answered = SSL_do_handshake(server.get());
     if (!waits(server.get(), answered)) return last_error();
     if (asked == 1 && answered == 1) return {};

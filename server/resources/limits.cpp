@@ -10,6 +10,8 @@ namespace {
 constexpr std::uint64_t mib = 1U << 20U;
 // The program itself, its threads, and gRPC without a stream.
 constexpr std::uint64_t base_mib = 64;
+// One stream, and a quarter for the program, fit into no less.
+constexpr std::uint64_t least_mib = 16;
 constexpr std::uint64_t usual_session_mib = 1024;
 constexpr std::uint64_t usual_streams = 1000;
 constexpr std::uint64_t usual_http_mib = 512;
@@ -39,6 +41,9 @@ void fill_in(Number& setting, std::uint64_t value) {
 std::optional<std::string> fill_in_limits(Config& config, std::uint64_t memory_bytes) {
   fill_in(config.memory_limit_mib, std::min<std::uint64_t>(memory_bytes / mib, 1U << 30U));
   const std::uint64_t whole = config.memory_limit_mib;
+  if (whole < least_mib)
+    return "memory-limit-mib: the server needs " + std::to_string(least_mib) + " or more, not " +
+           std::to_string(whole);
   fill_in(config.http_max_memory_mib, std::min(usual_http_mib, whole / 4));
   // Where all come from this machine, there is nobody a share could be kept for.
   const bool has_one_peer = is_local_address(config.http_listen);

@@ -238,12 +238,16 @@ TEST(Certificates, ThatNoClientCouldConnectToAreRefused) {
   const MadeCertificate weak(folder, "weak", "IP:127.0.0.1", {"rsa:1024"});
   const MadeCertificate curve(folder, "curve", "IP:127.0.0.1",
                               {"ec", "-pkeyopt", "ec_paramgen_curve:secp256k1"});
+  const MadeCertificate of_clients(folder, "of_clients", "IP:127.0.0.1",
+                                   {"rsa:2048", "-addext", "extendedKeyUsage=clientAuth"});
+  const MadeCertificate authority(folder, "authority", "IP:127.0.0.1",
+                                  {"rsa:2048", "-addext", "keyUsage=critical,keyCertSign"});
   const Pair pair(folder);
   pair.put(good.cert, good.key);
   ServerProcess server(pair.flags());
   grpc::SslCredentialsOptions trusting;
   trusting.pem_root_certs = good.cert;
-  for (const MadeCertificate& bad : {weak, curve}) {
+  for (const MadeCertificate& bad : {weak, curve, of_clients, authority}) {
     pair.put(bad.cert, bad.key);
     std::vector<std::string> command{testing_support::trcd_program()};
     for (const std::string& flag : pair.flags()) command.push_back(flag);
@@ -254,6 +258,7 @@ TEST(Certificates, ThatNoClientCouldConnectToAreRefused) {
     EXPECT_TRUE(call(secure_channel(server.address(), trusting)).status.ok());
   }
   EXPECT_TRUE(eventually([&] { return has_line(server, "no client could connect"); }));
+  EXPECT_TRUE(eventually([&] { return has_line(server, "certificate purpose"); }));
   EXPECT_TRUE(call(secure_channel(server.address(), trusting)).status.ok());
 }
 
@@ -275,6 +280,29 @@ TEST(Certificates, AuthoritiesThatHaveAllExpiredAreRefused) {
   std::vector<std::string> flags = pair.flags();
   flags.insert(flags.end(), {"--tls-client-ca-file", folder.path("clients.pem")});
   const ServerProcess server(flags);
+}
+
+// The server would take them and turn away everybody they have signed for.
+TEST(Certificates, AuthoritiesThatLetNobodyInAreRefused) {
+  const Folder folder;
+  const MadeCertificate own(folder, "own");
+  const MadeCertificate weak(folder, "weak", "IP:127.0.0.1", {"rsa:1024"});
+  const MadeCertificate of_servers(folder, "of_servers", "IP:127.0.0.1",
+                                   {"rsa:2048", "-addext", "extendedKeyUsage=serverAuth"});
+  const Pair pair(folder);
+  pair.put(own.cert, own.key);
+  std::vector<std::string> command{testing_support::trcd_program()};
+  for (const std::string& flag : pair.flags()) command.push_back(flag);
+  command.insert(command.end(), {"--tls-client-ca-file", folder.path("clients.pem")});
+  for (const auto& [bad, why] : {std::pair{weak, "is too weak (1024 bits)"},
+                                 std::pair{of_servers, "is not meant to vouch for clients"}}) {
+    folder.write("clients.pem", own.cert + bad.cert);
+    const auto ended = testing_support::run(command);
+    EXPECT_EQ(ended.code, 2);
+    for (const std::string part :
+         {"certificate 2 of '" + folder.path("clients.pem"), std::string(why)})
+      EXPECT_NE(ended.err.find(part), std::string::npos) << ended.err;
+  }
 }
 
 TEST(Certificates, AuthoritiesAreReadToTheLastOne) {

@@ -241,6 +241,23 @@ class Attacks(unittest.TestCase):
         many = b"".join(b"X-%d: 1\r\n" % i for i in range(5000))
         self.assertEqual(status_of(answer_to(self.server, HEAD + many)), 431)
 
+    def test_a_trailer_is_bounded_as_a_head_is(self):
+        chunks = b"Transfer-Encoding: chunked\r\n\r\n%x\r\n%s\r\n0\r\n" % (len(SQUARE), SQUARE.encode())
+        request = HEAD + TEXT_HEAD + chunks
+        for trailer, status in ((b"X: y\r\n", 200), (b"X: " + b"y" * 16_000 + b"\r\n", 200),
+                                (b"X: " + b"y" * 17_000 + b"\r\n", 431),
+                                (b"X: " + b"y" * 66_000 + b"\r\n", 431),
+                                (b"X" * 66_000 + b": y\r\n", 431), (b"X: y\r\n" * 3000, 431),
+                                (b"X: " + b"y" * 200_000 + b"\r\n", 431),
+                                (b"Transfer-Encoding: chunked\r\n", 400), (b"no field\r\n", 400)):
+            with self.server.connect() as connection:
+                connection.sendall(request + trailer + b"\r\n")
+                self.assertEqual(status_of(connection.recv(65536)), status, trailer[:20])
+                if status != 200:
+                    connection.settimeout(10)
+                    while connection.recv(65536):
+                        pass
+
     def test_bodies_are_bounded(self):
         length = b"Content-Length: %d\r\n\r\n" % (5 << 20)
         self.assertEqual(status_of(answer_to(self.server, HEAD + length)), 413)

@@ -87,6 +87,24 @@ TEST(Limits, AreNeverZero) {
   EXPECT_EQ(one.max_streams_per_peer, 1U);
 }
 
+// Of settings that nobody has written nothing is said.
+TEST(Limits, TooLittleMemoryIsNamedByItsOwnSetting) {
+  for (const std::uint32_t mib : {1U, 15U}) {
+    Config config;
+    config.memory_limit_mib = mib;
+    const auto fault = fill_in_limits(config, gib);
+    ASSERT_TRUE(fault.has_value());
+    EXPECT_EQ(*fault, "memory-limit-mib: the server needs 16 or more, not " + std::to_string(mib));
+  }
+  Config least;
+  least.memory_limit_mib = 16;
+  EXPECT_EQ(fill_in_limits(least, gib), std::nullopt);
+  Config with_http;
+  with_http.memory_limit_mib = 16;
+  with_http.http_listen = "127.0.0.1:0";
+  EXPECT_EQ(fill_in_limits(with_http, gib), std::nullopt);
+}
+
 TEST(Limits, BuffersMustBeEnoughForTheStreams) {
   Config config;
   config.max_grpc_buffer_mib = 96;

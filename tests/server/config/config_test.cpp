@@ -10,6 +10,7 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace trc::server {
@@ -205,8 +206,8 @@ TEST(ServerConfig, EmptyGuardOfTheEnvironmentIsAFault) {
 TEST(ServerConfig, EmptyGuardOfTheCommandLineIsAFault) {
   expect_fault(read({"--tls-allowed-clients="}), {"tls-allowed-clients", "empty"});
   expect_fault(read({"--tls-allowed-clients", ""}), {"tls-allowed-clients", "empty"});
-  for (const char* nobody :
-       {"--tls-allowed-clients=,", "--tls-allowed-clients=[]", "--tls-allowed-clients= , "})
+  for (const char* nobody : {"--tls-allowed-clients=,", "--tls-allowed-clients=[]",
+                             "--tls-allowed-clients= , ", "--tls-allowed-clients={}"})
     expect_fault(read({nobody}), {"tls-allowed-clients", "empty"});
   expect_fault(read({"--tls-allowed-clients", ","}), {"tls-allowed-clients", "empty"});
   {
@@ -214,6 +215,93 @@ TEST(ServerConfig, EmptyGuardOfTheCommandLineIsAFault) {
     expect_fault(read({}), {"TRCD_TLS_ALLOWED_CLIENTS", "empty"});
   }
   expect_fault(read({"--tls-client-ca-file", ""}), {"tls-client-ca-file", "empty"});
+}
+
+// Who writes a list of nobody does not mean everybody.
+TEST(ServerConfig, EmptyGuardOfAFileIsAFault) {
+  const TextFile pem("PEM", ".pem");
+  for (const bool yaml : {false, true}) {
+    const std::string is = yaml ? ": " : " = ";
+    std::string files;
+    for (const char* name : {"tls-cert-file", "tls-key-file", "tls-client-ca-file"})
+      files += name + is + '"' + pem.path() + "\"\n";
+    for (const char* nobody : {"[]", "[ ]", "\"[]\"", "\"\"", "\" , \"", "\"{}\""}) {
+      const TextFile file(files + "tls-allowed-clients" + is + nobody + "\n",
+                          yaml ? ".yaml" : ".toml");
+      expect_fault(read({"--config", file.path().c_str()}),
+                   {"line 4", "tls-allowed-clients", "empty"});
+    }
+    for (const char* guard : {"tls-cert-file", "tls-key-file", "tls-client-ca-file"}) {
+      const TextFile file(guard + is + "\"\"\n", yaml ? ".yaml" : ".toml");
+      expect_fault(read({"--config", file.path().c_str()}), {"line 1", guard, "empty"});
+    }
+  }
+  // A guard that is not set does not come back from what was printed as one that stands empty.
+  const std::string printed = read({"--print-config"}).exit->text;
+  EXPECT_NE(printed.find("\n# tls-allowed-clients=[]\n"), std::string::npos) << printed;
+}
+
+TEST(ServerConfig, NullOfAYamlListIsNoName) {
+  for (const char* list :
+       {" [~]", " [null]", " [press7,,]", " [press7, !!null '']", "\n-\n", "\n- press7\n- Null"}) {
+    const TextFile file(std::string("tls-allowed-clients:") + list + "\n", ".yaml");
+    expect_fault(read({"--config", file.path().c_str()}),
+                 {"line 1", "tls-allowed-clients", "empty entry"});
+  }
+}
+
+TEST(ServerConfig, YamlThatIsNoPlainValueNamesItsSetting) {
+  for (const char* text :
+       {"max-streams: {a: 1}\n", "max-streams: [[1]]\n", "max-streams: &m {a: 1}\n",
+        "listen: &all [*all]\n", "listen: [{a: 1}]\n"}) {
+    const std::string name = std::string(text).substr(0, std::string(text).find(':'));
+    const TextFile file(std::string("\n") + text, ".yaml");
+    expect_fault(read({"--config", file.path().c_str()}), {"line 2", "'" + name + "' must be"});
+  }
+  expect_fault(read({"--config", TextFile("? [a]\n: 1\n", ".yaml").path().c_str()}),
+               {"line 1", "must name a setting"});
+}
+
+TEST(ServerConfig, SwitchesAreTrueOrFalse) {
+  for (const char* value : {"5", "1", "0", "yes", "on", "True", "t", "-1"}) {
+    expect_fault(read({("--insecure=" + std::string(value)).c_str()}),
+                 {"--insecure", "true or false", value});
+    const Environment variable("TRCD_INSECURE", value);
+    expect_fault(read({}), {"--insecure", "true or false", value});
+  }
+  expect_fault(read({"--config", TextFile("insecure = 1\n").path().c_str()}),
+               {"line 1", "--insecure", "true or false"});
+  expect_fault(read({"--config", TextFile("reflection: yes\n", ".yaml").path().c_str()}),
+               {"line 1", "--reflection", "true or false"});
+  EXPECT_TRUE(read({"--insecure"}).config.insecure);
+  const Environment variable("TRCD_INSECURE", "true");
+  EXPECT_TRUE(read({}).config.insecure);
+  EXPECT_FALSE(read({"--insecure=false"}).config.insecure);
+}
+
+// They are compared letter by letter with what a browser sends.
+TEST(ServerConfig, OriginsThatNoBrowserSendsAreRefused) {
+  for (const auto& [origin, write] : std::vector<std::pair<std::string, std::string>>{
+           {"https://mes.example/", "write https://mes.example"},
+           {"https://mes.example/page?a=1", "write https://mes.example"},
+           {"HTTPS://Mes.Example", "write https://mes.example"},
+           {"mes.example:8443", "write https://mes.example:8443"},
+           {"https://mes.example:443", "write https://mes.example"},
+           {"http://mes.example:80", "write http://mes.example"},
+           {"http://mes.example:99999", "http-cors-origins"},
+           {"http://mes.example:08080", "http-cors-origins"},
+           {"http://mes.example:", "http-cors-origins"},
+           {"ftp://mes.example", "http-cors-origins"},
+           {"https://", "http-cors-origins"},
+           {"https://a b", "http-cors-origins"},
+           {"https://me@mes.example", "http-cors-origins"},
+           {"null", "as browsers send it"},
+           {"*", "as in https://mes.example"}})
+    expect_fault(read({("--http-cors-origins=" + origin).c_str()}),
+                 {"http-cors-origins", "'" + origin + "'", write});
+  for (const char* origin : {"https://mes.example", "http://mes.example:8080",
+                             "https://[2001:db8::1]:8443", "http://127.0.0.1:443", "https://[::1]"})
+    EXPECT_FALSE(read({("--http-cors-origins=" + std::string(origin)).c_str()}).exit) << origin;
 }
 
 TEST(ServerConfig, AllowedClientsNeedTheirAuthority) {
