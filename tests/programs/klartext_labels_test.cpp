@@ -152,6 +152,26 @@ TEST(KlartextLabels, AFeedAtTheContourHoldsBehindTheCall) {
   EXPECT_NE(feeds_of("L M109\n", ""), feeds_of("", ""));
 }
 
+// Of a long program the lines in front of the first call have gone out when it is read.
+TEST(KlartextLabels, FarInFrontOfTheirCallCountToo) {
+  std::string far;
+  for (int line = 0; line < 2000; ++line) far += "L X+5 Y+5 R0 FMAX ; so far in front of it\n";
+  for (const Mode& mode : modes) {
+    const std::string behind = far + "CALL LBL 7\n" + contour;
+    EXPECT_EQ(code_of(section("7", mode.sets) + mode.ends + behind), 900003) << mode.sets;
+    EXPECT_EQ(code_of(section("7", mode.sets + mode.ends) + behind), 0) << mode.sets;
+  }
+}
+
+TEST(KlartextLabels, RepeatedWithinACalledOneAreWrittenOut) {
+  const std::string depths = "LBL 2\nL IZ-1 R0 F100\n" + contour + "CALL LBL 2 REP 2\n";
+  const std::string text =
+      program_of("CALL LBL 1\nM30\n" + section("1", "L Z+0 R0 FMAX\n" + depths));
+  const ProgramRun ran = to_text(text, computing_setup(heidenhain, 5));
+  ASSERT_FALSE(ran.stopped) << ran.report();
+  EXPECT_NE(ran.text.find("M30\nEND PGM A MM\n"), std::string::npos) << ran.text;
+}
+
 // As many as a program may have: each is looked at as often as it is called.
 TEST(KlartextLabels, ManyOfThemTakeTimeThatGrowsWithTheirNumber) {
   constexpr int many = 60'000;
