@@ -172,6 +172,16 @@ TEST(KlartextLabels, RepeatedWithinACalledOneAreWrittenOut) {
   EXPECT_NE(ran.text.find("M30\nEND PGM A MM\n"), std::string::npos) << ran.text;
 }
 
+// Behind the end stand labels, whatever was wrong in front of it.
+TEST(KlartextLabels, BehindTheEndAreNotLookedThroughWithTheProgram) {
+  const ProgramRun ran =
+      to_text(program_of(start + "L X+0 Y-10 RL F200\nFL PR+5\nL Y+40\nL X-20 R0\nM30\n" +
+                         section("1", "CYCL DEF 11.0 SCALING\nL X+Q1 R0\nCYCL CALL\n")),
+              computing_setup(heidenhain, 5));
+  ASSERT_TRUE(ran.stopped);
+  EXPECT_EQ(ran.codes(), "900003 at line 5");
+}
+
 // As many as a program may have: each is looked at as often as it is called.
 TEST(KlartextLabels, ManyOfThemTakeTimeThatGrowsWithTheirNumber) {
   constexpr int many = 60'000;
