@@ -318,7 +318,8 @@ bool apply_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block) {
   if (departs) stop_behind_lead(line);
   if (line.has(WordRole::technology) && !pass_words(reading, line, WordRole::technology))
     return false;
-  if (copied && block.is_polar()) hand_on_klartext_pole(reading, line);
+  const bool turns_about_pole = block.is_polar() || block.is(KlartextStatement::circle);
+  if (copied && turns_about_pole) hand_on_klartext_pole(reading, line);
   if (copied) {
     forget_what_copied_block_moves(reading, line, block, alone);
   } else if (!apply_klartext_motion(reading, line, block)) {
