@@ -247,7 +247,7 @@ void forget_what_copied_block_moves(Reading& reading, ProgramLine& line, const K
   forget_klartext_position(reading, line, axes);
   if (block.is(KlartextStatement::center)) reading.klartext_modes.pole.reset();
   reading.klartext_modes.polar_radius.reset();
-  if (block.feed_per_turn || block.has_variable()) reading.feed = 0;
+  if (block.feed_per_turn) reading.feed = 0;
 }
 
 // A lead may become several blocks: what acts at the end of its block comes behind the last one.
