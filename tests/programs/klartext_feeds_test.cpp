@@ -104,6 +104,9 @@ TEST(KlartextFeeds, OfACornerWantTheOneBefore) {
     EXPECT_EQ(refusal("L Z+2 R0 FQ5\n" + call + start + "L X+0 Y+0 RL\n" + corner + end), 900003);
   }
   EXPECT_EQ(refusal("L Z+2 R0 F150\n" + start + "L X+0 Y+0 RL\n" + corner), 0);
+  // A coordinate that only the control knows says nothing of the feed.
+  const std::string known = text_of("L X+Q9 R0 F150\n" + start + "L X+0 Y+0 RL\n" + corner);
+  EXPECT_NE(known.find("L X+40 Y+45 F150\n"), std::string::npos) << known;
   EXPECT_EQ(refusal("L Z+2 R0 FQ5\n" + start + "L X+0 Y+0 RL\n" + corner), 0);
 }
 

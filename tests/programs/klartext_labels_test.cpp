@@ -1,11 +1,15 @@
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <iterator>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "tests/programs/computing.h"
+#include "tests/support/random.h"
 
 // Labels of Klartext: how much work their calls make, and what stays in force behind them.
 
@@ -150,6 +154,82 @@ TEST(KlartextLabels, AFeedAtTheContourHoldsBehindTheCall) {
   EXPECT_EQ(feeds_of("CALL LBL 7\n", section("7", "L M109\n")), feeds_of("L M109\n", ""));
   EXPECT_EQ(feeds_of("L M109\nCALL LBL 7\n", section("7", "L M111\n")), feeds_of("", ""));
   EXPECT_NE(feeds_of("L M109\n", ""), feeds_of("", ""));
+}
+
+// Labels behind the end that call one another, and what a call of the first one is as lines. A
+// label calls only those that stand behind it in `flat`.
+struct RandomLabels {
+  explicit RandomLabels(Random& random) {
+    constexpr int most = 5;
+    for (int label = most; label > 0; --label) {
+      std::string lines;
+      std::string as_lines;
+      for (std::size_t left = random.below(4); left > 0; --left) {
+        const int called = label + 1 + static_cast<int>(random.below(2));
+        if (called <= most && random.chance(0.4)) {
+          lines += "CALL LBL " + std::to_string(called) + "\n";
+          as_lines += flat[called];
+        } else {
+          const Mode& mode = modes[random.below(std::size(modes))];
+          const std::string line = random.chance(0.3) ? mode.sets : mode.ends;
+          lines += line;
+          as_lines += line;
+        }
+      }
+      flat[label] = as_lines;
+      const std::string text = section(std::to_string(label), lines);
+      sections = random.chance(0.5) ? sections + text : text + sections;
+    }
+  }
+
+  std::map<int, std::string> flat{};
+  std::string sections{};
+};
+
+TEST(KlartextLabels, CountAsIfTheirLinesStoodThere) {
+  int accepted = 0;
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const RandomLabels labels(random);
+    const std::string main = random.chance(0.5) ? modes[random.below(std::size(modes))].sets : "";
+    const std::string program = main + "CALL LBL 1\n" + contour + "M30\n" + labels.sections;
+    const int code = code_of(program);
+    EXPECT_EQ(code, code_of(main + labels.flat.at(1) + contour)) << program;
+    accepted += code == 0 ? 1 : 0;
+  }
+  EXPECT_GT(accepted, 50);
+  EXPECT_LT(accepted, 250);
+}
+
+// Of a long program the lines in front of the first call have gone out when it is read.
+TEST(KlartextLabels, FarInFrontOfTheirCallCountToo) {
+  std::string far;
+  for (int line = 0; line < 2000; ++line) far += "L X+5 Y+5 R0 FMAX ; so far in front of it\n";
+  for (const Mode& mode : modes) {
+    const std::string behind = far + "CALL LBL 7\n" + contour;
+    EXPECT_EQ(code_of(section("7", mode.sets) + mode.ends + behind), 900003) << mode.sets;
+    EXPECT_EQ(code_of(section("7", mode.sets + mode.ends) + behind), 0) << mode.sets;
+  }
+}
+
+TEST(KlartextLabels, RepeatedWithinACalledOneAreWrittenOut) {
+  const std::string depths = "LBL 2\nL IZ-1 R0 F100\n" + contour + "CALL LBL 2 REP 2\n";
+  const std::string text =
+      program_of("CALL LBL 1\nM30\n" + section("1", "L Z+0 R0 FMAX\n" + depths));
+  const ProgramRun ran = to_text(text, computing_setup(heidenhain, 5));
+  ASSERT_FALSE(ran.stopped) << ran.report();
+  EXPECT_NE(ran.text.find("M30\nEND PGM A MM\n"), std::string::npos) << ran.text;
+}
+
+// Behind the end stand labels, whatever was wrong in front of it.
+TEST(KlartextLabels, BehindTheEndAreNotLookedThroughWithTheProgram) {
+  const ProgramRun ran =
+      to_text(program_of(start + "L X+0 Y-10 RL F200\nFL PR+5\nL Y+40\nL X-20 R0\nM30\n" +
+                         section("1", "CYCL DEF 11.0 SCALING\nL X+Q1 R0\nCYCL CALL\n")),
+              computing_setup(heidenhain, 5));
+  ASSERT_TRUE(ran.stopped);
+  EXPECT_EQ(ran.codes(), "900003 at line 5");
 }
 
 // As many as a program may have: each is looked at as often as it is called.

@@ -106,6 +106,18 @@ TEST(KlartextOff, HolesOfACircleAreCopied) {
   EXPECT_EQ(code_of("L X-20 Y-20 R0 FMAX\nCC X+0 Y+0\nLP PA+60 R0 FMAX\n"), 900003);
 }
 
+// The contour has left a pole of its own in the output.
+TEST(KlartextOff, WhatIsCopiedBehindAContourHasItsPoleAgain) {
+  const std::string rounded =
+      "L X-20 Y-20 R0 FMAX\nL X+0 Y-10 RL F200\nL Y+40\nL X+40\nL X+60 R0\n";
+  for (const std::string copied :
+       {"C X+Q1 Y+Q2 DR+\n", "LP PR+Q5 PA+90 R0 FMAX\n", "CP PA+Q3 DR+\n"}) {
+    const std::string text =
+        text_of("BEGIN PGM A MM\nTOOL CALL 5 Z\nCC X+50 Y+50\n" + rounded + copied + "M30\n");
+    EXPECT_NE(text.find("L X+60 Y+40\nCC X+50 Y+50\n" + copied), std::string::npos) << text;
+  }
+}
+
 TEST(KlartextOff, ALoneMOfOlderControlsIsNoFunction) {
   EXPECT_EQ(code_of("L X-20 Y-20 R0 FMAX M\nL X+0 Y-10 RL F200 M\nL Y+40 M ; up\nL X-20 R0 M\n"),
             0);

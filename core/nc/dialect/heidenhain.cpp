@@ -201,6 +201,8 @@ bool take_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block, bo
   if (!reading.faults.empty()) {
     if (block.side) reading.scanned_trc = *block.side != Side::off;
     if (block.is(KlartextStatement::departure)) reading.scanned_trc = false;
+    // Labels behind the end are no part of what is looked through for further faults.
+    reading.ended |= line.ends_program;
   }
   if (!readable || !reading.faults.empty()) return false;
   line.has_words = true;

@@ -247,7 +247,7 @@ void forget_what_copied_block_moves(Reading& reading, ProgramLine& line, const K
   forget_klartext_position(reading, line, axes);
   if (block.is(KlartextStatement::center)) reading.klartext_modes.pole.reset();
   reading.klartext_modes.polar_radius.reset();
-  if (block.feed_per_turn || block.has_variable()) reading.feed = 0;
+  if (block.feed_per_turn) reading.feed = 0;
 }
 
 // A lead may become several blocks: what acts at the end of its block comes behind the last one.
@@ -318,7 +318,8 @@ bool apply_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block) {
   if (departs) stop_behind_lead(line);
   if (line.has(WordRole::technology) && !pass_words(reading, line, WordRole::technology))
     return false;
-  if (copied && block.is_polar()) hand_on_klartext_pole(reading, line);
+  const bool turns_about_pole = block.is_polar() || block.is(KlartextStatement::circle);
+  if (copied && turns_about_pole) hand_on_klartext_pole(reading, line);
   if (copied) {
     forget_what_copied_block_moves(reading, line, block, alone);
   } else if (!apply_klartext_motion(reading, line, block)) {

@@ -140,7 +140,7 @@ struct Reading {
   bool calls_the_machine = false;
   bool machine_follows = false;
   std::optional<KlartextEffects> call_leaves{};  // behind the label that it calls
-  bool reads_flat = false;  // all lines are such
+  bool reads_flat = false;                       // all lines are such
 
   std::vector<Fault> faults{};
   bool scanned_trc = false;  // behind the first fault: TRC is active

@@ -140,7 +140,8 @@ bool KlartextFlow::write_behind_end(std::string& flat) {
   if (statement.kind == LabelStatement::Kind::label) {
     const bool left_out = leaves_out_;
     const KlartextOutline::Label* const label = outline_.label(statement.label);
-    leaves_out_ = label != nullptr && label->is_called;
+    // What is repeated within it is left out with it.
+    leaves_out_ = statement.label != "0" && (left_out || (label != nullptr && label->is_called));
     if (leaves_out_ || (left_out && statement.label == "0")) return true;
   }
   if (!leaves_out_) write_as_written(flat);
