@@ -30,6 +30,9 @@ constexpr std::uint32_t health_message_bytes = 4096;
 // the stream it came for, with its reason. Before gRPC looks at the size of a message it has all of
 // it: nothing more is held for that.
 constexpr std::uint32_t refused_message_bytes = 16U << 20U;
+// What has been read of a connection is served, whoever shuts it down meanwhile: gRPC would read
+// megabytes at a time, and thousands of streams in them.
+constexpr int most_read_bytes = 64 << 10;
 // A megabyte under way is what a link of a gigabit takes in 8 ms.
 constexpr int stream_window_bytes = 1 << 20;
 
@@ -54,6 +57,7 @@ void set_limits(grpc::ServerBuilder& builder, const Config& config, std::uint32_
   // widen it, by what it measures of the network, to more than a whole program.
   set(GRPC_ARG_HTTP2_BDP_PROBE, 0);
   set(GRPC_ARG_HTTP2_STREAM_LOOKAHEAD_BYTES, stream_window_bytes);
+  set(GRPC_ARG_TCP_MAX_READ_CHUNK_SIZE, most_read_bytes);
   set(GRPC_ARG_HTTP2_MIN_RECV_PING_INTERVAL_WITHOUT_DATA_MS,
       milliseconds(config.min_client_ping_interval_s));
 }

@@ -86,6 +86,8 @@ class Reader {
         return "' stands where JSON has \"";
       } else if (in_list && c == 'n' && json_.substr(at_, 4) == "null") {
         return element() + ": is null, where a list has values";
+      } else if (checks_lists_ && c == 'n' && !is_name_ && json_.substr(at_, 4) == "null") {
+        return path_ + ": is null; give it a value or leave it out";
       } else if (in_list && c == '[') {
         return element() + ": is a list within a list";
       } else if (c == '{' || c == '[') {

@@ -1,7 +1,7 @@
 #include "proto/wire/options.h"
 
 #include <array>
-#include <limits>
+#include <cmath>
 
 #include "core/base/tolerances.h"
 #include "proto/wire/enums.h"
@@ -145,8 +145,8 @@ TrcOptionChanges from_proto(const v1::TrcOptions& message, const FieldPath& path
     if ((message.*row.has)()) changes.*row.change = (message.*row.get)();
   if (message.has_stretch_factor()) {
     // A finite value out of 1 … 9 is the core's to answer, with warning 22007.
-    constexpr double any = std::numeric_limits<double>::max();
-    check_range(message.stretch_factor(), {-any, any}, FieldPath(path, "stretch_factor"), faults);
+    if (!std::isfinite(message.stretch_factor()))
+      add_range_fault(message.stretch_factor(), {1, 9}, FieldPath(path, "stretch_factor"), faults);
     changes.stretch_factor = message.stretch_factor();
   }
   if (message.has_tangential_limit()) {

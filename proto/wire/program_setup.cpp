@@ -192,10 +192,16 @@ void read_computing(const v1::ProgramSetup& message, const FieldPath& path, Prog
       if (is_name(name, "subprogram_files") && !program.subprograms.try_emplace(name, text).second)
         add_fault(FieldPath(path, "subprogram_files"), "names " + name + ", as subprograms do",
                   faults);
-  if (message.has_max_executed_lines() &&
-      check_range(static_cast<double>(message.max_executed_lines()), {1, 1e9},
-                  FieldPath(path, "max_executed_lines"), faults))
-    program.max_executed_lines = message.max_executed_lines();
+  if (!message.has_max_executed_lines()) return;
+  // Not as a number with a fraction: of twenty digits it would show others than were sent.
+  constexpr std::uint64_t most_lines = 1'000'000'000;
+  const std::uint64_t lines = message.max_executed_lines();
+  if (lines < 1 || lines > most_lines)
+    add_fault(FieldPath(path, "max_executed_lines"),
+              "is " + std::to_string(lines) + ", allowed is 1 to " + std::to_string(most_lines),
+              faults);
+  else
+    program.max_executed_lines = lines;
 }
 
 void tools_to_proto(const ProgramSetup& program, v1::ProgramSetup& message) {

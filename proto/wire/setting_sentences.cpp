@@ -59,6 +59,8 @@ constexpr auto sentences = std::to_array<Sentence>({
     {"{}: there is no such field", "{}: dieses Feld gibt es nicht"},
     {"{}: is given more than once", "{}: ist mehrmals angegeben"},
     {"{}: is null, where a list has values", "{}: ist null, wo eine Liste Werte hat"},
+    {"{}: is null; give it a value or leave it out",
+     "{}: ist null; einen Wert angeben oder weglassen"},
     {"{}: is a list within a list", "{}: ist eine Liste in einer Liste"},
     {"' stands where JSON has \"", "' steht, wo JSON \" hat"},
     {"a name has no quotes", "ein Name hat keine Anführungszeichen"},

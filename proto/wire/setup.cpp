@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <set>
 #include <string>
 #include <string_view>
@@ -122,8 +123,9 @@ TrcMode read_mode(const v1::PathSetup& message, const FieldPath& path, FieldFaul
     mode.tool_radius = message.tool_radius();
   const FieldPath options(path, "options");
   mode.options = changed({}, from_proto(message.options(), options, faults));
-  // In a program this is a warning at its line; a setup has no line to warn about.
-  if (message.options().has_stretch_factor())
+  // In a program this is a warning at its line; a setup has no line to warn about. What is not
+  // finite has been refused with the other options.
+  if (message.options().has_stretch_factor() && std::isfinite(message.options().stretch_factor()))
     check_range(message.options().stretch_factor(), {1, 9}, FieldPath(options, "stretch_factor"),
                 faults);
   return mode;

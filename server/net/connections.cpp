@@ -9,7 +9,9 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <numeric>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -21,8 +23,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::seconds window{10};
-// A connection on which less has come since the last look does nothing worth asking gRPC about.
-constexpr std::uint64_t idle_bytes = 2U << 10U;
+// A connection on which no more than this has come besides messages since gRPC was asked about it
+// has not begun many streams: each takes a head of some fifteen bytes at least.
+constexpr double idle_bytes = 2 << 10;
 // Until the calls of a connection that was shut down are gone.
 constexpr std::chrono::seconds clearing{5};
 // Frames and records of TLS around small messages.
@@ -31,6 +34,8 @@ constexpr double bytes_for_a_byte = 1.5;
 constexpr double bytes_of_call = 1024;
 constexpr double bytes_of_message = 64;
 constexpr double bytes_of_second = 64 << 10;
+// Measured: 17 KiB of a stream that is only there, 46 KiB with an answer of GetServerInfo.
+constexpr std::uint64_t bytes_of_open_stream = 36U << 10U;
 // A connection of which less is unfinished is not what fills the buffers.
 constexpr double least_to_close = 1 << 20;
 
@@ -93,7 +98,12 @@ std::string_view name_of(Connections::Reason reason) {
 class Connections::Connection {
  public:
   Connection(Connections& all, int descriptor, std::uint64_t cookie, std::string peer, Use use)
-      : all_(all), descriptor_(descriptor), cookie_(cookie), peer_(std::move(peer)), use_(use) {}
+      : all_(all),
+        descriptor_(descriptor),
+        cookie_(cookie),
+        peer_(std::move(peer)),
+        address_(peer_of_address(peer_)),
+        use_(use) {}
 
   [[nodiscard]] bool is_there() const { return cookie_of(descriptor_) == cookie_; }
 
@@ -106,6 +116,9 @@ class Connections::Connection {
     ++messages_;
   }
   [[nodiscard]] bool is_shut() const { return shut_; }
+  [[nodiscard]] const std::string& address() const { return address_; }
+  // That gRPC held when it was asked last.
+  [[nodiscard]] std::uint64_t alive() const { return alive_; }
   // Bytes of messages that have not come to their end.
   [[nodiscard]] double unfinished() const { return unfinished_; }
 
@@ -124,13 +137,49 @@ class Connections::Connection {
     if (early_ > all_.limits_.early_cancels && 2 * early_ > ended_) close(Reason::early_cancels);
   }
 
-  // Bytes that came beyond those of messages, over what is allowed by now.
-  void look(Clock::time_point now, TransportCounts& counts) {
-    if (use_ == Use::http) return;
-    if (shut_) return discard();
+  // Bytes that came beyond those of messages, over what is allowed by now. True where streams may
+  // have begun.
+  bool look(Clock::time_point now, TransportCounts& counts) {
+    if (use_ == Use::http) return false;
+    if (!shut_) count(now);
+    const bool has_begun = !shut_ && unasked_ > idle_bytes;
+    if (has_begun) look_at_streams(now, counts);
+    if (shut_) discard();
+    return has_begun;
+  }
+
+  void close(Reason reason) {
+    if (shut_.exchange(true)) return;
+    all_.has_shut_ = true;
+    if (is_there()) shutdown(descriptor_, SHUT_RDWR);
+    if (all_.closed_) all_.closed_(peer_, reason);
+  }
+
+  // Streams that came and were not ended by the server: those its client has reset, and the few
+  // that are open.
+  void look_at_streams(Clock::time_point now, TransportCounts& counts) {
+    const auto number = counts.number_of(peer_);
+    const auto streams = number ? TransportCounts::streams_of(*number) : std::nullopt;
+    alive_ = streams ? streams->alive() : 0;
+    if (!streams) return counts.forget(peer_);
+    unasked_ = 0;
+    if (now - streams_since_ > window) {
+      streams_since_ = now;
+      streams_ = *streams;
+    }
+    const std::uint64_t started = streams->started - streams_.started;
+    const std::uint64_t succeeded = streams->succeeded - streams_.succeeded;
+    const std::uint64_t open = all_.limits_.calls;
+    if (started > succeeded + open + all_.limits_.early_cancels && started > 2 * succeeded)
+      close(Reason::early_cancels);
+    // Also those nobody has been told of, or that gRPC serves by itself.
+    if (alive_ > open) close(Reason::calls);
+  }
+
+ private:
+  void count(Clock::time_point now) {
     const auto received = bytes_received(descriptor_);
     if (!received) return;
-    if (*received - received_ > idle_bytes) look_at_streams(now, counts);
     const double seconds = std::chrono::duration<double>(now - looked_at_).count();
     const auto more = static_cast<double>(*received - received_);
     const auto carried = static_cast<double>(carried_.exchange(0));
@@ -146,16 +195,9 @@ class Connections::Connection {
     const std::uint64_t read_ahead =
         all_.limits_.read_ahead + calls_ * all_.limits_.read_ahead_of_call;
     if (overhead_ > static_cast<double>(read_ahead)) close(Reason::overhead);
+    unasked_ += std::max(more - bytes_for_a_byte * carried, 0.0);
   }
 
-  void close(Reason reason) {
-    if (shut_.exchange(true)) return;
-    all_.has_shut_ = true;
-    if (is_there()) shutdown(descriptor_, SHUT_RDWR);
-    if (all_.closed_) all_.closed_(peer_, reason);
-  }
-
- private:
   // gRPC reads a connection that was shut down to its end, and a flood leaves megabytes behind. In
   // the thread that accepts, so that no other connection has got the descriptor meanwhile.
   void discard() const {
@@ -164,27 +206,11 @@ class Connections::Connection {
     }
   }
 
-  // Streams that came and were not ended by the server: those its client has reset, and the few
-  // that are open.
-  void look_at_streams(Clock::time_point now, TransportCounts& counts) {
-    const auto number = counts.number_of(peer_);
-    const auto streams = number ? TransportCounts::streams_of(*number) : std::nullopt;
-    if (!streams) return counts.forget(peer_);
-    if (now - streams_since_ > window) {
-      streams_since_ = now;
-      streams_ = *streams;
-    }
-    const std::uint64_t started = streams->started - streams_.started;
-    const std::uint64_t succeeded = streams->succeeded - streams_.succeeded;
-    const std::uint64_t open = all_.limits_.calls;
-    if (started > succeeded + open + all_.limits_.early_cancels && started > 2 * succeeded)
-      close(Reason::early_cancels);
-  }
-
   Connections& all_;
   const int descriptor_;
   const std::uint64_t cookie_;
   const std::string peer_;
+  const std::string address_;
   const Use use_;
   std::atomic<std::uint32_t> calls_ = 0;
   std::atomic<std::uint64_t> carried_ = 0;
@@ -202,6 +228,8 @@ class Connections::Connection {
   std::uint64_t received_ = 0;
   double overhead_ = 0;
   double unfinished_ = 0;
+  double unasked_ = 0;  // bytes besides messages since gRPC was asked about its streams
+  std::uint64_t alive_ = 0;
   Clock::time_point streams_since_ = Clock::now();
   TransportCounts::Streams streams_{};
 };
@@ -276,7 +304,7 @@ Connections::Call Connections::begin(std::string_view peer) {
   return Call(std::move(connection));
 }
 
-void Connections::look() {
+bool Connections::look() {
   std::vector<std::shared_ptr<Connection>> here;
   {
     const std::lock_guard lock(mutex_);
@@ -286,9 +314,38 @@ void Connections::look() {
   }
   const Clock::time_point now = Clock::now();
   counts_.begin_round();
-  for (const auto& connection : here) connection->look(now, counts_);
+  bool has_begun = false;
+  for (const auto& connection : here) has_begun = connection->look(now, counts_) || has_begun;
+  close_most_streams(here, now);
   close_heaviest(std::move(here));
   give_back_memory(now);
+  return has_begun;
+}
+
+// An address is a client, or a proxy that gives each of its own connections of their own.
+void Connections::close_most_streams(std::vector<std::shared_ptr<Connection>> here,
+                                     Clock::time_point now) {
+  std::erase_if(here, [](const auto& one) { return one->is_shut() || one->alive() == 0; });
+  const auto alive = [&here] {
+    return std::accumulate(here.begin(), here.end(), std::uint64_t{0},
+                           [](auto sum, const auto& one) { return sum + one->alive(); });
+  };
+  const std::uint64_t most =
+      std::max(limits_.unfinished / bytes_of_open_stream, std::uint64_t{2} * limits_.calls);
+  if (alive() <= most) return;
+  // Many may have ended since gRPC was asked.
+  for (const auto& connection : here) connection->look_at_streams(now, counts_);
+  std::uint64_t sum = alive();
+  std::unordered_map<std::string_view, std::uint64_t> of_addresses;
+  for (const auto& connection : here) of_addresses[connection->address()] += connection->alive();
+  std::ranges::sort(here, std::greater(), [&](const auto& one) {
+    return std::pair(of_addresses[one->address()], one->alive());
+  });
+  for (const auto& connection : here) {
+    if (sum <= most) return;
+    sum -= connection->alive();
+    connection->close(Reason::calls);
+  }
 }
 
 // gRPC takes a message of any size in before it looks at it, and where its buffers are full it ends

@@ -32,7 +32,8 @@ class Connections {
     std::uint64_t read_ahead_of_call = 1U << 20U;
     std::uint64_t read_ahead = 24U << 20U;
     std::uint32_t calls = 128;  // begun and not yet done with, whatever the client has reset
-    // Bytes of unfinished messages, of all connections together.
+    // Bytes of unfinished messages, of all connections together; and of streams that are open,
+    // also of those gRPC's own service of health has.
     std::uint64_t unfinished = 48U << 20U;
   };
   enum class Reason { early_cancels, overhead, calls, connections, unfinished };
@@ -79,7 +80,8 @@ class Connections {
   // A call of the peer as gRPC names it: "ipv4:10.0.0.7:40000".
   [[nodiscard]] Call begin(std::string_view peer);
   // To be called several times a second: how many bytes have come, and which connections have gone.
-  void look();
+  // True where streams have begun; then the next look should follow soon.
+  [[nodiscard]] bool look();
 
   [[nodiscard]] std::size_t count() const;
 
@@ -92,6 +94,9 @@ class Connections {
   void make_room_for_health();
   // Where all together have too much under way, those of which most is unfinished.
   void close_heaviest(std::vector<std::shared_ptr<Connection>> here);
+  // Where all together hold too many streams, those of the addresses that hold most.
+  void close_most_streams(std::vector<std::shared_ptr<Connection>> here,
+                          std::chrono::steady_clock::time_point now);
   // Gives back what the calls of a connection have held that was shut down a while ago.
   void give_back_memory(std::chrono::steady_clock::time_point now);
 

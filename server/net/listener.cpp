@@ -31,8 +31,9 @@ constexpr int backlog = 1024;
 constexpr int kept_descriptors = 32;
 // Each may have streams that ask for nothing but health, of some kilobytes each.
 constexpr std::size_t usual_of_one_peer = 1024;
-constexpr int round_ms = 200;
-constexpr std::int64_t round_ns = round_ms * 1'000'000;
+// What comes between two looks at the connections is not bounded.
+constexpr int round_ms = 50;
+constexpr int busy_round_ms = 10;
 // Without descriptors: until the next attempt. What waits in the backlog is served then.
 constexpr int exhausted_ms = 50;
 
@@ -239,15 +240,16 @@ void Acceptor::run() {
     waits.push_back({.fd = door.listener.socket(), .events = POLLIN, .revents = 0});
   bool exhausted = false;
   std::int64_t looked_at_ns = now_ns();
+  int until_next_ms = round_ms;
   for (;;) {
     last_round_ns_ = now_ns();
-    if (last_round_ns_ - looked_at_ns >= round_ns) {
+    if (last_round_ns_ - looked_at_ns >= until_next_ms * std::int64_t{1'000'000}) {
       looked_at_ns = last_round_ns_;
-      look_after_connections();
+      until_next_ms = look_after_connections() ? busy_round_ms : round_ms;
     }
     // What could not be accepted would wake this thread at once: only the stop is waited for.
     const auto watched = exhausted ? 1 : static_cast<nfds_t>(waits.size());
-    const int ready = poll(waits.data(), watched, exhausted ? exhausted_ms : round_ms);
+    const int ready = poll(waits.data(), watched, exhausted ? exhausted_ms : until_next_ms);
     if (ready < 0 && errno != EINTR) return;
     if ((waits[0].revents & POLLIN) != 0) return;
     exhausted = false;
@@ -259,8 +261,10 @@ void Acceptor::run() {
   }
 }
 
-void Acceptor::look_after_connections() noexcept {
-  do_round([this] { connections_.look(); });
+bool Acceptor::look_after_connections() noexcept {
+  bool is_busy = false;
+  do_round([&] { is_busy = connections_.look(); });
+  return is_busy;
 }
 
 bool Acceptor::accept_from(const Door& door) {

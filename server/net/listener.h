@@ -104,7 +104,8 @@ class Acceptor {
   };
 
   void run();
-  void look_after_connections() noexcept;
+  // Whether they should be looked after again soon.
+  bool look_after_connections() noexcept;
   // False when there is something that should be waited for: descriptors or memory.
   bool accept_from(const Door& door);
 

@@ -3,6 +3,7 @@
 #include <grpc/grpc.h>
 #include <grpc/support/alloc.h>
 
+#include <algorithm>
 #include <charconv>
 #include <memory>
 #include <string_view>
@@ -81,8 +82,12 @@ void TransportCounts::read_numbers() {
 std::optional<TransportCounts::Streams> TransportCounts::streams_of(std::int64_t number) {
   const Text socket(grpc_channelz_get_socket(number));
   if (socket.view().empty()) return std::nullopt;
-  return Streams{.started = count_in(socket.view(), "streamsStarted"),
-                 .succeeded = count_in(socket.view(), "streamsSucceeded")};
+  // What ends while it is counted must not seem to have ended before it began.
+  Streams streams{.started = count_in(socket.view(), "streamsStarted"),
+                  .succeeded = count_in(socket.view(), "streamsSucceeded"),
+                  .failed = count_in(socket.view(), "streamsFailed")};
+  streams.started = std::max(streams.started, streams.succeeded + streams.failed);
+  return streams;
 }
 
 }  // namespace trc::server

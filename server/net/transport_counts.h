@@ -14,6 +14,10 @@ class TransportCounts {
   struct Streams {
     std::uint64_t started = 0;
     std::uint64_t succeeded = 0;  // ended by the server
+    std::uint64_t failed = 0;     // reset, or lost with the connection
+
+    // Those that gRPC has not let go of, whose memory it holds.
+    [[nodiscard]] std::uint64_t alive() const { return started - succeeded - failed; }
   };
 
   // From now on it may be asked once more what connections there are.

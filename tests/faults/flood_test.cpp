@@ -8,6 +8,7 @@
 #include <atomic>
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -126,6 +127,40 @@ TEST(Floods, OfManyConnectionsLeaveNoMemoryBehind) {
               eventually([&] { return server.resident_mib() < given_back_mib; }, 90))
       << server.resident_mib();
   EXPECT_GT(closed_for_floods(server), 0);
+}
+
+// Nobody is told how many streams a connection may have until it says that it has heard: gRPC then
+// lets it begin any number. Those of health it serves by itself.
+TEST(Floods, StreamsThatNobodyFollowsAreBounded) {
+  const std::string no_window("\0\4\0\0\0\0", 6);
+  for (const std::string path :
+       {"/grpc.health.v1.Health/Watch", "/trc.v1.TrcService/GetServerInfo"}) {
+    SCOPED_TRACE(path);
+    const ServerProcess server({"--admin-listen", "127.0.0.1:0", "--memory-limit-mib", "512"});
+    std::uint32_t stream = 1;
+    const std::string bytes =
+        http2::greeting(no_window) + flood(20'000, stream, [&](std::uint32_t number) {
+          return http2::headers(number, path) + http2::message(number, "");
+        });
+    std::vector<std::unique_ptr<RawConnection>> held(20);
+    std::vector<std::thread> clients;
+    for (auto& connection : held)
+      clients.emplace_back([&] {
+        connection = std::make_unique<RawConnection>(server.address(), "127.0.0.2");
+        for (std::size_t at = 0; at < bytes.size(); at += 65536)
+          if (!connection->send_bytes(std::string_view(bytes).substr(at, 65536))) return;
+      });
+    double most_mib = 0;
+    const auto end = std::chrono::steady_clock::now() + seconds(5);
+    while (std::chrono::steady_clock::now() < end) {
+      most_mib = std::max(most_mib, server.resident_mib());
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    for (std::thread& client : clients) client.join();
+    EXPECT_TRUE(!memory_tells || most_mib < flood_memory_mib) << most_mib;
+    EXPECT_TRUE(eventually([&] { return serves(server.address()); }, 60));
+    EXPECT_EQ(closed_for_floods(server), 20);
+  }
 }
 
 // DATA frames without a byte on one stream: no flow control holds them back.

@@ -299,7 +299,7 @@ TEST(Certificates, AuthoritiesThatLetNobodyInAreRefused) {
     folder.write("clients.pem", own.cert + bad.cert);
     const auto ended = testing_support::run(command);
     EXPECT_EQ(ended.code, 2);
-    for (const std::string part :
+    for (const std::string& part :
          {"certificate 2 of '" + folder.path("clients.pem"), std::string(why)})
       EXPECT_NE(ended.err.find(part), std::string::npos) << ended.err;
   }

@@ -69,9 +69,19 @@ TEST(JsonFault, NamesWhatAListCannotHold) {
             "batch.blocks[1]: is null, where a list has values");
   EXPECT_EQ(fault_of(R"({"batch":{"blocks":[{"linear":{}},[{"linear":{}}]]}})"),
             "batch.blocks[1]: is a list within a list");
-  EXPECT_EQ(fault_of(R"({"setup":{"toolRadius":null}})"), "");
   EXPECT_EQ(fault_of("{'setup':{}}"), "' stands where JSON has \"");
   EXPECT_EQ(fault_of(R"({"setup":{"clientTag":"a'null"}})"), "");
+}
+
+// Pages write a number that is none as null, and Protobuf takes it for one that was not given: a
+// contour without its tool radius.
+TEST(JsonFault, NamesWhatIsNull) {
+  EXPECT_EQ(fault_of(R"({"setup":{"toolRadius":null}})"),
+            "setup.tool_radius: is null; give it a value or leave it out");
+  EXPECT_EQ(fault_of(R"({"batch":{"blocks":[{"linear":{"end":{"x":1,"y": null}}}]}})"),
+            "batch.blocks[0].linear.end.y: is null; give it a value or leave it out");
+  EXPECT_EQ(fault_of(R"({"setup":null})"), "setup: is null; give it a value or leave it out");
+  EXPECT_EQ(fault_of(R"({"setup":{"clientTag":"null"}})"), "");
 }
 
 // Protobuf takes them, and would take the second of two names though only one has quotes.

@@ -3,6 +3,7 @@
 #include <google/protobuf/text_format.h>
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <string>
 
 #include "core/nc/dialect/dialect.h"
@@ -151,6 +152,22 @@ TEST(Setup, EmptyMessageMeansTheInitialState) {
   EXPECT_EQ(read.path.response_layout, Layout::blocks);
   EXPECT_TRUE(read.nc_text);
   EXPECT_EQ(read.path.session.program.decimals, 4);
+}
+
+// A double would show other digits of the first, and the bounds of any double for the second.
+TEST(Setup, RefusedNumbersAreShownAsTheyAre) {
+  v1::ProgramSetup setup;
+  setup.set_max_executed_lines(18446744073709551615U);
+  setup.mutable_path()->mutable_options()->set_stretch_factor(
+      std::numeric_limits<double>::quiet_NaN());
+  FieldFaults faults;
+  static_cast<void>(from_proto(setup, FieldPath("setup"), faults));
+  ASSERT_EQ(faults.count(), 2U);
+  for (const FieldFault& fault : faults.listed())
+    EXPECT_EQ(fault.description, fault.field == "setup.max_executed_lines"
+                                     ? "is 18446744073709551615, allowed is 1 to 1000000000"
+                                     : "is NaN, allowed is 1 to 9")
+        << fault.field;
 }
 
 // What a dialect begins with is left out of the message, and nothing else.

@@ -14,6 +14,9 @@ from deck import Deck
 
 COMPENSATE = b"/trc.v1.TrcService/CompensateProgram"
 HEALTH = b"/grpc.health.v1.Health/Check"
+WATCH = b"/grpc.health.v1.Health/Watch"
+SERVER_INFO = b"/trc.v1.TrcService/GetServerInfo"
+NO_WINDOW = b"\0\4\0\0\0\0"  # of SETTINGS: a client that lets nothing out
 INFLATED_BYTES = 256 << 20
 FLOOD_S = 3
 DEAF_S = 12  # longer than the server waits for a client
@@ -37,6 +40,7 @@ class Hostile:
         self.kinds = Deck(self.rng, [
             self.garbage, self.preface, self.hold, self.storm, self.drop, self.compressed_bomb,
             self.rapid_reset, self.empty_data, self.endless_headers, self.frames, self.shut_window,
+            self.resets_together, self.unread_answers, self.unfinished_messages,
             self.half_handshake, self.deaf, self.deaf_http, self.endless_head,
             self.slow_head, self.half_body])
 
@@ -127,11 +131,65 @@ class Hostile:
             self.flood(end, lambda stream: http2.frame(kind, 0, stream if streams else 0, payload))
 
     def shut_window(self):
-        """A client that lets nothing out: its window is shut."""
         with self.connect_tls() as end:
-            end.sendall(http2.greeting(b"\0\4\0\0\0\0") + http2.call(1, COMPENSATE)
+            end.sendall(http2.greeting(NO_WINDOW) + http2.call(1, COMPENSATE)
                         + http2.message(1, b"\x0a\0", compressed=False))
             self.over.wait(DEAF_S)
+
+    def together(self, count):
+        """So many connections at once, as far as they are let in."""
+        ends = []
+        for _ in range(count):
+            try:
+                ends.append(self.connect_tls())
+            except OSError:
+                break
+        return ends
+
+    def of_each(self, ends, bytes_of):
+        """Sends to each end what `bytes_of(round)` says, until all have been thrown out."""
+        stop, turn = time.monotonic() + FLOOD_S, 0
+        while ends and time.monotonic() < stop and not self.over.is_set():
+            part, turn = bytes_of(turn), turn + 1
+            for end in list(ends):
+                try:
+                    end.sendall(part)
+                except OSError:
+                    ends.remove(end)
+
+    def resets_together(self):
+        ends = self.together(12)
+        self.of_each(list(ends), lambda turn: (http2.greeting() if turn == 0 else b"") + b"".join(
+            http2.call(stream, COMPENSATE) + http2.reset(stream)
+            for stream in range(turn * 200 + 1, turn * 200 + 201, 2)))
+        for end in ends:
+            end.close()
+
+    def unread_answers(self):
+        """Streams of health that nobody follows, and answers that nobody takes."""
+        path = self.rng.choice([WATCH, SERVER_INFO])
+        ends = self.together(20)
+        self.of_each(ends, lambda turn: (http2.greeting(NO_WINDOW) if turn == 0 else b"") + b"".join(
+            http2.call(stream, path) + http2.frame(http2.DATA, 1, stream, bytes(5))
+            for stream in range(turn * 100 + 1, turn * 100 + 101, 2)))
+        self.over.wait(self.rng.random() * DEAF_S)
+        for end in ends:
+            end.close()
+
+    def unfinished_messages(self):
+        """Messages as large as are taken, all but their last byte."""
+        ends, size = self.together(8), 1 << 20
+        begin = http2.message(1, bytes(size), compressed=False)[:-1]
+        for end in ends:
+            try:
+                end.settimeout(FLOOD_S)
+                end.sendall(http2.greeting() + b"".join(
+                    http2.call(stream, COMPENSATE) for stream in range(1, 64, 2)) + begin)
+            except OSError:
+                pass
+        self.over.wait(self.rng.random() * DEAF_S)
+        for end in ends:
+            end.close()
 
     def half_handshake(self):
         """Begins TLS and says no more."""
