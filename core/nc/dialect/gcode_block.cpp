@@ -104,7 +104,7 @@ bool check_skipped_modes(Reading& reading, const ProgramLine& line, const BlockW
                                     .detail = "a motion behind G90 or G91 that may be skipped"});
   const auto undecided = [&](std::string detail) {
     return reading.refuse(line, TextFault{.code = Code::block_skip_undecided,
-                                          .begin = line.words.front().begin,
+                                          .begin = begin_of_words(line),
                                           .detail = std::move(detail)});
   };
   if (block.to_skip && (block.has(unit) || block.has(plane)))
@@ -119,7 +119,8 @@ bool check_skipped_modes(Reading& reading, const ProgramLine& line, const BlockW
     return undecided("a motion behind G00 … G03 that may be skipped");
   if (block.feed && !block.has(dwell))
     reading.gcode.skipped.feed = block.to_skip ? line.source.line : 0;
-  if (reading.gcode.skipped.feed > 0 && in_contour &&
+  const bool takes_feed = selects || block.axis || block.center;
+  if (reading.gcode.skipped.feed > 0 && in_contour && takes_feed &&
       reading.state.mode().feed_adaptation != FeedAdaptation::off)
     return undecided("the feed at the contour, of an F that may be skipped, in line " +
                      std::to_string(reading.gcode.skipped.feed));

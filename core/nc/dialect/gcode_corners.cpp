@@ -87,7 +87,7 @@ bool take_corner_feed(Reading& reading, ProgramLine& line, BlockWords& block) {
   if (block.move.corner_feed == 0 || reading.feed_mode == 94) return true;
   return reading.refuse(line, TextFault{.code = Code::nc_unsupported,
                                         .begin = block.corners.feed ? block.corners.feed->begin
-                                                                    : line.words.front().begin,
+                                                                    : begin_of_words(line),
                                         .detail = "FRC= or FRCM=, no feed per minute"});
 }
 

@@ -63,7 +63,7 @@ bool check_what_may_be_skipped(Reading& reading, const ProgramLine& line, const 
       block.tools.d_word || gives_radius || leads || (sinumerik && names_tool);
   if (skipped > 0 && changes_contour && reading.trc_active())
     return reading.refuse(line, TextFault{.code = Code::block_skip_undecided,
-                                          .begin = line.words.front().begin,
+                                          .begin = begin_of_words(line),
                                           .detail = "a radius or a corner that may be skipped"});
   const bool selects = block.selects();
   for (const std::uint32_t before : {reading.gcode.skipped.tool, reading.gcode.skipped.tool_data,
@@ -273,7 +273,7 @@ bool take_only_register(Reading& reading, const ProgramLine& line, BlockWords& b
   if (!reading.has_one_radius() || reading.gcode.tools.only_register.value_or(number) != number)
     return false;
   reading.gcode.tools.only_register = number;
-  block.tools.only = block.tools.d_word ? block.tools.d_word->begin : line.words.front().begin;
+  block.tools.only = block.tools.d_word ? block.tools.d_word->begin : begin_of_words(line);
   block.tools.d_word.reset();
   return true;
 }

@@ -225,7 +225,7 @@ bool begin_contour_of_approach(Reading& reading, ProgramLine& line, BlockWords& 
     return wrong("from a height that is not known", Code::position_unknown);
   const double from = reading.state.position()[axes.third];
   const auto quick = height_of(approach.clearance, height.value_or(from), from);
-  if (!quick) return refuse_clearance(reading, line, line.words.front().begin);
+  if (!quick) return refuse_clearance(reading, line, begin_of_words(line));
   MoveRequest way = request;
   way.kind = approach.rapid ? MotionKind::rapid : MotionKind::linear;
   way.feed = approach.feed_before;

@@ -50,7 +50,7 @@ bool choose_tool_of_edge(Reading& reading, ProgramLine& line, BlockWords& block)
   if (!selects && !(goes_on && (edge_word || changes))) return true;
   const std::uint32_t begin = selects     ? block.of(side).begin
                               : edge_word ? edge_word->begin
-                                          : line.words.front().begin;
+                                          : begin_of_words(line);
   const std::int64_t number = tools.changed_by_m6 ? tools.in_spindle : tools.next;
   const bool is_unloaded = number == 0 && tools.named;
   if (tools.edge == 0 || is_unloaded) {

@@ -9,11 +9,10 @@
 #include "core/nc/program/arithmetic.h"
 #include "core/nc/program/gcode_line.h"
 #include "core/nc/text/characters.h"
+#include "core/nc/text/nesting.h"
 
 namespace trc::program {
 namespace {
-
-constexpr int most_brackets = 32;
 
 bool is_comparison(Operator sign) { return sign >= Operator::equal && sign <= Operator::at_most; }
 
@@ -110,6 +109,8 @@ bool ExpressionReader::wants_brackets(const OperatorRow& row, const OperatorRow*
 Value ExpressionReader::operand() {
   pass_blanks();
   const std::size_t begin = at_;
+  const Nesting nesting(depth_);
+  if (nesting.is_too_deep()) return fail(Code::expression_invalid, begin, Nesting::told);
   const char sign = peek();
   if (sign == grammar_.open) return bracket();
   if (sign == '#' && !grammar_.has_names) return variables_.read(*this);
@@ -121,11 +122,8 @@ Value ExpressionReader::operand() {
     return {.number = checked(number, begin)};
   }
   if (sign == '-' || sign == '+') {
-    if (++depth_ > most_brackets)
-      return fail(Code::expression_invalid, begin, std::string(1, sign));
     ++at_;
     const Value value = operand();
-    --depth_;
     if (value.is_text) return fail(Code::expression_invalid, begin, "a text");
     return {.number = sign == '-' ? -value.number : value.number};
   }
@@ -189,10 +187,8 @@ Value ExpressionReader::named_operand() {
   if (row == grammar_.functions.end()) return variables_.read(*this);
   const std::size_t begin = at_;
   if (row->meaning == Function::negation || row->meaning == Function::bit_negation) {
-    if (++depth_ > most_brackets) return fail(Code::expression_invalid, begin, spelling);
     at_ += spelling.size();
     const Value value = operand();
-    --depth_;
     if (row->meaning == Function::negation) return {.number = holds(value) ? 0.0 : 1.0};
     return {.number = of_bits(value.number, Operator::bit_exclusion, -1, begin)};
   }
@@ -206,8 +202,6 @@ Value ExpressionReader::named_operand() {
 Value ExpressionReader::function_of_list(const FunctionRow& row, std::size_t begin) {
   constexpr std::size_t most_arguments = 3;
   std::array<Value, most_arguments> arguments{};
-  if (++depth_ > most_brackets)
-    return fail(Code::expression_invalid, begin, std::string(row.spelling));
   for (std::size_t number = 0; number < row.arguments; ++number) {
     pass_blanks();
     if (peek() != (number == 0 ? grammar_.open : ','))
@@ -218,7 +212,6 @@ Value ExpressionReader::function_of_list(const FunctionRow& row, std::size_t beg
     if (arguments.at(number).is_text != (row.meaning == Function::length_of_text))
       return fail(Code::expression_invalid, begin, std::string(row.spelling).append(", a text"));
   }
-  --depth_;
   pass_blanks();
   if (peek() != grammar_.close)
     return fail(Code::expression_invalid, at_, std::string(row.spelling));
@@ -248,9 +241,7 @@ Value ExpressionReader::function_of_list(const FunctionRow& row, std::size_t beg
 
 Value ExpressionReader::bracket() {
   const std::size_t open = at_++;
-  if (++depth_ > most_brackets) return fail(Code::expression_invalid, open, "brackets too deep");
   Value value = expression();
-  --depth_;
   pass_blanks();
   if (failed_) return {};
   if (peek() != grammar_.close)
@@ -283,16 +274,13 @@ Value ExpressionReader::function() {
     ++at_;
     return {.number = known ? 1.0 : 0.0};
   }
-  const std::size_t open = at_;
   if (row->meaning == Function::power || row->meaning == Function::arc_tangent) {
     ++at_;
-    if (++depth_ > most_brackets) return fail(Code::expression_invalid, open, "brackets too deep");
     const double first = expression().number;
     pass_blanks();
     if (peek() == ',' && grammar_.dialect == DialectName::fanuc) {
       ++at_;
       const double second = expression().number;
-      --depth_;
       pass_blanks();
       if (failed_ || peek() != ']') return fail(Code::expression_invalid, begin, name);
       ++at_;
@@ -301,7 +289,6 @@ Value ExpressionReader::function() {
       double angle = std::atan2(first, second) / degree;
       return {.number = angle < 0 ? angle + 360 : angle};
     }
-    --depth_;
     if (failed_ || peek() != ']' || row->meaning == Function::power)
       return fail(Code::expression_invalid, begin, name);
     ++at_;

@@ -46,11 +46,12 @@ std::size_t behind_comment(std::string_view line, std::size_t at) {
 }
 
 bool is_over(std::string_view line, std::size_t at) {
-  at = behind_blanks(line, at);
-  if (at >= line.size()) return true;
-  if (line[at] != '(' && line[at] != ';') return false;
-  const std::size_t behind = behind_comment(line, at);
-  return behind > 0 && is_over(line, behind);
+  for (at = behind_blanks(line, at); at < line.size(); at = behind_blanks(line, at)) {
+    if (line[at] != '(' && line[at] != ';') return false;
+    at = behind_comment(line, at);
+    if (at == 0) return false;
+  }
+  return true;
 }
 
 std::string comments_of(std::string_view line, std::size_t at) {

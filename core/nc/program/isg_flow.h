@@ -182,6 +182,11 @@ class IsgFlow : public Flow, private Variables {
   bool forget_declared(std::size_t at);
   // The name of the parameter or variable there, with its indices, in capitals.
   [[nodiscard]] std::string place_at(ExpressionReader& expression);
+  [[nodiscard]] std::string parameter_at(ExpressionReader& expression);
+  [[nodiscard]] static std::string numbered_parameter(ExpressionReader& expression,
+                                                      std::int64_t number, std::size_t begin);
+  [[nodiscard]] std::int64_t number_held(ExpressionReader& expression, const std::string& name,
+                                         std::size_t begin);
   [[nodiscard]] std::string indices_at(ExpressionReader& expression);
   bool assign(const std::string& name, Value value, std::size_t begin);
   [[nodiscard]] std::size_t level_of(std::string_view name) const;

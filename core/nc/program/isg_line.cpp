@@ -193,8 +193,10 @@ bool is_isg_variable_at(std::string_view line, std::size_t at) {
 }
 
 bool computes_spindle(std::string_view words) {
-  for (std::size_t at = 0; at < words.size(); ++at)
+  for (std::size_t at = 0; at < words.size(); ++at) {
     if (is_isg_parameter_at(words, at) || is_isg_variable_at(words, at)) return true;
+    while (upper(words[at]) == 'P' && upper(sign_at(words, at + 1)) == 'P') ++at;
+  }
   return false;
 }
 

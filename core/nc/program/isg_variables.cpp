@@ -48,36 +48,7 @@ std::string IsgFlow::place_at(ExpressionReader& expression) {
   expression.pass_blanks();
   const std::size_t begin = expression.at();
   const std::string_view line = expression.line();
-  if (is_isg_parameter_at(line, begin)) {
-    expression.go_to(begin + 1);
-    std::int64_t number = 0;
-    bool is_plain = false;
-    if (upper(expression.peek()) == 'P') {  // PP1: the parameter whose number P1 holds
-      const std::string inner = place_at(expression);
-      const Value* const value = expression.failed() ? nullptr : held(inner);
-      if (value != nullptr) number = std::llround(value->number);
-      if (!expression.failed() && value == nullptr)
-        static_cast<void>(without_value(expression, Code::variable_unset, begin, inner));
-      if (value != nullptr && value->number != std::round(value->number)) number = -1;
-    } else if (expression.peek() == '[') {
-      number = expression.whole_operand();
-    } else {
-      constexpr std::size_t most_digits = 9;
-      std::size_t end = expression.at();
-      for (; end < line.size() && is_digit(line[end]) && end - begin <= most_digits; ++end)
-        number = number * 10 + (line[end] - '0');
-      expression.go_to(end);
-      is_plain = true;
-    }
-    if (expression.failed()) return {};
-    if (number < 1) {
-      static_cast<void>(expression.fail(Code::value_invalid, begin, "the number of a parameter"));
-      return {};
-    }
-    std::string name = "P" + std::to_string(number);
-    if (is_plain && expression.peek() == '[') name += indices_at(expression);
-    return name;
-  }
+  if (is_isg_parameter_at(line, begin)) return parameter_at(expression);
   if (!is_isg_variable_at(line, begin)) {
     static_cast<void>(expression.fail(Code::expression_invalid, begin, "a variable"));
     return {};
@@ -98,6 +69,52 @@ std::string IsgFlow::place_at(ExpressionReader& expression) {
   }
   expression.go_to(at);
   return name;
+}
+
+// P12, P[P1+1], P1[2] and PP1, the parameter whose number P1 holds.
+std::string IsgFlow::parameter_at(ExpressionReader& expression) {
+  const std::size_t begin = expression.at();
+  const std::string_view line = expression.line();
+  std::size_t at = begin + 1;
+  while (at < line.size() && upper(line[at]) == 'P') ++at;
+  const std::size_t holders = at - begin - 1;
+  expression.go_to(at);
+  std::int64_t number = 0;
+  const bool is_computed = expression.peek() == '[';
+  if (is_computed) {
+    number = expression.whole_operand();
+  } else {
+    constexpr std::size_t most_digits = 9;
+    std::size_t end = at;
+    for (; end < line.size() && is_digit(line[end]) && end - at < most_digits; ++end)
+      number = number * 10 + (line[end] - '0');
+    expression.go_to(end);
+  }
+  std::string name = numbered_parameter(expression, number, begin);
+  if (!is_computed && !expression.failed()) name += indices_at(expression);
+  for (std::size_t holder = 0; holder < holders && !expression.failed(); ++holder)
+    name = numbered_parameter(expression, number_held(expression, name, begin), begin);
+  return expression.failed() ? std::string() : name;
+}
+
+std::string IsgFlow::numbered_parameter(ExpressionReader& expression, std::int64_t number,
+                                        std::size_t begin) {
+  if (number < 1 && !expression.failed())
+    static_cast<void>(expression.fail(Code::value_invalid, begin, "the number of a parameter"));
+  return "P" + std::to_string(number);
+}
+
+// The number that a parameter holds of another one; 0: it holds none.
+std::int64_t IsgFlow::number_held(ExpressionReader& expression, const std::string& name,
+                                  std::size_t begin) {
+  const Value* const value = held(name);
+  if (value == nullptr) {
+    static_cast<void>(without_value(expression, Code::variable_unset, begin, name));
+    return 0;
+  }
+  constexpr double largest = 1e9;
+  const bool is_number = value->number == std::round(value->number) && value->number < largest;
+  return is_number ? std::llround(value->number) : 0;
 }
 
 // [2][P1] and [2, P1]

@@ -40,7 +40,9 @@ bool SinumerikFlow::is_variable_name(std::string_view name) {
 
 // What is assigned a value there.
 bool SinumerikFlow::is_variable_at(std::size_t at) const {
-  const std::string name = name_at(line_, at);
+  // No name is as long as that: words without blanks between are not looked through anew for each.
+  constexpr std::size_t longest_name = 256;
+  const std::string name = name_at(line_.substr(at, longest_name), 0);
   const std::size_t behind = behind_blanks(line_, at + name.size());
   const char sign = behind < line_.size() ? line_[behind] : '\0';
   if (sign != '=' && sign != '[') return false;

@@ -4,11 +4,10 @@
 #include <string>
 
 #include "core/nc/text/characters.h"
+#include "core/nc/text/nesting.h"
 
 namespace trc {
 namespace {
-
-constexpr int most_brackets = 32;
 
 bool is_name(char byte) {
   return (byte >= 'A' && byte <= 'Z') || (byte >= 'a' && byte <= 'z') ||
@@ -76,6 +75,8 @@ class ExpressionReader {
 
   bool operand(double& value) {
     pass_blanks();
+    const Nesting nesting(depth_);
+    if (nesting.is_too_deep()) return fail(Code::expression_invalid, at_, Nesting::told);
     if (peek() == '[') return bracket(value);
     bool whole = false;
     if (const std::size_t length = read_number(rest(), value, whole)) {
@@ -95,9 +96,7 @@ class ExpressionReader {
 
   bool bracket(double& value) {
     const std::size_t open = at_++;
-    if (++depth_ > most_brackets) return fail(Code::nc_syntax, open, "brackets too deep");
     if (!sum(value)) return false;
-    --depth_;
     pass_blanks();
     if (peek() == '>' || peek() == '<' || peek() == '=')
       return fail(Code::nc_unsupported, at_, std::string(1, peek()).append(", a comparison"));

@@ -64,6 +64,24 @@ TEST(SkippedLines, DecideNoFeedAtTheContour) {
   }
 }
 
+// The `*` of a punched tape is no word, and a line without words takes no feed.
+TEST(SkippedLines, DecideNothingOfALineWithoutWords) {
+  for (const DialectName name : {DialectName::fanuc, DialectName::linuxcnc}) {
+    ProgramSetup setup;
+    setup.dialect = name;
+    dialect_of(name).begin(setup.mode);
+    setup.mode.feed_adaptation = FeedAdaptation::on;
+    setup.tools[1] = ToolRow(2);
+    for (const std::string line : {"*", "()", "N5", ""}) {
+      const Reading known =
+          read("G90 G1\nG41 D1 X10. F50.\n/F100.\n" + line + "\nX20.\nG40 X0.\nM30\n", setup);
+      EXPECT_TRUE(std::ranges::none_of(known.diagnostics, [](const Diagnostic& found) {
+        return found.code == Code::block_skip_undecided && found.source.line != 5;
+      })) << line;
+    }
+  }
+}
+
 TEST(SkippedLines, EndNothingThatAContourHangsOn) {
   const auto refused = [](DialectName name, const std::string& program) {
     ProgramSetup setup;

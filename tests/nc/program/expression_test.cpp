@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace trc::program {
 namespace {
@@ -230,13 +231,29 @@ TEST(Expression, NamesWhatStandsInPlaceOfAnOperand) {
   EXPECT_EQ(fault_in(fanuc_grammar(), "SINE[1]"), code(Code::expression_invalid) + " 0 SINE");
 }
 
-TEST(Expression, MayHaveThirtyTwoBracketsWithinEachOther) {
+// Whatever stands around a value, each takes of the stack of who reads it.
+TEST(Expression, MayHaveSixtyFourOperandsWithinEachOther) {
   const auto nested = [](std::size_t deep) {
     return std::string(deep, '[') + "1" + std::string(deep, ']');
   };
-  EXPECT_EQ(fault_in(fanuc_grammar(), nested(32)), "");
-  EXPECT_EQ(fault_in(fanuc_grammar(), nested(33)),
-            code(Code::expression_invalid) + " 32 brackets too deep");
+  EXPECT_EQ(fault_in(fanuc_grammar(), nested(63)), "");
+  EXPECT_EQ(fault_in(fanuc_grammar(), nested(64)),
+            code(Code::expression_invalid) + " 64 nested too deeply");
+  const std::vector<std::pair<const Grammar&, std::string>> openings{
+      {fanuc_grammar(), "-"},          {fanuc_grammar(), "#"},
+      {fanuc_grammar(), "#["},         {fanuc_grammar(), "SIN["},
+      {fanuc_grammar(), "ATAN[1]/["},  {fanuc_grammar(), "POW[1,"},
+      {linuxcnc_grammar(), "#"},       {linuxcnc_grammar(), "+"},
+      {linuxcnc_grammar(), "1**["},    {sinumerik_grammar(), "NOT "},
+      {sinumerik_grammar(), "("},      {sinumerik_grammar(), "ATAN2(1,"},
+      {sinumerik_grammar(), "B_NOT "}, {isg_grammar(), "NOT["},
+      {isg_grammar(), "MAX[1,"},       {isg_grammar(), "-"}};
+  for (const auto& [grammar, opening] : openings) {
+    std::string line;
+    for (int deep = 0; deep < 100'000; ++deep) line += opening;
+    const std::string fault = fault_in(grammar, line);
+    EXPECT_EQ(fault.substr(fault.find(' ', 7) + 1), "nested too deeply") << opening;
+  }
 }
 
 TEST(Expression, RefusesWhatIsTooLargeForANumber) {

@@ -1,0 +1,25 @@
+#pragma once
+
+namespace trc {
+
+// One operand of an expression within another: behind a sign, in brackets, an argument, an index.
+// A reader calls itself for each, so a line may hold only so many of them, or its stack runs out.
+class Nesting {
+ public:
+  // Counts in `depth` for as long as it lives.
+  explicit Nesting(int& depth) : depth_(++depth) {}
+  ~Nesting() { --depth_; }
+  Nesting(const Nesting&) = delete;
+  Nesting& operator=(const Nesting&) = delete;
+
+  [[nodiscard]] bool is_too_deep() const { return depth_ > deepest; }
+
+  // What a person writes has a handful, and controls take fewer than ten.
+  static constexpr int deepest = 64;
+  static constexpr const char* told = "nested too deeply";
+
+ private:
+  int& depth_;
+};
+
+}  // namespace trc
