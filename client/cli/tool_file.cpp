@@ -87,10 +87,13 @@ class ToolFile {
     }
     if (has_function(90) || has_function(91)) adds_ = has_function(91);
     if (has_function(10)) return data_of_memory(words, line);
-    if (has('T') && has('D')) {
+    // What a row of LinuxCNC leaves out is 0.
+    const bool is_row = has('D') || (has('P') && !has('G') && !has('M') && !has('O'));
+    if (has('T') && is_row) {
       const auto number = tool_number(words.find('T')->second);
       if (!number) return "T is no number of a tool";
-      return table_.take({.number = *number}, {.radius = words.find('D')->second / 2 * unit_});
+      const double diameter = has('D') ? words.find('D')->second : 0;
+      return table_.take({.number = *number}, {.radius = diameter / 2 * unit_});
     }
     return has('G') || line == "%" || has('O') || has('M') || has('T')
                ? std::string()

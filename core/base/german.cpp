@@ -477,6 +477,7 @@ constexpr auto phrases = std::to_array<Phrase>({
     {"a comparison", "ein Vergleich"},
     {"a comparison of numbers that are nearly equal",
      "ein Vergleich von Zahlen, die fast gleich sind"},
+    {"a condition without IF", "eine Bedingung ohne IF"},
     {"a condition without GOTO", "eine Bedingung ohne GOTO"},
     {"a condition without [ ]", "eine Bedingung ohne [ ]"},
     {"a control character", "ein Steuerzeichen"},
@@ -614,8 +615,8 @@ constexpr auto phrases = std::to_array<Phrase>({
     {"motion in machine coordinates", "Bewegung in Maschinenkoordinaten"},
     {"motion in step with the spindle", "Bewegung synchron zur Spindel"},
     {"motion until a signal", "Bewegung bis zu einem Signal"},
-    {"no UTF-8", "kein UTF-8"},
     {"nested too deeply", "zu tief geschachtelt"},
+    {"no UTF-8", "kein UTF-8"},
     {"not in the program", "nicht im Programm"},
     {"of 0 and 0", "von 0 und 0"},
     {"of a loop that was not begun", "einer Schleife, die nicht begonnen wurde"},
@@ -691,6 +692,7 @@ constexpr auto phrases = std::to_array<Phrase>({
     {"too large", "zu groß"},
     {"turns from a place that is not known", "Umläufe von einem unbekannten Ort aus"},
     {"turns of a straight motion", "Umläufe einer geraden Bewegung"},
+    {"turns beside a radius", "Umläufe neben einem Radius"},
     {"turns without I J K alone", "Umläufe ohne I J K allein"},
     {"turns, at most 1000", "Umläufe, höchstens 1000"},
     {"under the thread", "im Gewinde"},
@@ -767,18 +769,8 @@ const Phrase* phrase_of(std::string_view english) {
 }
 
 // With the phrase that the detail is, or ends with.
-std::string with_german_phrase(std::string_view detail) {
-  if (detail.ends_with(while_active)) {
-    detail.remove_suffix(while_active.size());
-    const std::string_view before = detail.substr(0, detail.find_last_not_of(',') + 1);
-    return with_german_phrase(before).append(detail.substr(before.size())) +
-           std::string(while_active_german);
-  }
+std::string with_german_meaning(std::string_view detail) {
   if (const Phrase* whole = phrase_of(detail)) return std::string(whole->german);
-  if (const std::size_t at = detail.rfind(as_in); at != std::string_view::npos)
-    return with_german_phrase(detail.substr(0, at))
-        .append(as_in_german)
-        .append(detail.substr(at + as_in.size()));
   // "G68, rotation": the word, and what it means; words of the program may have commas as well.
   for (std::size_t at = detail.find(", "); at != std::string_view::npos;
        at = detail.find(", ", at + 2))
@@ -791,6 +783,26 @@ std::string with_german_phrase(std::string_view detail) {
         state != nullptr && !goes_on_in_fragment(detail, at + 1))
       return std::string(detail.substr(0, at + 1)).append(state->german);
   return std::string(detail);
+}
+
+// And with what stands behind the phrase: both once, as words of the program may say them at will.
+std::string with_german_phrase(std::string_view detail) {
+  std::string behind;
+  for (int ends = 0; ends < 2; ++ends) {
+    if (detail.ends_with(while_active)) {
+      detail.remove_suffix(while_active.size());
+      behind.insert(0, while_active_german);
+      const std::string_view before = detail.substr(0, detail.find_last_not_of(',') + 1);
+      behind.insert(0, detail.substr(before.size()));
+      detail = before;
+    } else if (const std::size_t at = detail.rfind(as_in);
+               at != std::string_view::npos && phrase_of(detail) == nullptr) {
+      behind.insert(0, detail.substr(at + as_in.size()));
+      behind.insert(0, as_in_german);
+      detail = detail.substr(0, at);
+    }
+  }
+  return with_german_meaning(detail).append(behind);
 }
 
 }  // namespace

@@ -58,6 +58,26 @@ TEST(ContourWords, CipHasAPointBetweenInEitherReference) {
             "CIP of a contour, which holds behind it: write CIP anew");
 }
 
+// By its manual a coordinate of 0 may be left out: where that is not where the arc starts, whether
+// it means the zero of the program only the control knows.
+TEST(ContourWords, CipMayLeaveOutACoordinateThatIsNought) {
+  const std::string plain = "G2 X20 Y60 I10 J10\nG1 X50\n";
+  expect_same("CIP X20 Y60 I1=0 J1=60\nG1 X50\n", plain);
+  expect_same("CIP X20 Y60 J1=60\nG1 X50\n", plain);
+  expect_same("G91 CIP X20 Y20 J1=20\nG90 G1 X50\n", "G91 G2 X20 Y20 I10 J10\nG90 G1 X50\n");
+  EXPECT_EQ(refused("CIP X20 Y60 I1=20\nG1 X50\n"),
+            "CIP, whose point between names one axis alone under G90");
+}
+
+TEST(ContourWords, TurnsWantTheCentreOfTheirArc) {
+  EXPECT_EQ(refused("G2 X20 Y40 CR=10 TURN=2\nG1 X50\n"), "turns beside a radius");
+}
+
+// It ends all frames, as TRANS alone does.
+TEST(ContourWords, ScaleAloneHasNoPlaceInAContour) {
+  EXPECT_EQ(refused("SCALE\nX20 Y60\n"), "SCALE, a frame while TRC is active");
+}
+
 TEST(ContourWords, ACornerIsCutWhereNothingElseMoves) {
   const std::string between = "X20 RND=8\n";
   expect_same(between + "M8\nM7\nS500\nY80\n", "X12\nG3 X20 Y48 I0 J8\nM8\nM7\nS500\nG1 Y80\n");

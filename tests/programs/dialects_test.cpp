@@ -800,7 +800,6 @@ TEST(Corners, ThatHaveNoPlaceAreRefused) {
   const std::string head = "G90 G17\nG0 X-9 Y-9\n";
   for (const char* contour : {"G41 D1 G1 X0 Y0 ,R3 F100\nY20\nX30\nG40 X-9\n",
                               "G41 D1 G1 X0 Y0 F100\nY20 ,R25\nX30\nG40 X-9\n",
-                              "G41 D1 G1 X0 Y0 F100\nY20 ,R2\nG2 X10 Y30 R10\nG40 G1 X-9\n",
                               "G41 D1 G1 X0 Y0 F100\nY20 ,R2\nG40 X-9\n",
                               "G41 D1 G1 X0 Y0 F100\nX30 Z5 ,R2\nY9\nG40 X-9\n",
                               "G41 D1 G1 X0 Y0 F100\nY20\nX30 ,C2\nM30\n"}) {
@@ -808,6 +807,26 @@ TEST(Corners, ThatHaveNoPlaceAreRefused) {
     ASSERT_TRUE(refused.stopped) << contour;
     EXPECT_EQ(refused.diagnostics.back().code, Code::nc_unsupported) << contour;
   }
+}
+
+// By its manual a corner of FANUC that does not turn is a block of no length.
+TEST(Corners, AreNoneWhereTheContourDoesNotTurn) {
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = DialectName::fanuc;
+  setup.session.program.mode.tool_radius = 2;
+  const auto rounded = [&](const std::string& word) {
+    return to_text("G90 G17\nG0 X-9 Y-9\nG41 D1 G1 X0 Y0 F100\nY20" + word + "\nG2 X10 Y30 R10" +
+                       word + "\nG1 X30\nG40 Y40\nM30\n",
+                   setup)
+        .text;
+  };
+  EXPECT_EQ(rounded(" ,R2"), rounded(""));
+  const ProgramRun back = to_text(
+      "G90 G17\nG0 X-9 Y-9\nG41 D1 G1 X0 Y0 F100\nG3 X0 Y20 R10 ,R2\nG3 X0 Y60 R20\nG40 G1 "
+      "X9\nM30\n",
+      setup);
+  ASSERT_TRUE(back.stopped);
+  EXPECT_EQ(back.diagnostics.back().detail, "a rounding or a chamfer where the contour turns back");
 }
 
 TEST(PolarWords, MeanThePointsThatTheyAreWorth) {

@@ -225,8 +225,8 @@ TEST(FanucRemedies, SpeakOfWhatStandsThere) {
   ProgramSessionSetup increments = fanuc();
   increments.session.program.whole_numbers = WholeNumbers::increments;
   EXPECT_TRUE(help("G65 P2 X10\nM30\nO2\nM99\n", increments).starts_with("Write the argument"));
-  const std::string unknown = "G54\nG90 G0 X-20. Y-20.\nG91 G1 X1. Z-3. F100.\nM30\n";
-  EXPECT_TRUE(detail_of(unknown, fanuc()).starts_with("Z, unknown since the change in line 1"));
+  const std::string unknown = "G54\nG90 G0 Y-20.\nG91 G1 X1. F100.\nM30\n";
+  EXPECT_TRUE(detail_of(unknown, fanuc()).starts_with("X, unknown since the change in line 1"));
   EXPECT_NE(help(unknown, fanuc()).find("the axis that is named"), std::string::npos);
 }
 

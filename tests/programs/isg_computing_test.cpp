@@ -45,6 +45,20 @@ TEST(IsgExpressions, KeepTheOrderOfTheirOperators) {
   EXPECT_EQ(value_of("INV[0]"), "-1");
 }
 
+// A `/` skips a line where it stands in front of it, and behind `=` divides.
+TEST(IsgExpressions, StandBehindAnAddressWithBlanksAndDivisions) {
+  EXPECT_EQ(flat("P1=80\nG0 X=P1/2 Y=50 + 10 Z=90/3\n"), "G0 X=40 Y=60 Z=30\n");
+  ProgramSessionSetup setup = computing_setup(isg, 5);
+  const std::string plain = "G90 G17\nG0 X-20 Y0\nG41 G1 X0 F300\nY40\nX60\nG40 X80\nM30\n";
+  const std::string computed =
+      "G90 G17\nG0 X=-40/2 Y0\nG41 G1 X=4 - 4 F300\nY=80/2\nX=50 + 10\nG40 X=2*40\nM30\n";
+  const std::string with_motion = "G0 X=-40/2 Y0";
+  std::string expected = to_text(plain, setup).text;
+  expected.replace(expected.find("G0 X-20 Y0"), 10, with_motion);
+  EXPECT_EQ(to_text(computed, setup).text, expected);
+  EXPECT_EQ(refusal("G90\n/X10\nG41 G1 X20 Y=80/2\n").first, 900017);
+}
+
 TEST(IsgExpressions, KnowTheirFunctions) {
   EXPECT_EQ(value_of("SIN[30]"), "0.5");
   EXPECT_EQ(value_of("ACOS[0.5]"), "60");

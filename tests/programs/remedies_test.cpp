@@ -60,6 +60,8 @@ INSTANTIATE_TEST_SUITE_P(
              "a variable of Haas or a tool offset of Fanuc", "#100 for #10100"},
         Told{fanuc, "G21 G90\n#1=2\nWHILE [#1 GT 0] DO1 #1=#1-1\nG0 X#1\nEND1\nM30\n",
              "3:21 900308", "#, words behind a statement", "into a line of its own"},
+        Told{fanuc, "G21 G90\n#100=1\nN50 [#100 LT 3] M99 P10\nM30\n", "3:5 900003",
+             "a condition without IF", "Write IF in front of it"},
         Told{fanuc, at_start + "G1 X30. Y10. F9\nG3 X40. Y20. I30. J20.\nM30\n", "4:4 20035",
              "which fits where they are absolute", "circle_center_mode.reference ABSOLUTE"},
         Told{linuxcnc, "G21 G90 G17 G90.1\nG0 X30 Y10\nG1 F9 X30\nG3 X40 Y20 I0 J10\nM30\n",

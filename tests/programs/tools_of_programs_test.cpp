@@ -68,6 +68,48 @@ TEST(ToolsOfPrograms, HaveTheWearThatFanucWrites) {
   EXPECT_EQ(distance(head + "G91 G10 L13 P1 R0.2\nG90\n" + wall, table), -1);
 }
 
+// Where a contour begins the control reads the register in force, of the last D word or of the tool
+// in the spindle: what is written into it behind that word counts (D-163).
+TEST(ToolsOfPrograms, HaveWhatFanucWritesBehindTheWordOfTheirRegister) {
+  const std::string wall = contour_of(fanuc, "G41") + "M30\n";
+  const std::string first = contour_of(fanuc, "G41 D1");
+  const std::string head = "G21 G17 G90\n";
+  ProgramSessionSetup table = setup_of(fanuc);
+  table.session.program.mode.tool_radius = 0;
+  ProgramSessionSetup none = table;
+  table.session.program.tools[1] = 4;
+  for (const std::string& before : {std::string("D1\n"), first, std::string("T1 M6\n")}) {
+    EXPECT_EQ(distance(head + before + "G10 L12 P1 R3.\n" + wall, table), 3) << before;
+    EXPECT_EQ(distance(head + before + "#13001=3.\n" + wall, table), 3) << before;
+    EXPECT_EQ(distance(head + before + "G10 P1 R3.\n" + wall, table), 3) << before;
+    EXPECT_EQ(distance(head + before + "G10 L13 P1 R0.2\n" + wall, table), 4.2) << before;
+    EXPECT_EQ(distance(head + before + "G10 L12 P2 R3.\n" + wall, table), 4) << before;
+    EXPECT_EQ(distance(head + before + "G10 L12 P1 R3.\n" + wall, setup_of(fanuc)), 3) << before;
+    EXPECT_EQ(distance(head + before + "G10 L13 P1 R0.2\n" + wall, setup_of(fanuc)), 5.2) << before;
+    EXPECT_EQ(distance(head + before + "G10 L13 P2 R0.2\n" + wall, setup_of(fanuc)), 5) << before;
+  }
+  EXPECT_EQ(distance(head + "G41 H1 G1 X0 Y0 F300\nY4.\nG40 X-9.\nG10 P1 R3.\n" + wall, table), 3);
+  for (const std::string before : {"D1\n", "T1 M6\n"}) {
+    EXPECT_EQ(distance(head + before + "G10 L12 P1 R3.\n" + wall, none), 3) << before;
+    EXPECT_EQ(distance(head + before + wall, none), -1) << before;
+  }
+}
+
+// What a register of wear mode holds is what the tool differs by: that of the setup (D-43).
+TEST(ToolsOfPrograms, HaveTheDifferenceOfTheSetupInWearMode) {
+  for (const DialectName dialect : {fanuc, linuxcnc, sinumerik}) {
+    ProgramSessionSetup setup = computing_setup(dialect, 0);
+    setup.session.program.nominal_radius = 5;
+    for (const std::string side : {"G41 D1", "G41"}) {
+      const std::string program = "G17 G90\nT1 M6\n" + contour_of(dialect, side) + "M30\n";
+      EXPECT_EQ(distance(program, setup), 0) << side;
+      ProgramSessionSetup worn = setup;
+      worn.session.program.wear = 0.1;
+      EXPECT_DOUBLE_EQ(distance(program, worn), 0.1) << side;
+    }
+  }
+}
+
 // The P of a function beside G41 is none of its radius.
 TEST(ToolsOfPrograms, HaveNoRadiusFromTheWordsOfOthers) {
   const std::string head = "G21 G17 G90 G154 P1\n";

@@ -188,6 +188,30 @@ TEST(Unfollowed, ThreadsAndProbingLastUpToTheNextMotionFunction) {
   }
 }
 
+// Where the tool stands behind a change of tools only the control knows: no contour hangs on it
+// (D-127).
+TEST(Unfollowed, IsAnIncrementFromAHeightThatIsNotKnown) {
+  for (const DialectName dialect : {fanuc, linuxcnc}) {
+    const std::string text =
+        "G21 G90 G17\nT1 M6\nG91 G0 X-10. Z-5.\nG90 G0 X-20. Y0. Z2.\nG41 D1 G1 X0. F100.\n"
+        "Y40.\nG40 X-20.\nM30\n";
+    EXPECT_EQ(refusal_of(text, setup_of(dialect)).first, 0)
+        << to_text(text, setup_of(dialect)).report();
+    const std::string counted = "G21 G90 G17\nT1 M6\nG91 G0 X-10. Z-5.\nX5.\nG90\nM30\n";
+    EXPECT_EQ(refusal_of(counted, setup_of(dialect)), std::pair(900106, 4U));
+  }
+}
+
+// Each axis by what changed it last.
+TEST(Unfollowed, IsToldByTheChangeOfItsOwnAxis) {
+  const std::string text =
+      "G21 G90 G17\nG0 X0. Y0. Z5.\nG53 G0 X0.\nT1 M6\nG91 G1 X5. F100.\nM30\n";
+  const ProgramRun ran = to_text(text, setup_of(fanuc));
+  ASSERT_TRUE(ran.stopped);
+  EXPECT_TRUE(ran.diagnostics.front().detail.starts_with("X, unknown since the change in line 3"))
+      << ran.report();
+}
+
 TEST(Unfollowed, IsToldByItsNameWithinAContour) {
   const std::string begin = "G90 G17\nG0 X-20. Y-20. Z5.\nG41 D1 G1 X0. Y0. F500.\n";
   const std::string end = "\nY40.\nG40 X-20. Y-20.\nM30\n";

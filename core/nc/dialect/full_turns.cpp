@@ -41,7 +41,8 @@ bool move_in_full_turns(Reading& reading, ProgramLine& line, const BlockWords& b
   const bool clockwise = reading.motion == MotionKind::clockwise;
   if (!clockwise && reading.motion != MotionKind::counter_clockwise)
     return wrong(Code::nc_unsupported, "turns of a straight motion");
-  if (arc.radius || !(arc.center[axes.first] || arc.center[axes.second]) || !arc.tracking.empty())
+  if (arc.radius) return wrong(Code::nc_unsupported, "turns beside a radius");
+  if (!(arc.center[axes.first] || arc.center[axes.second]) || !arc.tracking.empty())
     return wrong(Code::circle_incomplete, "turns without I J K alone");
   const bool known = reading.state.is_known(axes.first) && reading.state.is_known(axes.second) &&
                      (reading.state.is_known(axes.third) || !arc.end[axes.third]);

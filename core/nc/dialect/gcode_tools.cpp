@@ -129,6 +129,18 @@ bool check_words_beside_contour(Reading& reading, const ProgramLine& line,
   return true;
 }
 
+// FANUC: where a contour begins the control reads the register of the last D word, which G10 may
+// have written into since (D-163). None: the line has to say what nobody knows.
+std::optional<BlockWords::Value> register_in_force(const Reading& reading,
+                                                   const BlockWords& block) {
+  const std::optional<double>& last = reading.gcode.last_register.number;
+  if (reading.dialect.name != DialectName::fanuc || !last || reading.trc_active()) return {};
+  const std::int64_t number = register_number(*last);
+  if (!reading.state.tool().has_tool(number) && reading.gcode.tools.only_register != number)
+    return {};
+  return BlockWords::Value{.value = *last, .begin = block.of(side).begin};
+}
+
 // What names the tool of a line.
 enum class ToolSaid : std::uint8_t { by_d, by_h, by_spindle };
 
@@ -141,6 +153,9 @@ std::optional<ToolSaid> take_tool_of_selection(Reading& reading, ProgramLine& li
   if (reading.dialect.name == DialectName::fanuc && !block.tools.d_word && block.h_word &&
       !has_length_offset(line)) {
     block.tools.d_word = block.h_word;
+    reading.gcode.last_register = {.number = block.h_word->value,
+                                   .comes_out = false,
+                                   .place = reading.place_of_word(line, block.h_word->begin)};
     said = ToolSaid::by_h;
   }
   const bool gives_diameter = block.of(side).function->tenth != 0;
@@ -154,6 +169,7 @@ std::optional<ToolSaid> take_tool_of_selection(Reading& reading, ProgramLine& li
     block.tools.d_word.reset();
     return said;
   }
+  if (!block.tools.d_word) block.tools.d_word = register_in_force(reading, block);
   // D0 of LinuxCNC is the tool in the spindle, unless the table has a tool 0.
   const bool is_spindle_by_number = reading.dialect.name == DialectName::linuxcnc &&
                                     block.tools.d_word && block.tools.d_word->value == 0 &&
@@ -216,7 +232,7 @@ bool check_tool_of_table(Reading& reading, const ProgramLine& line, BlockWords& 
 bool take_only_spindle_tool(Reading& reading) {
   const std::int64_t tool = reading.gcode.tools.in_spindle;
   if (reading.dialect.name != DialectName::fanuc || !reading.has_one_radius() || tool == 0 ||
-      reading.gcode.tools.only_register)
+      reading.gcode.tools.only_register || reading.state.tool().row_of_tool(tool))
     return true;
   const std::int64_t only = reading.gcode.tools.only_in_spindle.value_or(tool);
   reading.gcode.tools.only_in_spindle = only;
@@ -264,7 +280,7 @@ std::optional<double> spindle_diameter(const Reading& reading) {
     return std::nullopt;
   if (const auto row = reading.state.tool().row_of_tool(reading.gcode.tools.in_spindle))
     return 2 * (row->radius + row->wear);
-  if (!reading.has_one_radius()) return std::nullopt;
+  if (!reading.has_one_radius() || reading.state.setup().nominal_radius > 0) return std::nullopt;
   return 2 * (reading.state.setup().mode.tool_radius + reading.state.setup().wear);
 }
 

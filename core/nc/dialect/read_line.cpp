@@ -143,6 +143,7 @@ bool read_words_of_dialect(Reading& reading, ProgramLine& line, BlockWords& bloc
 }
 
 // An increment of the third axis, whose place is not known: while TRC is off nothing hangs on it.
+// Whatever else the line moves is not followed either.
 void copy_plunge_from_nowhere(const Reading& reading, ProgramLine& line, BlockWords& block) {
   using enum GGroup;
   const std::size_t third = axes_of(reading.state.programmed_plane()).third;
@@ -156,9 +157,8 @@ void copy_plunge_from_nowhere(const Reading& reading, ProgramLine& line, BlockWo
       !incremental || !straight || block.center || reading.state.is_known(third) ||
       !block.move.end[third])
     return;
-  for (std::size_t axis = 0; axis < block.move.end.size(); ++axis)
-    if (axis != third && block.move.end[axis]) return;
   block.copied = true;
+  block.forget |= block.named_axes();
   for (WordRange& word : line.words)
     if (word.role == WordRole::coordinate) word.role = WordRole::technology;
 }

@@ -85,8 +85,9 @@ struct Reading {
     return faults.empty() ? state.mode().active() : scanned_trc;
   }
   [[nodiscard]] bool has_one_radius() const {
-    return state.setup().tools.empty() &&
-           (state.setup().mode.tool_radius != 0 || state.setup().tool_radius_given);
+    const ProgramSetup& setup = state.setup();
+    return setup.tools.empty() &&
+           (setup.mode.tool_radius != 0 || setup.tool_radius_given || setup.nominal_radius > 0);
   }
   // A table, or one radius for all.
   [[nodiscard]] bool gives_radii() const {

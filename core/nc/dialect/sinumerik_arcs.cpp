@@ -61,18 +61,26 @@ bool take_point_between(Reading& reading, ProgramLine& line, BlockWords& block) 
                                           .begin = block.axis.value_or(0),
                                           .detail = std::string("CIP, ").append(why)});
   };
-  if (block.arc.through[axes.third] || !block.arc.through[axes.first] ||
-      !block.arc.through[axes.second])
+  const auto& given = block.arc.through;
+  if (given[axes.third] || (!given[axes.first] && !given[axes.second]))
     return wrong("whose point between names the two axes of the plane");
   const Point start =
       to_plane(reading.state.mode().plane, reading.state.position()) / reading.length_unit();
+  // A coordinate of 0 may be left out, which under G90 is not where the arc starts: whether all
+  // controls take it so, no manual says.
+  const auto is_clear = [&](std::size_t axis, double from) {
+    return given[axis] || reading.incremental || from == 0;
+  };
+  if (!is_clear(axes.first, start.x()) || !is_clear(axes.second, start.y()))
+    return wrong("whose point between names one axis alone under G90");
   const auto on = [&](const std::optional<double>& value, double from) {
     return value ? *value + (reading.incremental ? from : 0) : from;
   };
   const auto through = [&](std::size_t axis, double from) {
+    if (!given[axis]) return from;
     const int reference = block.references.through[axis];
     const bool counts_from_start = reference == 0 ? reading.incremental : reference < 0;
-    return block.arc.through[axis]->value + (counts_from_start ? from : 0);
+    return given[axis]->value + (counts_from_start ? from : 0);
   };
   const Point between(through(axes.first, start.x()), through(axes.second, start.y()));
   const Point end(on(move.end[axes.first], start.x()), on(move.end[axes.second], start.y()));

@@ -107,8 +107,9 @@ void take_what_is_unfollowed(Reading& reading, const ProgramLine& line, BlockWor
   if (!block.coordinates.frame.empty()) end_scaling_frames(reading, block.coordinates.frame);
   if (block.coordinates.frame == programmable_frame)
     reading.gcode.coordinates.end_unfollowed(scale_tenths);
+  // SCALE alone ends all frames, as TRANS alone does.
   if (scales && !block.axis && !block.coordinates.adds_to_frame) {
-    block.forget |= all_axes;
+    block.set(by_name::absolute_frame, block.of(unfollowed).begin);
     block.clear(unfollowed);
   }
   if (block.has(motion)) reading.gcode.coordinates.end_unfollowed(by_name::spline.tenths());

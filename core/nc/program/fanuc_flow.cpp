@@ -336,6 +336,9 @@ bool FanucFlow::execute(std::string& flat) {
     flat.append(without_blanks_behind(line_.substr(at, behind - at))).append(line_end());
     at = behind;
   }
+  // [#1 LT 3] M99 P10 of Haas
+  if (at < line_.size() && line_[at] == '[')
+    return refuse(Code::nc_unsupported, at, "[ ], a condition without IF");
   const bool assigns = at < line_.size() && line_[at] == '#';
   if (!assigns && !is_statement_at(line_, at)) return execute_words(flat);
   if (head_.to_skip)

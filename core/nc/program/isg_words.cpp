@@ -144,7 +144,8 @@ bool IsgFlow::scan_address(std::size_t& at) {
   if (const IsgCall call = isg_call_at(line_, at); call.is_call && head_.behind < at)
     return scan_call(at, call);
   std::size_t value = behind_blanks(line_, at + 1);
-  if (sign_at(line_, value) == '=') value = behind_blanks(line_, value + 1);
+  const bool is_assigned = sign_at(line_, value) == '=';
+  if (is_assigned) value = behind_blanks(line_, value + 1);
   if (is_isg_expression_at(line_, value)) return scan_value(begin, value, at);
   if (is_letter(sign_at(line_, at + 1))) {  // a name: the reader says what it is
     at = line_.size();
@@ -163,8 +164,9 @@ bool IsgFlow::scan_address(std::size_t& at) {
     value = behind_blanks(line_, behind + 1);
     if (is_isg_expression_at(line_, value)) return scan_value(begin, value, at);
     at = value + read_number(line_.substr(value), number, whole);
-  } else if (length > 0 && (sign == '*' || (behind == at && (sign == '+' || sign == '-')))) {
-    return scan_value(begin, value, at);  // X10+P1
+  } else if (length > 0 && (sign == '*' || (behind == at && (sign == '+' || sign == '-')) ||
+                            (is_assigned && (sign == '+' || sign == '-' || sign == '/')))) {
+    return scan_value(begin, value, at);  // X10+P1, X=100/2
   }
   pieces_.push_back({.begin = begin, .end = at});
   return true;

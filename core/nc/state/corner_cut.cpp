@@ -136,12 +136,16 @@ std::optional<CutCorner> cut_lines(const Line& before, const Line& after, const 
 
 }  // namespace
 
+bool turns_back(const Segment& before, const Segment& after) {
+  return std::abs(turn_between(tangent_at_end(before), tangent_at_start(after))) > nearly_back;
+}
+
 std::optional<CutCorner> cut_corner(const Segment& before, const Segment& after,
                                     const CornerCut& cut, const Tolerances& tolerances) {
   const double same_point = tolerances.same_point;
   if (std::min(length_of(before), length_of(after)) <= same_point) return {};
+  if (turns_back(before, after)) return {};
   const double turn = turn_between(tangent_at_end(before), tangent_at_start(after));
-  if (std::abs(turn) > nearly_back) return {};
   if (!is_arc(before) && !is_arc(after))
     return cut_lines(std::get<Line>(before), std::get<Line>(after), cut, tolerances);
   if (cut.form != CornerCut::Form::round || std::abs(turn) <= tolerances.tangent) return {};

@@ -29,6 +29,9 @@ struct CutCorner {
   Segment after{};
 };
 
+// Whether the contour runs back where it came from: no circle touches both motions there.
+[[nodiscard]] bool turns_back(const Segment& before, const Segment& after);
+
 // Nothing where the motions have no room for it, turn back or touch. A chamfer is one between
 // lines: controls differ in what it is beside an arc.
 [[nodiscard]] std::optional<CutCorner> cut_corner(const Segment& before, const Segment& after,

@@ -80,8 +80,9 @@ bool ProgramState::cut_corner_before(const MoveRequest& request, Segment& path, 
   const CornerCut& cut = corner_.cut();
   const bool in_contour = mode_.active() && before.mode->side == mode_.side &&
                           before.mode->selection_number == mode_.selection_number;
-  const bool may_be_none =
-      cut.modal || (setup_.dialect == DialectName::sinumerik && cut.form == CornerCut::Form::round);
+  const bool passes_over_none =
+      setup_.dialect == DialectName::sinumerik || setup_.dialect == DialectName::fanuc;
+  const bool may_be_none = cut.modal || (passes_over_none && cut.form == CornerCut::Form::round);
   const bool no_corner =
       may_be_none && std::abs(turn_between(tangent_at_end(before.path), tangent_at_start(path))) <=
                          tolerances_.tangent;
@@ -102,7 +103,9 @@ bool ProgramState::cut_corner_before(const MoveRequest& request, Segment& path, 
   if (!corner || !has_place)
     return report(corner_.source(), Code::nc_unsupported,
                   beside_arc ? "a chamfer beside an arc"
-                             : "a rounding or a chamfer the motions have no room for");
+                  : turns_back(before.path, path)
+                      ? "a rounding or a chamfer where the contour turns back"
+                      : "a rounding or a chamfer the motions have no room for");
   path = takes_all_behind ? corner->between : corner->after;
   corner_.put_in(*corner, takes_all_behind, tolerances_.same_point);
   corner_.release(blocks_);

@@ -66,7 +66,7 @@ bool ProgramState::deselect(const Source& source) {
     const PlaneAxes axes = axes_of(mode_.plane);
     beside_contour_ = {};
     beside_contour_[axes.first] = beside_contour_[axes.second] = true;
-    forget_what_stands_beside();
+    forget_what_stands_beside(source);
   }
   just_deselected_ = true;
   TrcMode& mode = change_mode();

@@ -72,15 +72,20 @@ void ProgramState::share_mode() {
 
 void ProgramState::forget_position(const std::array<bool, 3>& axes, const Source& source) {
   for (std::size_t axis = 0; axis < known_.size(); ++axis)
-    if (axes[axis]) known_[axis] = false;
-  position_forgotten_ = source;
-  forget_what_stands_beside();
+    if (axes[axis]) forget_axis(axis, source);
+  forget_what_stands_beside(source);
 }
 
-void ProgramState::forget_what_stands_beside() {
+void ProgramState::forget_axis(std::size_t axis, const Source& source) {
+  known_[axis] = false;
+  position_forgotten_[axis] = source;
+}
+
+void ProgramState::forget_what_stands_beside(const Source& source) {
   if (!retract_is_lost()) return;
   const PlaneAxes axes = axes_of(mode_.plane);
-  known_[axes.first] = known_[axes.second] = false;
+  forget_axis(axes.first, source);
+  forget_axis(axes.second, source);
 }
 
 void ProgramState::set_position(const std::array<std::optional<double>, 3>& place,
@@ -138,7 +143,7 @@ std::optional<Refusal> ProgramState::unknown_start(const MoveRequest& request) c
     if (counts_from_start || needed)
       return Refusal{.code = Code::position_unknown,
                      .detail = std::string(axis_words[axis]) + ", unknown since the change " +
-                               place_of(position_forgotten_) +
+                               place_of(position_forgotten_[axis]) +
                                (counts_from_start ? told_increments() : "")};
   }
   return {};

@@ -264,7 +264,8 @@ class ProgramState {
   }
 
  private:
-  void forget_what_stands_beside();
+  void forget_what_stands_beside(const Source& source);
+  void forget_axis(std::size_t axis, const Source& source);
   bool report(const Source& source, Code code, std::string detail = {},
               std::vector<DiagnosticValue> values = {});
   bool refuse(const Source& source, Refusal refusal);
@@ -379,8 +380,8 @@ class ProgramState {
   // As programmed. Differs from position_ by steps that were too short to travel.
   Position target_{};
   std::array<bool, 3> known_{true, true, true};
-  std::array<bool, 3> programmed_{};  // a motion has led there
-  Source position_forgotten_{};       // by what, unless all is known
+  std::array<bool, 3> programmed_{};            // a motion has led there
+  std::array<Source, 3> position_forgotten_{};  // by what, of the axes that are not known
   // A deselection under G239 has left the tool beside the programmed point, and no straight motion
   // in the plane has followed.
   bool displaced_ = false;

@@ -104,7 +104,8 @@ std::optional<Refusal> ToolInForce::call_tool(const ToolRow& row) {
 std::optional<Refusal> ToolInForce::load_tool() {
   loads_tools_ = true;
   if (prepared_ == no_tool) return {};
-  return take_tool(std::exchange(prepared_, no_tool));
+  loaded_ = std::exchange(prepared_, no_tool);
+  return take_tool(loaded_);
 }
 
 std::int64_t ToolInForce::tool_named(std::string_view name) const {
@@ -158,7 +159,8 @@ std::optional<Refusal> ToolInForce::take_tool(std::int64_t number) {
   if (giver_ == RadiusGiver::program) return {};
   if (defined_.contains(number) || setup_.tools.contains(number))
     return enter_row(*row_of_tool(number), RadiusGiver::tool_in_spindle);
-  if (giver_ == RadiusGiver::setup) return {};
+  if (giver_ == RadiusGiver::setup && (wears_.empty() || setup_.every_radius)) return {};
+  if (giver_ == RadiusGiver::setup) return set_wear(wear_of(number));
   giver_ = RadiusGiver::nobody;
   missing_ = number;
   missing_letter_ = 'T';
@@ -167,8 +169,9 @@ std::optional<Refusal> ToolInForce::take_tool(std::int64_t number) {
 }
 
 std::optional<Refusal> ToolInForce::check_at_first_motion(const Source& selected) {
-  if (has_tool_that_waits())
-    if (auto refusal = take_tool(prepared_)) return refusal;
+  const bool reads_register = setup_.dialect == DialectName::fanuc && loaded_ != no_tool;
+  if (has_tool_that_waits() || reads_register)
+    if (auto refusal = take_tool(has_tool_that_waits() ? prepared_ : loaded_)) return refusal;
   return check(selected);
 }
 

@@ -51,7 +51,8 @@ class ToolInForce {
   // wear is none of a whole radius (900222); 0 gets a warning once (900220). A tool that the table
   // does not hold is told where the program calls it (900013, D-52). `selected`: by whom.
   std::optional<Refusal> check(const Source& selected);
-  // The same; a tool made ready without any M06 takes its place first.
+  // The same; a tool made ready without any M06 takes its place first. Under FANUC the register of
+  // the tool in the spindle is read anew: G10 may have written into it since (D-163).
   std::optional<Refusal> check_at_first_motion(const Source& selected);
 
   // The radius that the program may ask for, mm, without wear. None where nobody has given one, or
@@ -83,7 +84,7 @@ class ToolInForce {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(defined_, wears_, terms_.radius, terms_.wear, terms_.allowance, giver_, prepared_,
-            prepared_place_, loads_tools_, missing_, missing_letter_, missing_place_,
+            loaded_, prepared_place_, loads_tools_, missing_, missing_letter_, missing_place_,
             zero_reported_);
   }
 
@@ -108,6 +109,7 @@ class ToolInForce {
   RadiusTerms terms_;
   RadiusGiver giver_ = RadiusGiver::nobody;
   std::int64_t prepared_ = no_tool;  // of a T word, until it is loaded
+  std::int64_t loaded_ = no_tool;    // by the last M06
   bool loads_tools_ = false;         // the program has an M06
   WordPlace prepared_place_{};       // of the last T word
   std::int64_t missing_ = no_tool;   // asked for last, without a radius

@@ -12,6 +12,7 @@
 #include "core/base/utf8.h"
 #include "core/nc/text/characters.h"
 #include "core/nc/text/decimal.h"
+#include "core/nc/text/expression.h"
 
 namespace trc {
 namespace {
@@ -283,12 +284,16 @@ Word WordReader::address() {
   }
   if (word.letter == 'V' && peek() == '.' && at_ + 1 != end_ && class_of(at_[1]) == Class::letter)
     return variable();
+  bool assigned = false;
   if (!is_digit(peek())) {
-    if (skip_blanks() && peek() == '=') ++at_;
+    assigned = skip_blanks() && peek() == '=';
+    if (assigned) ++at_;
     if (!skip_blanks()) return no_number(word);
   }
+  const char* const value = at_;
   if (!number(word.value, word.whole)) return no_number(word);
   word.end = place_of(at_);
+  if (assigned && goes_on_as_expression()) return expression(value, word);
 
   // G159=3, S2=500; or an axis with a name of its own: X1=10.
   pass_blanks();
@@ -297,6 +302,28 @@ Word WordReader::address() {
   if (!skip_blanks() || !number(word.argument, word.whole))
     return fail(Code::nc_number, at_, {&word.letter, 1});
   word.has_argument = true;
+  word.end = place_of(at_);
+  return word;
+}
+
+// Behind the first number of X=100/2 and X=4 + 5.
+bool WordReader::goes_on_as_expression() {
+  const char* const behind = at_;
+  pass_blanks();
+  const char sign = peek();
+  at_ = behind;
+  return sign == '+' || sign == '-' || sign == '*' || sign == '/';
+}
+
+Word WordReader::expression(const char* begin, Word word) {
+  std::size_t length = 0;
+  if (auto fault = read_expression(line_.substr(place_of(begin)), word.value, length)) {
+    fault->begin += place_of(begin);
+    fault_ = *std::move(fault);
+    return {.kind = WordKind::fault, .begin = fault_.begin, .end = fault_.begin};
+  }
+  at_ = begin + length;
+  word.whole = false;
   word.end = place_of(at_);
   return word;
 }

@@ -46,7 +46,8 @@ struct TextFault {
 // Words need no blanks between them; blanks may stand between a letter, its `=`
 // and its number. A no-break space is a blank: text copied from a manual holds it.
 // A comment in parentheses nests and ends in its line (900009). Numbers are
-// decimal without exponent: E is a letter of its own.
+// decimal without exponent: E is a letter of its own. Behind `=` they may be computed: X=100/2,
+// Y=4 + 5.
 class WordReader {
  public:
   // `demands_utf8`: of comments.
@@ -76,6 +77,8 @@ class WordReader {
   [[nodiscard]] bool number(double& value, bool& whole);
   // A view, so that no string is on the way of the words that are right.
   [[nodiscard]] Word fail(Code code, const char* at, std::string_view detail);
+  [[nodiscard]] bool goes_on_as_expression();
+  [[nodiscard]] Word expression(const char* begin, Word word);
   [[nodiscard]] Word no_number(const Word& word);
   [[nodiscard]] Word no_text(const char* begin, std::size_t bad);
   [[nodiscard]] std::uint32_t place_of(const char* at) const {

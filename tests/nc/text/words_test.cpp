@@ -60,6 +60,12 @@ TEST(Words, MayHaveBlanksAndAnEqualSignInsideThem) {
   EXPECT_EQ(words_of("G 01  X = 10\tY= -.5 Z 3."), "G1 X10 Y-0.5 Z3");
 }
 
+// A `/` is the sign of a line to be skipped in front of it alone.
+TEST(Words, MayBeComputedBehindTheirSign) {
+  EXPECT_EQ(words_of("G1 X=100/2 Y=4 + 5 Z-2"), "G1 X50 Y9 Z-2");
+  EXPECT_EQ(words_of("X=10 Y=2**3-1"), "X10 Y7");
+}
+
 TEST(Words, AreTheSameInLowerCase) { EXPECT_EQ(words_of("n10 g1 x5"), "N10 G1 X5"); }
 
 TEST(Words, TakeASignAndAPointWithoutDigitsOnOneSide) {
