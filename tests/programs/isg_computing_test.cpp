@@ -48,7 +48,7 @@ TEST(IsgExpressions, KeepTheOrderOfTheirOperators) {
 // A `/` skips a line where it stands in front of it, and behind `=` divides.
 TEST(IsgExpressions, StandBehindAnAddressWithBlanksAndDivisions) {
   EXPECT_EQ(flat("P1=80\nG0 X=P1/2 Y=50 + 10 Z=90/3\n"), "G0 X=40 Y=60 Z=30\n");
-  ProgramSessionSetup setup = computing_setup(isg, 5);
+  ProgramSessionSetup setup = computing_setup(DialectName::isg, 5);
   const std::string plain = "G90 G17\nG0 X-20 Y0\nG41 G1 X0 F300\nY40\nX60\nG40 X80\nM30\n";
   const std::string computed =
       "G90 G17\nG0 X=-40/2 Y0\nG41 G1 X=4 - 4 F300\nY=80/2\nX=50 + 10\nG40 X=2*40\nM30\n";

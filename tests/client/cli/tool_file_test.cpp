@@ -81,14 +81,14 @@ TEST(ToolFile, IsATableOfLinuxcnc) {
   EXPECT_DOUBLE_EQ(radii.at(12), 3.175);
 }
 
-// $TC_DP6 is the radius of an edge, $TC_DP15 its wear, $TC_DP1 from 500 to 599 a turning tool,
-// whose $TC_DP6 is that of its nose.
 // A probe, or a mill whose diameter nobody has measured.
 TEST(ToolFile, HasADiameterOfNoughtWhereARowOfLinuxcncNamesNone) {
   const std::map<std::uint32_t, double> expected{{1, 0}, {2, 3}};
   EXPECT_EQ(radii_in("T1 P1 Z-1.2 ;probe\nT2 P2 D6\n"), expected);
 }
 
+// $TC_DP6 is the radius of an edge, $TC_DP15 its wear, $TC_DP1 from 500 to 599 a turning tool,
+// whose $TC_DP6 is that of its nose.
 TEST(ToolFile, IsTheToolDataOfSinumerik) {
   constexpr const char* table =
       "%_N_TO_TOA\r\n;$PATH=/_N_TOA1_DIR\r\nCHANDATA(1)\r\n$TC_TP1[1]=1\r\n"

@@ -23,7 +23,7 @@ bool give_and_join() {
   return pthread_join(thread, &answer) == 0 && answer == &word;
 }
 
-int refuse(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*) { return EAGAIN; }
+int no_thread_left(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*) { return EAGAIN; }
 
 TEST(ThreadReserve, GivesAsManyAsThereAreAndRemembersWhoWentWithout) {
   EXPECT_FALSE(give_and_join());
@@ -39,7 +39,7 @@ TEST(ThreadReserve, GivesAsManyAsThereAreAndRemembersWhoWentWithout) {
     EXPECT_FALSE(give_and_join());
   }
   EXPECT_FALSE(ThreadReserve::failed());
-  EXPECT_FALSE(ThreadReserve::install(2, refuse));
+  EXPECT_FALSE(ThreadReserve::install(2, no_thread_left));
   EXPECT_FALSE(give_and_join());
   EXPECT_TRUE(ThreadReserve::failed());
 }
