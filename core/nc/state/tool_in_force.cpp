@@ -169,7 +169,10 @@ std::optional<Refusal> ToolInForce::take_tool(std::int64_t number) {
 }
 
 std::optional<Refusal> ToolInForce::check_at_first_motion(const Source& selected) {
-  const bool reads_register = setup_.dialect == DialectName::fanuc && loaded_ != no_tool;
+  // One that is missed still is told where it was called.
+  const bool is_missed = giver_ == RadiusGiver::nobody && !defined_.contains(loaded_);
+  const bool reads_register =
+      setup_.dialect == DialectName::fanuc && loaded_ != no_tool && !is_missed;
   if (has_tool_that_waits() || reads_register)
     if (auto refusal = take_tool(has_tool_that_waits() ? prepared_ : loaded_)) return refusal;
   return check(selected);

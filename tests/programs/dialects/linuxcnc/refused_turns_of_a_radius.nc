@@ -1,4 +1,4 @@
-; refused 900101 line 6
+; refused 900003 line 6
 G21 G90 G17
 T1 M6
 G0 X-10 Y0
