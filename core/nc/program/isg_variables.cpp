@@ -218,7 +218,7 @@ Value IsgFlow::read(ExpressionReader& expression) {
   if (reads_words_ && std::ranges::find(assigned_, name) != assigned_.end())
     return expression.fail(Code::value_invalid, begin, name + ", which its own line sets");
   const std::size_t end = expression.at();
-  const Value value = value_of(expression, name, begin);
+  Value value = value_of(expression, name, begin);
   std::string text;
   append_number(text, value);
   kept_text_.take(begin, end, text.front() == '-' ? "[" + text + "]" : text);
