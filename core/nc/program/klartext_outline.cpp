@@ -103,23 +103,24 @@ void KlartextOutline::read(std::string_view line, Execution execution) {
                       .repeats = statement.repeats,
                       .in_contour = in_contour_});
   }
-  if (execution != Execution::never) read_effects(line, words, execution);
+  if (execution != Execution::never) read_effects(line, words, statement, execution);
   ++lines_;
 }
 
 void KlartextOutline::read_effects(std::string_view line, std::string_view words,
-                                   Execution execution) {
-  const auto target = [&](std::string_view in_front) {
-    const std::size_t at = words.find(in_front);
-    if (at == std::string_view::npos) return LabelEffects::no_label;
-    const std::string label = label_of(line, begin_of_statement(line), words.substr(at));
+                                   const LabelStatement& statement, Execution execution) {
+  const auto target_of = [&](const std::string& label) {
     return is_parameter(label) ? LabelEffects::no_label : index_of(label);
   };
-  const LabelStatement statement = label_statement_in(line, words);
-  const KlartextEffects effects = effects_of_line(line.substr(begin_of_statement(line)), words);
+  const KlartextEffects effects = effects_of_line(line.substr(statement.begin), words);
   const bool calls = statement.kind == LabelStatement::Kind::call;
-  if (jumps(words)) effects_.add_jump(target("LBL "));
-  if (calls && !statement.repeats) effects_.add_call(target("CALL LBL"));
+  if (jumps(words)) {
+    const std::size_t at = words.find("LBL ");
+    effects_.add_jump(at == std::string_view::npos
+                          ? LabelEffects::no_label
+                          : target_of(label_of(line, statement.begin, words.substr(at))));
+  }
+  if (calls && !statement.repeats) effects_.add_call(target_of(statement.label));
   // Lines in front of the label are executed as well, and again.
   const bool is_choice = execution == Execution::perhaps && (calls || effects.touched() != 0);
   if (is_choice || (calls && statement.repeats)) effects_.add_choice();

@@ -73,7 +73,8 @@ class KlartextOutline {
 
   [[nodiscard]] std::size_t index_of(const std::string& name);
   void read_label(const std::string& name);
-  void read_effects(std::string_view line, std::string_view words, Execution execution);
+  void read_effects(std::string_view line, std::string_view words, const LabelStatement& statement,
+                    Execution execution);
   // Behind the labels of the section a contour, or a call of one, stands in that line.
   void take_contour(Section& section, std::size_t line);
   void find_contours_of_labels();
