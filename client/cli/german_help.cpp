@@ -218,12 +218,12 @@ constexpr auto rows = std::to_array<Row>({
      "of its selection,\n"
      "by a method of its own that knows nothing of how the path was made. Exit code 1 "
      "when the path comes\n"
-     "nearer than the tool radius.",
+     "nearer than the tool radius, or when an approach or a retract leads through the contour.",
      "Jeder Satz zwischen An- und Abfahren wird an jedem Kontursatz seiner Anwahl "
      "gemessen, mit einem\n"
      "eigenen Verfahren, das nicht weiß, wie die Bahn entstand. Rückgabewert 1, wenn "
      "die Bahn näher kommt\n"
-     "als der Werkzeugradius."},
+     "als der Werkzeugradius, oder wenn ein An- oder Abfahrweg durch die Kontur führt."},
     {"Address of the page; port 0 takes a free one",
      "Adresse der Seite; Port 0 nimmt einen freien"},
     {"Print the address only", "Nur die Adresse ausgeben"},

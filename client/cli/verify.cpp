@@ -172,7 +172,12 @@ Exit run(const ProgramOptions& options) {
        report.worst->margin() < report.gouge->margin() - verify::margin_resolution))
     std::cout << told("the contour closes there: that is a touch, no gouge") << '\n';
   print_coverage(report, untouched);
-  if (report.gouging == 0) return Exit::done;
+  for (const verify::CrossedWall& crossed : report.crossed)
+    std::cerr << told(input.name() + ':' + std::to_string(crossed.way.line) +
+                      ": the approach or the retract leads through the contour at line " +
+                      std::to_string(crossed.wall.line))
+              << '\n';
+  if (report.gouging == 0) return report.crossed.empty() ? Exit::done : Exit::refused;
   const verify::Clearance& gouge = *report.gouge;
   std::cerr << told(input.name() + ':' + std::to_string(gouge.path.line) +
                     ": gouge: " + std::to_string(report.gouging) +
@@ -203,7 +208,8 @@ void add_verify(CLI::App& app, Action& action) {
   command->footer(
       "Every block between approach and retract is measured against every contour block of its "
       "selection,\nby a method of its own that knows nothing of how the path was made. Exit code 1 "
-      "when the path comes\nnearer than the tool radius.\n\n" +
+      "when the path comes\nnearer than the tool radius, or when an approach or a retract leads "
+      "through the contour.\n\n" +
       settings_help(Language::english));
   command->callback([call, record, file, &action] {
     if (file->empty() && record->empty()) throw CLI::RequiredError("FILE or --record");

@@ -283,6 +283,10 @@ constexpr auto rows = std::to_array<CodeRow>({
      "for the machine",
      "The result holds for these values only. Raise a counter in one assignment from itself, which "
      "then stays as it is, or compensate anew for each value."},
+    {Code::way_crosses_contour, error, "WAY_CROSSES_CONTOUR",
+     "the approach or the retract leads through the contour",
+     "Start from the side of the contour the tool runs on, leave to that side, or lift the tool "
+     "before it crosses."},
     {Code::too_many_lines_executed, error, "TOO_MANY_LINES_EXECUTED",
      "more lines are executed than allowed",
      "Look for a loop that never ends. A program that is meant to be so long needs a larger "

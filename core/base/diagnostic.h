@@ -117,6 +117,7 @@ enum class Code : std::int32_t {
   call_taken_as_harmless = 900226,
   machine_compensates = 900227,
   given_value_kept = 900228,
+  way_crosses_contour = 900229,
 
   // programs that compute
   too_many_lines_executed = 900301,

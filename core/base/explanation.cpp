@@ -1008,6 +1008,22 @@ constexpr auto rows = std::to_array<Explanation>({
                 "#500=#1\n"
                 "M30\n",
      .options = "--dialect fanuc --variable #500=7"},
+    {.code = Code::way_crosses_contour,
+     .meaning =
+         "Approach and retract run as programmed, and are measured beside the path: here the "
+         "centre of the tool goes through a wall of its contour, at the depth of that.",
+     .causes = {"G40 leads straight to the next place, across the part.",
+                "The tool starts on the other side of the contour, or the side is the wrong one."},
+     .example = "N10 G00 X-40 Y-40\n"
+                "N20 V.G.WZ_AKT.R = 5\n"
+                "N30 G41 G01 X0 Y30 F300\n"
+                "N40 Y60\n"
+                "N50 X100\n"
+                "N60 Y0\n"
+                "N70 X0\n"
+                "N80 Y30\n"
+                "N90 G40 X120 Y42\n"
+                "N100 M30\n"},
     {.code = Code::too_many_lines_executed,
      .meaning = "Loops, jumps and calls are followed, and every line that is executed becomes a "
                 "line of the flat program. A bound keeps a loop without end from running forever.",

@@ -397,6 +397,10 @@ constexpr auto rows = std::to_array<GermanRow>({
               "Maschine berechnet ist, wie sie angegeben sind",
      .help = "Das Ergebnis gilt nur für diese Werte. Einen Zähler in einer einzigen Zuweisung aus "
              "ihm selbst erhöhen: diese bleibt stehen. Oder für jeden Wert neu korrigieren."},
+    {.code = Code::way_crosses_contour,
+     .title = "der An- oder Abfahrweg führt durch die Kontur",
+     .help = "Auf der Seite der Kontur beginnen und enden, auf der das Werkzeug läuft, oder das "
+             "Werkzeug abheben, bevor es kreuzt."},
     {.code = Code::too_many_lines_executed,
      .title = "es werden mehr Zeilen ausgeführt als erlaubt",
      .help = "Nach einer Schleife suchen, die nie endet. Ein Programm, das so lang sein soll, "

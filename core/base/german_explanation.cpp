@@ -443,6 +443,12 @@ constexpr auto rows = std::to_array<GermanExplanation>({
                 "sich von Lauf zu Lauf nicht.",
      .causes = {"Ein Zähler wird über eine lokale Variable erhöht.",
                 "Ein Messwert der Maschine, dessen Wert angegeben ist, wird gespeichert."}},
+    {.code = Code::way_crosses_contour,
+     .meaning = "An- und Abfahren laufen wie programmiert und werden neben der Bahn nachgemessen: "
+                "hier geht die Mitte des Werkzeugs durch eine Wand seiner Kontur, in deren Tiefe.",
+     .causes = {"G40 führt geradewegs zum nächsten Ort, quer durch das Teil.",
+                "Das Werkzeug beginnt auf der anderen Seite der Kontur, oder die Seite ist "
+                "falsch."}},
     {.code = Code::too_many_lines_executed,
      .meaning = "Schleifen, Sprüngen und Aufrufen wird gefolgt, und jede ausgeführte Zeile wird "
                 "eine Zeile des flachen Programms. Eine Grenze verhindert, dass eine Schleife "

@@ -4,6 +4,7 @@
 #include <optional>
 #include <variant>
 
+#include "core/verify/crossed_walls.h"
 #include "core/verify/measure_selection.h"
 #include "core/verify/selection_walls.h"
 
@@ -33,6 +34,7 @@ void ClearanceReport::add(const ClearanceReport& other) {
   wall_length += other.wall_length;
   touched_length += other.touched_length;
   steps += other.steps;
+  crossed.insert(crossed.end(), other.crossed.begin(), other.crossed.end());
   if (other.worst && (!worst || other.worst->margin() < worst->margin())) worst = other.worst;
   if (other.gouge && (!gouge || other.gouge->margin() < gouge->margin())) gouge = other.gouge;
 }
@@ -50,8 +52,11 @@ ClearanceReport measure_clearance(const MeasuredPath& held, std::size_t end,
         settings.known_walls != nullptr
             ? settings.known_walls->of(held, begin, behind, settings, checkpoint)
             : own.emplace(held, begin, behind, settings, checkpoint);
-    report.add(measure_selection({.held = held, .begin = begin, .end = behind, .walls = walls},
-                                 next, settings, checkpoint));
+    const SelectionPieces selection{.held = held, .begin = begin, .end = behind, .walls = walls};
+    const std::size_t first = next;
+    ClearanceReport own_report = measure_selection(selection, next, settings, checkpoint);
+    own_report.crossed = crossed_walls(selection, first, next, settings, checkpoint);
+    report.add(own_report);
     begin = behind;
   }
   if (settings.progress) settings.progress(all, all);

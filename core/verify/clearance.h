@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "core/base/checkpoint.h"
 #include "core/base/tolerances.h"
@@ -32,6 +33,13 @@ struct Clearance {
   [[nodiscard]] double margin() const { return distance - required; }
 };
 
+// An approach or a retract through a wall.
+struct CrossedWall {
+  Source way{};
+  Source wall{};
+  Position place{};  // machine axes, mm
+};
+
 struct ClearanceReport {
   // The smallest margin, also where that is a touch: paths and walls at the two sides of a closing
   // may come nearer by as much as they are apart there (D-38). Empty: nothing to check.
@@ -44,6 +52,8 @@ struct ClearanceReport {
   double wall_length = 0;     // mm, of all walls
   double touched_length = 0;  // mm, of these, that the path touches
   std::uint64_t steps = 0;    // pairs compared and stretches of contour looked at: the cost
+
+  std::vector<CrossedWall> crossed{};  // in the order of the program
 
   // The share of the walls the path touches; walls have a length.
   [[nodiscard]] double coverage() const { return touched_length / wall_length; }
@@ -73,7 +83,8 @@ struct ClearanceSettings {
 };
 
 // Measures every block of the compensated path between approach and retract against all walls of
-// its selection, with the exact distance of lines and arcs. Has distances and an index of its own,
+// its selection, with the exact distance of lines and arcs, and looks whether approach and retract
+// lead through one. Has distances and an index of its own,
 // and decides nothing by the compensation: only source positions link path and contour. From the
 // core it takes what follows from the program alone: blocks, and which of them are walls (D-38).
 // Looks across a change of side, but for the blocks at the change itself (D-42).

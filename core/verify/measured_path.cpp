@@ -111,7 +111,23 @@ void MeasuredPath::put_at_part(ProgrammedPiece& last) {
   last.is_contour = wall.exists;
 }
 
+void MeasuredPath::add_way(const CompensatedBlock& block) {
+  if (block.normal.moves() || !is_finite(block.path)) return;
+  std::size_t number = first_from(block.source);
+  if (block.origin == Origin::retract) {
+    if (number == programmed_.begin()) return;
+    --number;
+  } else if (number == programmed_.end() || is_before(block.source, programmed_[number].source)) {
+    return;
+  }
+  ways_.push_back({.piece = piece_of(block.path),
+                   .height = block.normal.to,
+                   .source = block.source,
+                   .programmed = number});
+}
+
 void MeasuredPath::add(const CompensatedBlock& block) {
+  if (block.origin == Origin::approach || block.origin == Origin::retract) return add_way(block);
   if (!is_measured(block.origin) || programmed_.empty() || !is_finite(block.path)) return;
   const ProgrammedPiece* stems_from = find(block.source);
   if (stems_from == nullptr) return;
@@ -165,13 +181,14 @@ const ProgrammedPiece* MeasuredPath::find(const Source& source) {
 void MeasuredPath::forget_before(std::size_t number) {
   programmed_.drop_before(number);
   path_.drop_before(path_.end());
+  std::erase_if(ways_, [&](const Way& way) { return way.programmed < number; });
   if (programmed_.empty()) rules_.clear();
 }
 
 std::size_t MeasuredPath::bytes() const {
   return programmed_.size() * sizeof(ProgrammedPiece) + path_.size() * sizeof(PathPiece) +
-         rules_.capacity() * sizeof(Rule) + WallTree::bytes_for(programmed_.size()) +
-         programmed_.size() * sizeof(std::size_t);
+         ways_.capacity() * sizeof(Way) + rules_.capacity() * sizeof(Rule) +
+         WallTree::bytes_for(programmed_.size()) + programmed_.size() * sizeof(std::size_t);
 }
 
 }  // namespace trc::verify

@@ -48,25 +48,34 @@ struct PathPiece {
   bool on_contour = false;     // it stands for that piece itself
 };
 
+// An approach or a retract at one height: where it leads is the program's business, but for walls.
+struct Way {
+  Piece piece{};
+  double height = 0;  // mm
+  Source source{};
+  std::size_t programmed = 0;  // the number of the first or the last piece of its selection
+};
+
 // Programmed blocks under TRC and the path they have become, as little of both as measuring needs,
 // until that is done.
 class MeasuredPath {
  public:
   // A block under TRC, in the order of the program.
   void add(const MotionBlock& block);
-  // A block of the path, behind the programmed block it stems from. Motion that is not measured,
-  // such as approach and retract, is left out.
+  // A block of the path, behind the programmed block it stems from. Motion that is not measured is
+  // left out.
   void add(const CompensatedBlock& block);
 
   [[nodiscard]] const NumberedQueue<ProgrammedPiece>& programmed() const { return programmed_; }
   [[nodiscard]] const NumberedQueue<PathPiece>& path() const { return path_; }
+  [[nodiscard]] const std::vector<Way>& ways() const { return ways_; }
   [[nodiscard]] const Rule& rule_of(const ProgrammedPiece& piece) const {
     return rules_[piece.rule];
   }
   // The number of the first programmed piece with this Source::index or a larger one.
   [[nodiscard]] std::size_t first_from(std::uint64_t index) const;
 
-  // Forgets the programmed pieces before this number, and all of the path.
+  // Forgets the programmed pieces before this number, their ways, and all of the path.
   void forget_before(std::size_t number);
 
   // All it holds, and what the index over so much takes while it is measured.
@@ -74,12 +83,13 @@ class MeasuredPath {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(programmed_, path_, rules_, last_);
+    archive(programmed_, path_, ways_, rules_, last_);
   }
 
  private:
   std::uint32_t number_of(const std::shared_ptr<const TrcMode>& mode);
   [[nodiscard]] bool is_contour(const MotionBlock& block, Side side) const;
+  void add_way(const CompensatedBlock& block);
   // Of the last one: it becomes the wall it stands for in wear mode.
   void put_at_part(ProgrammedPiece& last);
   // The programmed piece that a path stems from; null: there is none.
@@ -88,6 +98,7 @@ class MeasuredPath {
 
   NumberedQueue<ProgrammedPiece> programmed_;
   NumberedQueue<PathPiece> path_;
+  std::vector<Way> ways_;
   std::vector<Rule> rules_;
   std::shared_ptr<const TrcMode> last_mode_;  // that gave the last rule; none: not known
   std::size_t last_ = 0;                      // found: the path goes on there

@@ -37,4 +37,10 @@ void serialize(Archive& archive, PathPiece& path) {
   archive(piece, height, programmed, inserted, on_contour);
 }
 
+template <class Archive>
+void serialize(Archive& archive, Way& way) {
+  auto& [piece, height, source, programmed] = way;
+  archive(piece, height, source, programmed);
+}
+
 }  // namespace trc::verify

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "core/base/tolerances.h"
 #include "core/trc/result/selection_limit.h"
@@ -29,6 +30,14 @@ Diagnostic gouge(const ClearanceReport& found) {
   Diagnostic problem = too_near(Code::clearance_violated, *found.gouge);
   problem.values.push_back({"blocks", static_cast<double>(found.gouging)});
   append_place(problem.values, "other", found.gouge->contour);
+  return problem;
+}
+
+Diagnostic crossing(const CrossedWall& crossed) {
+  Diagnostic problem = diagnostic(Code::way_crosses_contour, crossed.way);
+  problem.point =
+      DiagnosticPoint{.x = crossed.place[0], .y = crossed.place[1], .z = crossed.place[2]};
+  append_place(problem.values, "other", crossed.wall);
   return problem;
 }
 
@@ -106,12 +115,15 @@ bool Verification::tell_unmeasured() {
 bool Verification::compensated(std::span<const CompensatedBlock> path) {
   for (const CompensatedBlock& block : path) {
     if (is_untold_ && block.source.index >= unmeasured_.index && !tell_unmeasured()) return false;
+    // A retract stems from the block behind its selection, but belongs to that.
+    const bool leads_away = block.origin == Origin::retract;
+    if (leads_away) held_.add(block);
     if (!ends_.empty() && block.source.index >= ends_.front()) {
       const std::uint64_t end = ends_.front();
       ends_.pop_front();
       if (!measure_before(end)) return false;
     }
-    held_.add(block);
+    if (!leads_away) held_.add(block);
   }
   return true;
 }
@@ -127,9 +139,10 @@ bool Verification::measure_before(std::uint64_t end) {
   report_.add(found);
   if (auto warning = open_closing(found, setup_.clearance.tolerances))
     diagnostics_.report(std::move(*warning));
-  Diagnostic problem;
+  std::vector<Diagnostic> problems;
+  for (const CrossedWall& crossed : found.crossed) problems.push_back(crossing(crossed));
   if (found.gouging > 0) {
-    problem = gouge(found);
+    Diagnostic& problem = problems.emplace_back(gouge(found));
     if (const auto way = way_that_closes_at(*found.gouge)) {
       problem.detail =
           reason_at(closing_corner(*way, setup_.clearance.tolerances.input_resolution));
@@ -142,7 +155,8 @@ bool Verification::measure_before(std::uint64_t end) {
          (programmed.empty() ||
           approaches_.front().source.index < programmed[programmed.begin()].source.index))
     approaches_.pop_front();
-  return found.gouging == 0 || tell(std::move(problem));
+  std::ranges::stable_sort(problems, {}, [](const Diagnostic& one) { return one.source.index; });
+  return std::ranges::all_of(problems, [&](Diagnostic& one) { return tell(std::move(one)); });
 }
 
 std::optional<RefusedWay> Verification::way_that_closes_at(const Clearance& worst) const {

@@ -42,7 +42,8 @@ struct VerificationSetup {
 // become. A selection is held until all of its path is there, and measured then.
 //
 // Where the path comes nearer to the walls than the tool radius, that is 900216. A selection of
-// more blocks than may be held is not measured: 900212, as severe. As a warning it is told with the
+// more blocks than may be held is not measured: 900212, as severe, and so is 900229, an approach or
+// a retract through a wall. As a warning it is told with the
 // path of that block. If the selection is refused, it is not told.
 class Verification {
  public:

@@ -26,7 +26,7 @@ def zigzag(number):
     """A program that takes some tenths of a second, another one for each number."""
     text = ["N1 G00 X-20 Y-20", "N2 G41 G01 X0 Y0 F500"]
     text += [f"G01 X{(i + number) % 7 + i / 10:.1f} Y{10 + i}" for i in range(LINES)]
-    return "\n".join(text + ["G40 G01 X-50 Y-50", "M30", ""])
+    return "\n".join(text + [f"G40 G01 X{LINES / 10 - 50} Y{LINES + 50}", "M30", ""])
 
 
 class Trcd:

@@ -74,7 +74,8 @@ void View::measure(const ProgramSession& session, const std::vector<Diagnostic>&
     if (whole.has_certificate()) path.mutable_certificate()->Swap(whole.mutable_certificate());
   }
   for (const Diagnostic& diagnostic : found) {
-    if (diagnostic.code != Code::clearance_violated) continue;
+    if (diagnostic.code != Code::clearance_violated && diagnostic.code != Code::way_crosses_contour)
+      continue;
     path.set_warnings(std::max(path.warnings(), parts_.said.summary().path().warnings()) + 1);
     if (parts_.said.diagnostics_size() + measured_.diagnostics_size() < most_diagnostics)
       wire::to_proto(diagnostic, *measured_.add_diagnostics());

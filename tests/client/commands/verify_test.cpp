@@ -34,6 +34,15 @@ TEST(Verify, FindsAGougeThatWasIgnored) {
       << ended.err;
 }
 
+TEST(Verify, FindsARetractThroughTheContour) {
+  const Ended ended = trc({"verify", "-", "--radius", "5"},
+                          "G0 X-40 Y30 F300\nG1 G41 X0 Y30\nY60\nX100\nY0\nX0\nY30\n"
+                          "G40 X120 Y42\nM30\n");
+  EXPECT_EQ(ended.code, 1) << ended.out;
+  EXPECT_EQ(ended.err,
+            "<stdin>:8: the approach or the retract leads through the contour at line 3\n");
+}
+
 // Inside a square of 40 mm: 5 mm at both sides of each corner.
 TEST(Verify, SaysWhyWallsAreNotTouched) {
   const Ended pocket = trc({"verify", "-", "--radius", "5"},
