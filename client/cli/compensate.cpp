@@ -20,6 +20,7 @@
 #include "client/cli/speech.h"
 #include "client/cli/summary_line.h"
 #include "client/cli/verbose_text.h"
+#include "client/cli/written_files.h"
 #include "core/nc/convert/conversion.h"
 #include "core/nc/dialect/dialect.h"
 #include "proto/wire/setup.h"
@@ -43,10 +44,17 @@ struct Call {
 
 // The program a path came from is worth more than the path.
 bool may_write(const Call& call) {
-  if (call.force || call.output.empty() || !is_same_file(call.program.file, call.output))
-    return true;
-  complain("-o " + call.output + " is the program itself; write another file, or say --force");
-  return false;
+  if (!call.force && is_same_file(call.program.file, call.output)) {
+    complain("-o " + call.output + " is the program itself; write another file, or say --force");
+    return false;
+  }
+  const WrittenFile output{.option = "-o", .path = call.output};
+  const WrittenFile record{.option = "--record", .path = call.record};
+  const FilesRead beside(call.program);
+  FilesRead all = beside;
+  all.add(call.program.file, "the program itself");
+  return may_be_written({record}, all) &&
+         may_be_written({output, record}, call.force ? beside : all);
 }
 
 bool setup_for(const Call& call, v1::ProgramSetup& setup) {
@@ -74,6 +82,7 @@ std::vector<std::string> words_for_all(const CLI::App& command) {
 
 Exit run_folder(const Call& call, const std::vector<std::string>& words) {
   FolderRun run{.files = call.files,
+                .read = FilesRead(call.program),
                 .directory = call.directory,
                 .arguments = words,
                 .format = call.format,

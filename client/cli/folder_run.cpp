@@ -251,6 +251,28 @@ void print_table(const std::vector<Item>& items) {
   std::cout << '\n';
 }
 
+// Says on standard error which result or record would be written over another one, or over what is
+// read.
+bool have_names_of_their_own(const FolderRun& run, const std::vector<Item>& items) {
+  FilesRead read = run.read;
+  for (const Item& item : items) read.add(item.file, "the program itself");
+  std::set<std::string> names;
+  for (const Item& item : items) {
+    if (!names.insert(item.output).second || !names.insert(item.record).second) {
+      complain(fs::path(item.file).filename().string() +
+               " is given twice; its results would have one name");
+      return false;
+    }
+    for (const std::string& path : {item.output, item.record}) {
+      const std::string other = read.named(path);
+      if (other.empty()) continue;
+      complain(path + " would be written over " + other);
+      return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 Exit compensate_folder(const FolderRun& run) {
@@ -261,20 +283,11 @@ Exit compensate_folder(const FolderRun& run) {
     return Exit::wrong_call;
   }
   std::vector<Item> items;
-  std::set<std::string> names;
-  for (const std::string& file : run.files) {
-    const std::string name = fs::path(file).filename().string();
-    if (!names.insert(name).second) {
-      complain(name + " is given twice; its results would have one name");
-      return Exit::wrong_call;
-    }
-    const std::string output = result_in(run.directory, file);
-    if (fs::equivalent(file, output, fault)) {
-      complain(output + " would be written over the program itself");
-      return Exit::wrong_call;
-    }
-    items.push_back({.file = file, .output = output, .record = record_in(run.directory, file)});
-  }
+  for (const std::string& file : run.files)
+    items.push_back({.file = file,
+                     .output = result_in(run.directory, file),
+                     .record = record_in(run.directory, file)});
+  if (!have_names_of_their_own(run, items)) return Exit::wrong_call;
   // What goes wrong on the disk is told to who has had it open meanwhile.
   const int folder = ::open(run.directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   const int stopped_by = Work(run, items).go_through();

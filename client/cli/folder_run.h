@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "client/cli/command.h"
+#include "client/cli/written_files.h"
 #include "trc/v1/setup.pb.h"
 
 namespace trc::cli {
@@ -13,6 +14,7 @@ namespace trc::cli {
 // is no matter of the others.
 struct FolderRun {
   std::vector<std::string> files{};
+  FilesRead read;                        // beside them
   std::string directory{};               // for the results, and a record beside each: NAME.json
   std::vector<std::string> arguments{};  // of `trc compensate` for all of them
   v1::ProgramSetup setup{};              // what they mean, but for the name of the file

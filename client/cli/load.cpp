@@ -74,8 +74,10 @@ bool read_setup(const Call& call, v1::ProgramSetup& setup) {
     path.set_contour_masking(v1::CONTOUR_MASKING_ON);
     path.mutable_options()->set_remove_masked_blocks(true);
   }
+  wire::GivenSettings given;
   for (const std::string& assignment : call.assignments) {
-    const std::string fault = wire::apply_setting(assignment, setup);
+    std::string fault = given.take(assignment.substr(0, assignment.find('=')));
+    if (fault.empty()) fault = wire::apply_setting(assignment, setup);
     if (fault.empty()) continue;
     complain(fault);
     return false;

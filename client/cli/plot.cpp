@@ -13,6 +13,7 @@
 #include "client/cli/reporter.h"
 #include "client/cli/speech.h"
 #include "client/cli/standalone_page.h"
+#include "client/cli/written_files.h"
 #include "client/plot/picture.h"
 #include "client/plot/svg.h"
 #include "proto/wire/diagnostic.h"
@@ -79,10 +80,9 @@ Exit run(const Call& call) {
              ": the name must end in .svg or .html, or --format must say which it is");
     return Exit::wrong_call;
   }
-  if (is_same_file(call.program.file, call.output)) {
-    complain("-o " + call.output + " is the program itself; write another file");
-    return Exit::wrong_call;
-  }
+  FilesRead read(call.program);
+  read.add(call.program.file, "the program itself");
+  if (!may_be_written({{.option = "-o", .path = call.output}}, read)) return Exit::wrong_call;
   Input input(call.program.file);
   Output output(call.output);
   if (!input.open() || !output.open()) return Exit::wrong_call;

@@ -45,14 +45,31 @@ std::string with_place_of_list(const std::string& fault) {
                                               : fault;
 }
 
+std::string_view key_of(std::string_view assignment) {
+  return assignment.substr(0, assignment.find('='));
+}
+
+// Of tools and variables more may come, each of them once.
+bool is_list(std::string_view key) { return key == "tools" || key == "variables"; }
+
+// What options of their own say of settings.
+wire::GivenSettings given_by_options(const ProgramOptions& options) {
+  wire::GivenSettings given;
+  const auto take = [&](bool is_given, std::string_view key) {
+    if (is_given) static_cast<void>(given.take(key));
+  };
+  take(options.radius.has_value(), "tool_radius");
+  take(options.wear.has_value(), "wear");
+  take(options.max_executed_lines.has_value(), "max_executed_lines");
+  return given;
+}
+
 bool says_a_radius(const ProgramOptions& options) {
   constexpr std::array<std::string_view, 5> of_tools{"tool_radius", "tools", "wear", "allowance",
                                                      "nominal_radius"};
   return options.radius || options.wear ||
          std::ranges::any_of(options.assignments, [&](const std::string& assignment) {
-           const std::string_view key =
-               std::string_view(assignment).substr(0, assignment.find('='));
-           return std::ranges::find(of_tools, key) != of_tools.end();
+           return std::ranges::find(of_tools, key_of(assignment)) != of_tools.end();
          });
 }
 
@@ -178,8 +195,10 @@ void add_language_option(CLI::App& command, std::string& language) {
 }
 
 bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup) {
+  wire::GivenSettings given = given_by_options(options);
   for (const std::string& assignment : options.assignments) {
-    const std::string fault = wire::apply_setting(assignment, setup);
+    std::string fault = is_list(key_of(assignment)) ? "" : given.take(key_of(assignment));
+    if (fault.empty()) fault = wire::apply_setting(assignment, setup);
     if (fault.empty()) continue;
     complain("--set: " + with_place_of_list(fault));
     return false;

@@ -18,6 +18,7 @@
 #include "client/cli/speech.h"
 #include "client/cli/survey_text.h"
 #include "client/cli/verbose_text.h"
+#include "client/cli/written_files.h"
 #include "client/plot/survey_svg.h"
 #include "core/survey/program_reading.h"
 #include "proto/wire/json.h"
@@ -137,10 +138,10 @@ Exit run(const Call& call) {
   v1::SurveySetup setup;
   ToolNames names;
   if (!survey_setup(call, setup, names)) return Exit::wrong_call;
-  if (!call.picture.empty() && is_same_file(call.program.file, call.picture)) {
-    complain("--picture " + call.picture + " is the program itself; write another file");
+  FilesRead read(call.program);
+  read.add(call.program.file, "the program itself");
+  if (!may_be_written({{.option = "--picture", .path = call.picture}}, read))
     return Exit::wrong_call;
-  }
   Input input(call.program.file);
   if (!input.open()) return Exit::wrong_call;
   const Loudness& loudness = call.program.loudness;

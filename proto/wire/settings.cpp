@@ -460,6 +460,18 @@ std::string whole_key(std::string_view key) {
   return found.size() == 1 ? key_of(*found.front()) : name;
 }
 
+std::string GivenSettings::take(std::string_view key) {
+  std::string whole = whole_key(key);
+  const auto is_part = [](std::string_view part, std::string_view of) {
+    return part == of || (part.starts_with(of) && part.substr(of.size()).starts_with('.'));
+  };
+  const bool is_repeated = std::ranges::any_of(keys_, [&](const std::string& other) {
+    return is_part(whole, other) || is_part(other, whole);
+  });
+  keys_.push_back(whole);
+  return is_repeated ? whole + ": is given more than once" : std::string();
+}
+
 std::string apply_setting(std::string_view assignment, v1::ProgramSetup& setup) {
   const auto equals = assignment.find('=');
   if (equals == std::string_view::npos)
@@ -507,8 +519,8 @@ std::string apply_variable(std::string_view assignment, v1::ProgramSetup& setup)
   const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (fault != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
     return std::string(name) + ": \"" + std::string(text) + "\" is not possible; it takes a number";
-  (*setup.mutable_variables())[std::string(name)] = value;
-  return {};
+  const bool is_new = setup.mutable_variables()->insert({std::string(name), value}).second;
+  return is_new ? std::string() : std::string(name) + ": is given more than once";
 }
 
 std::vector<std::string> assignments_of(const v1::ProgramSetup& setup) {

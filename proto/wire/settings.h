@@ -27,8 +27,19 @@ namespace trc::wire {
 // `stretch_factor`. Other keys are given back as they are, in lower case.
 [[nodiscard]] std::string whole_key(std::string_view key);
 
+// The settings that somebody has given: one that comes twice, under any of its names, says two
+// things, and which of them was meant nobody knows.
+class GivenSettings {
+ public:
+  // Returns what is wrong with one more, as a sentence; empty: nothing is.
+  [[nodiscard]] std::string take(std::string_view key);
+
+ private:
+  std::vector<std::string> keys_;
+};
+
 // Enters what a variable of a program that computes holds, "NAME=VALUE". Returns what is wrong, as
-// a sentence; empty when it is entered.
+// a sentence; empty when it is entered. None is entered twice.
 [[nodiscard]] std::string apply_variable(std::string_view assignment, v1::ProgramSetup& setup);
 
 // What the setup holds, as apply_setting takes it, in the order of the fields: "tool_radius=5". The

@@ -55,11 +55,6 @@ std::string read_one(const std::string& name, const std::string& value, v1::Prog
   return {};
 }
 
-// Of two whole keys: whether one sets what the other sets too.
-bool is_part(std::string_view key, std::string_view of) {
-  return key == of || (key.starts_with(of) && key.substr(of.size()).starts_with('.'));
-}
-
 // Null: the message has no place for one.
 v1::PathSetup* path_setup_of(google::protobuf::Message& message) {
   if (auto* path = dynamic_cast<v1::PreviewPathRequest*>(&message)) return path->mutable_setup();
@@ -86,16 +81,11 @@ std::optional<v1::Problem> read_settings(const Pairs& query, std::string_view ac
                                          v1::ProgramSetup& setup) {
   v1::Problem refused =
       problem(400, "SETTING_INVALID", "A query parameter is no setting that can be taken", {});
-  std::vector<std::string> given;
+  wire::GivenSettings given;
   for (const auto& [name, value] : query) {
     if (refused.fields_size() == most_fields) break;
-    const std::string key = wire::whole_key(name);
-    const bool is_repeated = std::ranges::any_of(given, [&](const std::string& other) {
-      return is_part(key, other) || is_part(other, key);
-    });
-    given.push_back(key);
-    const std::string fault =
-        is_repeated ? key + ": is given more than once" : read_one(name, value, setup);
+    std::string fault = given.take(name);
+    if (fault.empty()) fault = read_one(name, value, setup);
     if (fault.empty()) continue;
     v1::FieldProblem& field = *refused.add_fields();
     field.set_field(presentable(name));
