@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <iostream>
@@ -98,6 +99,8 @@ void keep_standard_streams_apart() {
 
 int main(int argc, char** argv) {
   keep_standard_streams_apart();
+  // What gRPC has to say comes in our own words. Not where somebody asks for it.
+  static_cast<void>(setenv("GRPC_VERBOSITY", "NONE", 0));
   try {
     return run(argc, argv);
   } catch (const std::bad_alloc&) {

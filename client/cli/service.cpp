@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "client/cli/speech.h"
+#include "client/cli/unreachable.h"
 #include "client/trc/connection.h"
 #include "client/trc/remote_program_session.h"
 #include "client/trc/survey.h"
@@ -77,9 +78,14 @@ class Service {
   void open(const ServiceOptions& options, const client::ConnectionOptions& how) {
     if (!options.server.empty()) {
       if (options.has_own_limits()) {
-        failure_ = wrong_limits(
+        failure_ = wrong_call(
             "--memory-limit-mib, --max-session-memory-mib and --max-blocks-per-selection are of a "
-            "run in this process; a server has limits of its own (trc info --server)");
+            "run in this process; a server has limits of its own (trc info --server)",
+            "LIMITS_WRONG");
+        return;
+      }
+      if (std::string fault = fault_of_tls_files(options); !fault.empty()) {
+        failure_ = wrong_call(std::move(fault), "TLS_FILES_INVALID");
         return;
       }
       failure_ = client::Connection::open(
@@ -96,7 +102,7 @@ class Service {
       config.max_blocks_per_selection = options.max_blocks_per_selection;
     server::Config added_up = config;
     if (auto fault = fill_in_own_limits(added_up, server::memory_limit_bytes())) {
-      failure_ = wrong_limits("--" + std::move(*fault));
+      failure_ = wrong_call("--" + std::move(*fault), "LIMITS_WRONG");
       return;
     }
     own_ = std::make_shared<server::InProcessServer>(config);
@@ -105,8 +111,8 @@ class Service {
                         client::ResumePolicy{.patience = std::chrono::milliseconds::zero()});
   }
 
-  static client::Failure wrong_limits(std::string fault) {
-    return {.status = "INVALID_ARGUMENT", .message = std::move(fault), .reason = "LIMITS_WRONG"};
+  static client::Failure wrong_call(std::string fault, std::string reason) {
+    return {.status = "INVALID_ARGUMENT", .message = std::move(fault), .reason = std::move(reason)};
   }
 
   void explain_unreachable(const client::Failure& failure, Answered answered) const {
@@ -125,8 +131,7 @@ class Service {
       complain("lost the connection to the server" + (name_.empty() ? "" : " at " + name_) +
                "; the path is not complete");
     } else {
-      complain("cannot reach a server at " + name_ +
-               "; is trcd running there, and do the --tls files fit?");
+      complain("cannot reach a server at " + name_ + why_unreachable(failure.message));
     }
   }
 

@@ -240,6 +240,23 @@ constexpr auto rows = std::to_array<Sentence>({
      "die Verbindung zum Server ging verloren; die Bahn ist nicht vollständig"},
     {"cannot reach a server at {}; is trcd running there, and do the --tls files fit?",
      "kein Server unter {} erreichbar; läuft dort trcd, und passen die Dateien von --tls?"},
+    {"cannot reach a server at {}: its certificate is not one that --tls-ca vouches for",
+     "kein Server unter {} erreichbar: für sein Zertifikat bürgt --tls-ca nicht"},
+    {"cannot reach a server at {}: its certificate is for another name",
+     "kein Server unter {} erreichbar: sein Zertifikat gilt einem anderen Namen"},
+    {"cannot reach a server at {}: nobody knows that name",
+     "kein Server unter {} erreichbar: diesen Namen kennt niemand"},
+    {"cannot reach a server at {}: nothing listens there; is trcd running?",
+     "kein Server unter {} erreichbar: dort horcht nichts; läuft trcd?"},
+    {"cannot reach a server at {}: what listens there closes the connection: with --tls-ca it may "
+     "speak without TLS, without --tls-ca with TLS, and without --tls-cert it may ask for one",
+     "kein Server unter {} erreichbar: was dort horcht, schließt die Verbindung: mit --tls-ca "
+     "spricht es vielleicht ohne TLS, ohne --tls-ca mit TLS, und ohne --tls-cert fragt es "
+     "vielleicht danach"},
+    {"{}: '{}' holds no certificate", "{}: '{}' enthält kein Zertifikat"},
+    {"{}: '{}' holds no key without pass phrase",
+     "{}: '{}' enthält keinen Schlüssel ohne Passwort"},
+    {"{}: '{}' does not belong to '{}'", "{}: '{}' gehört nicht zu '{}'"},
     {"the server at {} shuts down; waiting for up to {} s (--wait)",
      "der Server {} fährt herunter; bis zu {} s wird gewartet (--wait)"},
     {"the server at {} has no room now: {}; waiting for up to {} s (--wait)",

@@ -46,6 +46,9 @@ std::optional<Failure> target_of(const std::string& address, bool tls, Target& t
     target = {.uri = address, .service_config = in_turn_while_serving()};
     return std::nullopt;
   }
+  if (const auto scheme = address.find("://"); scheme != std::string::npos)
+    return refused("'" + address + "' is no address of a gRPC server: write HOST:PORT without " +
+                   address.substr(0, scheme + 3));
   if (address.find(',') == std::string::npos) {
     // gRPC would take the port of HTTPS.
     const bool has_port = address.find(':') != std::string::npos && !address.ends_with(']');

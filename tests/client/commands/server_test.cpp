@@ -14,6 +14,7 @@
 
 #include "server/resources/memory_account.h"
 #include "tests/client/commands/called.h"
+#include "tests/support/places.h"
 #include "tests/support/process.h"
 
 namespace trc::testing_support {
@@ -68,6 +69,46 @@ TEST(Server, IsNamedWhenItCannotBeReached) {
   }
   EXPECT_EQ(trc({"health", "--server", "127.0.0.1:1"}).code, 3);
   EXPECT_EQ(trc({"info", "--server", "127.0.0.1:1"}).code, 3);
+}
+
+// Each line stands alone: what gRPC has to say for itself is in it, in plain words.
+TEST(Server, ThatCannotBeReachedIsToldApart) {
+  const auto said = [](std::vector<std::string> words, int code) {
+    words.insert(words.begin(), {"compensate", "-", "--wait", "0"});
+    const Ended ended = trc(words, demo);
+    EXPECT_EQ(ended.code, code) << ended.err;
+    return ended.err;
+  };
+  const std::string cannot = "trc: cannot reach a server at ";
+  EXPECT_EQ(said({"--server", "127.0.0.1:1"}, 3),
+            cannot + "127.0.0.1:1: nothing listens there; is trcd running?\n");
+  EXPECT_EQ(said({"--server", "http://127.0.0.1:1"}, 2),
+            "trc: 'http://127.0.0.1:1' is no address of a gRPC server: write HOST:PORT without "
+            "http://\n");
+
+  const auto file = [](const std::string& name) {
+    return source_dir() + "/tests/server/certificates/" + name;
+  };
+  const std::string key = file("client_key.pem");
+  const std::string certificate = file("client_cert.pem");
+  EXPECT_EQ(said({"--server", "127.0.0.1:1", "--tls-ca", key}, 2),
+            "trc: --tls-ca: '" + key + "' holds no certificate\n");
+  EXPECT_EQ(said({"--server", "127.0.0.1:1", "--tls-cert", certificate, "--tls-key",
+                  file("server_key.pem")},
+                 2),
+            "trc: --tls-key: '" + file("server_key.pem") + "' does not belong to '" + certificate +
+                "'\n");
+  EXPECT_EQ(
+      said({"--server", "127.0.0.1:1", "--tls-cert", certificate, "--tls-key", certificate}, 2),
+      "trc: --tls-key: '" + certificate + "' holds no key without pass phrase\n");
+
+  const ServerProcess server(
+      {"--tls-cert-file", file("server_cert.pem"), "--tls-key-file", file("server_key.pem")});
+  ASSERT_NE(server.address(), "");
+  EXPECT_EQ(said({"--server", server.address(), "--tls-ca", certificate}, 3),
+            cannot + server.address() + ": its certificate is not one that --tls-ca vouches for\n");
+  EXPECT_EQ(said({"--server", server.address()}, 3).find("closes the connection: with --tls-ca"),
+            (cannot + server.address() + ": what listens there ").size());
 }
 
 TEST(ExitCode, SaysThatALimitWasMet) {

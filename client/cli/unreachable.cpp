@@ -1,0 +1,91 @@
+#include "client/cli/unreachable.h"
+
+#include <openssl/bio.h>
+#include <openssl/err.h>
+#include <openssl/pem.h>
+#include <openssl/x509.h>
+
+#include <array>
+#include <memory>
+#include <string_view>
+
+#include "client/cli/files.h"
+
+namespace trc::cli {
+namespace {
+
+template <auto free>
+struct Free {
+  template <class Object>
+  void operator()(Object* object) const {
+    free(object);
+  }
+};
+using Bio = std::unique_ptr<BIO, Free<BIO_free>>;
+using CertificatePointer = std::unique_ptr<X509, Free<X509_free>>;
+using KeyPointer = std::unique_ptr<EVP_PKEY, Free<EVP_PKEY_free>>;
+
+constexpr std::size_t most_bytes = std::size_t{4} << 20U;
+
+// Of no file, and of one that cannot be read: null.
+Bio reader_of(const std::string& path, std::string& pem) {
+  if (path.empty() || !read_bounded(path, most_bytes, pem)) return nullptr;
+  return Bio(BIO_new_mem_buf(pem.data(), static_cast<int>(pem.size())));
+}
+
+// Nobody is asked for a pass phrase.
+int no_pass_phrase(char* /*buffer*/, int /*size*/, int /*writing*/, void* /*user*/) { return -1; }
+
+// The first certificate of a file that can be read.
+std::string read_certificate(const std::string& option, const std::string& path,
+                             CertificatePointer& read) {
+  std::string pem;
+  const Bio reader = reader_of(path, pem);
+  if (reader == nullptr) return {};
+  read.reset(PEM_read_bio_X509(reader.get(), nullptr, nullptr, nullptr));
+  ERR_clear_error();
+  return read == nullptr ? option + ": '" + path + "' holds no certificate" : std::string();
+}
+
+}  // namespace
+
+std::string fault_of_tls_files(const ServiceOptions& options) {
+  CertificatePointer authority;
+  if (std::string fault = read_certificate("--tls-ca", options.tls_ca, authority); !fault.empty())
+    return fault;
+  CertificatePointer own;
+  if (std::string fault = read_certificate("--tls-cert", options.tls_cert, own); !fault.empty())
+    return fault;
+  std::string pem;
+  const Bio reader = reader_of(options.tls_key, pem);
+  if (reader == nullptr) return {};
+  const KeyPointer key(PEM_read_bio_PrivateKey(reader.get(), nullptr, no_pass_phrase, nullptr));
+  const bool fits =
+      key != nullptr && own != nullptr && X509_check_private_key(own.get(), key.get()) == 1;
+  ERR_clear_error();
+  if (key == nullptr)
+    return "--tls-key: '" + options.tls_key + "' holds no key without pass phrase";
+  if (own != nullptr && !fits)
+    return "--tls-key: '" + options.tls_key + "' does not belong to '" + options.tls_cert + "'";
+  return {};
+}
+
+std::string why_unreachable(const std::string& message) {
+  struct Reason {
+    std::string_view said;  // by gRPC 1.51
+    std::string_view meant;
+  };
+  static constexpr std::array reasons{
+      Reason{"certificate verify failed", ": its certificate is not one that --tls-ca vouches for"},
+      Reason{"Hostname Verification", ": its certificate is for another name"},
+      Reason{"DNS resolution failed", ": nobody knows that name"},
+      Reason{"Connection refused", ": nothing listens there; is trcd running?"},
+      Reason{"Socket closed",
+             ": what listens there closes the connection: with --tls-ca it may speak without TLS, "
+             "without --tls-ca with TLS, and without --tls-cert it may ask for one"}};
+  for (const Reason& reason : reasons)
+    if (message.find(reason.said) != std::string::npos) return std::string(reason.meant);
+  return "; is trcd running there, and do the --tls files fit?";
+}
+
+}  // namespace trc::cli
