@@ -736,7 +736,8 @@ constexpr auto rows = std::to_array<Explanation>({
                 "N90 M30\n"},
     {.code = Code::selection_too_long,
      .meaning = "What cannot be known before the end of the contour keeps its blocks back, "
-                "and only so many.",
+                "and only so many. Where the path is measured, so does that: with verify=report it "
+                "is a warning, and the path beside that contour is not measured.",
      .causes = {"One selection over a whole surface.", "G40 was forgotten."},
      .on_command_line = "Divide the contour, or raise the limit: --max-blocks-per-selection, where "
                         "a server is asked its setting of that name.",

@@ -354,7 +354,8 @@ constexpr auto rows = std::to_array<GermanExplanation>({
      .causes = {no_g40_behind}},
     {.code = Code::selection_too_long,
      .meaning = "Was vor dem Ende der Kontur nicht bekannt sein kann, hält ihre Sätze zurück, und "
-                "nur so viele.",
+                "nur so viele. Auch das Nachmessen der Bahn tut das: mit verify=report ist es eine "
+                "Warnung, und die Bahn neben dieser Kontur wird nicht gemessen.",
      .causes = {"Eine einzige Anwahl über eine ganze Fläche.", "G40 wurde vergessen."}},
     {.code = Code::blocks_masked,
      .meaning = "Unter G141 werden Sätze, die das Werkzeug nicht erreicht, ausgelassen: die Kontur "

@@ -270,6 +270,7 @@ constexpr auto fragments = std::to_array<Fragment>({
     {"the angle of a motion without one of its coordinates alone",
      "der Winkel einer Bewegung ohne genau eine ihrer Koordinaten"},
     {"the end of a smooth approach", "das Ende eines weichen Anfahrens"},
+    {"the path beside it is not measured", "die Bahn daneben wird nicht gemessen"},
     {"the table has", "die Tabelle hat"},
     {"the tool has no room at the first point of the contour",
      "am ersten Punkt der Kontur ist für das Werkzeug kein Platz"},

@@ -109,7 +109,9 @@ bool Verification::programmed(const Block& block) {
 
 bool Verification::tell_unmeasured() {
   if (!std::exchange(is_untold_, false)) return true;
-  return tell(selection_too_long(unmeasured_, setup_.selection_blocks));
+  Diagnostic problem = selection_too_long(unmeasured_, setup_.selection_blocks);
+  problem.detail = "the path beside it is not measured";
+  return tell(std::move(problem));
 }
 
 bool Verification::compensated(std::span<const CompensatedBlock> path) {

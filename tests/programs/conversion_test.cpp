@@ -433,7 +433,10 @@ TEST(Conversion, KeepsTheLengthOfTheTool) {  // D-94
   EXPECT_EQ(to(by_g43, fanuc, linuxcnc),
             "G17 G21 G40 G90 G91.1 G94\nT1 M6\nG00 X1 Y2\nG43 H1\nG00 Z5\nG49\nG00 Z50\nM30\n");
   EXPECT_EQ(to(by_g43, fanuc, heidenhain), "G49 4\n");
-  EXPECT_EQ(to("T1 M6\nG43 H2 Z5.\nM30\n", fanuc, heidenhain), "G43 H2 with another tool 2\n");
+  EXPECT_EQ(to("T1 M6\nG43 H2 Z5.\nM30\n", fanuc, heidenhain),
+            "G43 H2, the length of another tool than the one loaded 2\n");
+  EXPECT_EQ(to("D1\nG0 Z5\nM30\n", DialectName::isg, sinumerik),
+            "D1, the length of a tool without its T 1\n");
   EXPECT_EQ(to("T1 M6\nH1 Z5.\nM30\n", fanuc, linuxcnc), "H1 2\n");
   EXPECT_EQ(to("D1\nG0 Z5\nM30\n", sinumerik, fanuc), "D1, the length of a tool without its T 1\n");
   EXPECT_EQ(to("T1 M6\nG18\nG0 Z5\nM30\n", sinumerik, fanuc), "G18 with the length of a tool 2\n");

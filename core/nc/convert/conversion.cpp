@@ -157,7 +157,10 @@ bool Conversion::take_length(const ProgramLine& line, const PlainWords& words) {
   // There the length is that of the tool in the spindle, and of no other.
   const bool takes_own = klartext_ || to_.name == DialectName::sinumerik;
   if (takes_own && *wanted != 0 && *wanted != loaded_)
-    return words_.fail(line, "G43 H" + std::to_string(*wanted) + " with another tool");
+    return words_.fail(line, (setup_.dialect == DialectName::isg ? "D" : "G43 H") +
+                                 std::to_string(*wanted) +
+                                 (loaded_ ? ", the length of another tool than the one loaded"
+                                          : ", the length of a tool without its T"));
   if (klartext_ && *wanted == 0 && words.ends_length) return words_.fail(line, "G49");
   length_ = *wanted;
   has_length_to_write_ = !klartext_;
