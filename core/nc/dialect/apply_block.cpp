@@ -73,7 +73,7 @@ bool apply_modes(Reading& reading, const ProgramLine& line, const BlockWords& bl
     reading.motion_given = true;
   }
   if (block.has(unit)) {
-    reading.count_in(line, reading.counts_in_inch(*block.of(unit).function));
+    reading.count_in(line, reading.unit_of(*block.of(unit).function));
     reading.feed_in_mm =
         reading.dialect.name == DialectName::sinumerik && block.of(unit).function->number < 100;
   }
@@ -86,7 +86,7 @@ bool apply_modes(Reading& reading, const ProgramLine& line, const BlockWords& bl
     reading.feed_mode = block.of(feed_mode).function->number;
     reading.gcode.feed_mode_line = line.source.line;
   }
-  if (block.feed) reading.feed = block.feed->value * reading.feed_unit(reading.inch);
+  if (block.feed) reading.feed = block.feed->value * reading.feed_unit(reading.unit);
   // A feed per tooth, which blocks have no number for.
   if (block.tooth_feed) reading.feed = 0;
   if (block.has(circle_center)) {
@@ -168,7 +168,10 @@ bool apply_trc(Reading& reading, const ProgramLine& line, const BlockWords& bloc
   if (has(masking) &&
       !reading.state.set_masking(block.of(masking).is(141) ? Masking::on : Masking::off, source))
     return false;
-  if (block.masks && at(0) && !leave_out_bottlenecks(reading, *block.masks, source)) return false;
+  if (block.masks && at(0) &&
+      !(*block.masks ? leave_out_bottlenecks(reading, source)
+                     : treat_bottlenecks_by_setup(reading, source)))
+    return false;
   if (has(feed_adaptation) &&
       !reading.state.set_feed_adaptation(block.of(feed_adaptation).is(11) ? FeedAdaptation::on
                                          : block.of(feed_adaptation).is(by_name::feed_at_inside)
@@ -291,11 +294,18 @@ bool apply_block(Reading& reading, ProgramLine& line, BlockWords& block) {
   return reading.state.end(line.source);
 }
 
-bool leave_out_bottlenecks(Reading& reading, bool on, const Source& source) {
+bool leave_out_bottlenecks(Reading& reading, const Source& source) {
+  TrcOptions options = reading.state.mode().options;
+  options.remove_masked_blocks = true;
+  return reading.state.set_masking(Masking::on, source) &&
+         reading.state.set_options(options, source);
+}
+
+bool treat_bottlenecks_by_setup(Reading& reading, const Source& source) {
   const TrcMode& initial = reading.state.setup().mode;
   TrcOptions options = reading.state.mode().options;
-  options.remove_masked_blocks = on || initial.options.remove_masked_blocks;
-  return reading.state.set_masking(on ? Masking::on : initial.masking, source) &&
+  options.remove_masked_blocks = initial.options.remove_masked_blocks;
+  return reading.state.set_masking(initial.masking, source) &&
          reading.state.set_options(options, source);
 }
 
@@ -304,7 +314,7 @@ bool move(Reading& reading, ProgramLine& line, MoveRequest& request) {
   request.kind = reading.motion;
   request.incremental = reading.incremental;
   request.feed = reading.feed_mode == 94 ? reading.feed : 0;
-  if (reading.inch) scale(reading, request);
+  if (reading.unit == LengthUnit::inch) scale(reading, request);
   // Of an arc of Fanuc that has both, R is what counts.
   // R counts beside I and J (D-126).
   if (reading.dialect.name == DialectName::fanuc && request.radius) request.center = {};

@@ -14,13 +14,13 @@ bool refuse_klartext(Reading& reading, const ProgramLine& line, std::size_t begi
 
 // mm/min: programs in inch count F in tenths of an inch.
 [[nodiscard]] inline double klartext_feed_unit(const Reading& reading) {
-  return reading.inch ? mm_per_inch / 10 : 1;
+  return reading.unit == LengthUnit::inch ? mm_per_inch / 10 : 1;
 }
 
 // A block that is not plain (klartext_plain.h).
 bool read_klartext(Reading& reading, ProgramLine& line);
 
-// What the words of the block say takes effect, unless something is wrong with them.
+// Applies the words of the block, unless it is not `readable`.
 bool take_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block, bool readable);
 
 }  // namespace trc

@@ -15,24 +15,23 @@
 
 namespace trc::program {
 
-// V.S. and V.E., which other programs and the control read.
+// Whether it is V.S. or V.E., which other programs and the control read.
 [[nodiscard]] bool isg_outlives_program(std::string_view name);
 
 // The language of ISG.
 //
 //   - P parameters, V.P. and V.CYC. variables belong to the whole run, V.L. to the main program and
-//     to each call; what is called knows those of its caller. V.S. and V.E. outlast it: their
-//     assignments come out, with their values. V.A. and V.G. are the machine's, but for the tool
-//     radii that the setup and the program give.
+//     to each call; called programs know those of their caller. V.S. and V.E. outlast the run:
+//     their assignments come out, with their values. V.A. and V.G. are the machine's, but for the
+//     tool radii that the setup and the program give.
 //   - Subprograms stand in front of the program, behind %L NAME, or are texts of the setup, which
 //     may have their own; they share all modes with their caller.
-//   - A call of what is not there passes (D-47, D-67). It may ask for what the program has set:
-//     that comes out in front of it, at the latest. Behind it the values are not known.
-//   - Where two operators stand side by side whose order nobody says, brackets are asked for.
+//   - A call of a subprogram that is not there passes (D-47, D-67). It may read what the program
+//     has set, so these values come out before it at the latest. After it they are not known.
+//   - Where the order of two adjacent operators is not documented, brackets are required.
 class IsgFlow : public Flow, private Variables {
  public:
-  // `has_begun`: blocks of the program stand in front of the text.
-  IsgFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text, bool has_begun);
+  IsgFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text, FirstBlock first_block);
 
   void know(std::string_view lines) override;
 
@@ -62,7 +61,7 @@ class IsgFlow : public Flow, private Variables {
     repetition,
     until,
   };
-  // What stands against a statement, or one around it.
+  // A fault of a statement, or of one around it.
   struct Misplaced {
     std::size_t line = 0;
     Code code = Code::block_structure;
@@ -101,7 +100,7 @@ class IsgFlow : public Flow, private Variables {
   void keep_variables(std::size_t levels) override { locals_.resize(levels); }
 
   // isg_flow.cpp: programs and the order of their lines.
-  void add_units(std::size_t text, bool has_begun);
+  void add_units(std::size_t text, FirstBlock first_block);
   [[nodiscard]] static bool ends_tape(const ProgramText& text, std::size_t line);
   [[nodiscard]] static std::string name_of_second(std::string_view line);
   void take_line_in_front(std::string_view line);
@@ -132,8 +131,10 @@ class IsgFlow : public Flow, private Variables {
   bool loop(Structure structure, const Outline& outline, ExpressionReader& expression);
   bool jump_if(ExpressionReader& expression);
   bool choose(std::string& flat, ExpressionReader& expression);
-  bool count(std::string& flat, bool begins);
-  bool leave_or_go_on(std::string& flat, bool leaves);
+  // `structure`: counting, or its end.
+  bool count(std::string& flat, Structure structure);
+  enum class Exit : std::uint8_t { of_loop, of_round };  // $BREAK, $CONTINUE
+  bool leave(std::string& flat, Exit exit);
   std::optional<std::size_t> target_of(ExpressionReader& expression);
   [[nodiscard]] std::optional<std::size_t> partner(
       const std::map<std::size_t, std::size_t>& partners, std::string_view missing);
@@ -212,16 +213,16 @@ class IsgFlow : public Flow, private Variables {
   std::set<std::string, std::less<>> of_machine_{};  // hang on what is given for the machine
   std::set<std::string, std::less<>> unwritten_{};   // set since they were last written
   std::map<std::string, std::string, std::less<>> spellings_{};  // of V. names, without indices
-  // The program calls what is not there: V. variables come out where they are set, and P
-  // parameters in front of such a call.
+  // The program calls subprograms that are not there: V. variables come out where they are set, and
+  // P parameters before such a call.
   bool writes_variables_ = false;
   std::string lost_to_{};
-  // What $FOR counts to and by, by the depth of calls and its line.
+  // The last value and the step of $FOR, by depth of calls and line.
   std::map<std::pair<std::size_t, std::size_t>, std::pair<double, double>> counts_{};
   bool in_comment_ = false;      // between #COMMENT BEGIN and END
   bool in_declaration_ = false;  // between #VAR and #ENDVAR
 
-  // Of the line that is being executed.
+  // State of the line being executed.
   std::string joined_{};    // of a line that goes on behind `\`
   bool is_joined_ = false;  // the line that is executed, of several
   std::string_view line_{};

@@ -11,8 +11,6 @@
 namespace trc::program {
 namespace {
 
-constexpr double mm_per_inch = 25.4;
-
 // The variable an element belongs to: V.P.A of V.P.A[2].
 std::string_view base_of(std::string_view name) { return name.substr(0, name.find('[')); }
 
@@ -198,9 +196,7 @@ Value IsgFlow::read(ExpressionReader& expression) {
     }
     return expression.fail(Code::expression_invalid, begin, name);
   }
-  const bool reads = kept_text_.pause();
-  const std::string name = place_at(expression);
-  kept_text_.go_on(reads);
+  const std::string name = kept_text_.read_aside([&] { return place_at(expression); });
   if (expression.failed()) return {};
   const std::size_t equals = behind_blanks(line, expression.at());
   const bool assigns = equals + 1 < line.size() && line[equals] == '=' && line[equals + 1] != '=';
@@ -229,13 +225,13 @@ Value IsgFlow::value_of(ExpressionReader& expression, const std::string& name, s
   const bool* const counted = counter(name);
   const Value* const value = held(name);
   if (value != nullptr && (counted == nullptr || *counted)) {
-    if (counted != nullptr) kept_text_.keep(name, true);
+    if (counted != nullptr) kept_text_.keep(name);
     if (of_machine_.contains(name)) kept_text_.hang_by_the_way();
     return *value;
   }
   if (const double* const number = given(name)) {
     if (isg_outlives_program(name))
-      kept_text_.keep(name, true);
+      kept_text_.keep(name);
     else
       kept_text_.hang_by_the_way();
     if (!is_place_of_axis(name)) return {.number = *number};
@@ -243,7 +239,7 @@ Value IsgFlow::value_of(ExpressionReader& expression, const std::string& name, s
                          name + ", which the motion of the program changes");
   }
   if (isg_outlives_program(name) && kept_text_.may_be_unknown(name)) {
-    kept_text_.keep(name, false);
+    kept_text_.keep_unknown(name);
     return {.number = 1};
   }
   if (name.starts_with("V.G.WZ")) return read_radius(expression, name, begin);
@@ -256,7 +252,7 @@ Value IsgFlow::value_of(ExpressionReader& expression, const std::string& name, s
 // V.G.WZ_AKT.R, V.G.WZR: of the tool in force. V.G.WZ[5].R: of the table.
 Value IsgFlow::read_radius(ExpressionReader& expression, const std::string& name,
                            std::size_t begin) {
-  const double unit = modes_.inch ? mm_per_inch : 1;
+  const double unit = mm_of(modes_.unit);
   if ((name == "V.G.WZ_AKT.R" || name == "V.G.WZR") && modes_.tool_radius)
     return {.number = *modes_.tool_radius / unit};
   constexpr std::string_view beginning = "V.G.WZ[";

@@ -3,9 +3,9 @@
 #include <span>
 #include <utility>
 
+#include "core/base/length_unit.h"
 #include "core/nc/program/linuxcnc_flow.h"
 #include "core/nc/text/characters.h"
-#include "core/nc/text/number_format.h"
 
 // Parameters of LinuxCNC.
 
@@ -226,24 +226,24 @@ std::optional<double> LinuxcncFlow::content_of(const Target& target) const {
   const bool* const counted = known ? counter(spelled(target)) : nullptr;
   if (counted != nullptr && !*counted) return {};
   if (known) return known;
-  if (name == "_metric" || name == "_imperial") return (name == "_imperial") == modes_.inch ? 1 : 0;
+  if (name == "_metric" || name == "_imperial")
+    return (name == "_imperial") == (modes_.unit == LengthUnit::inch) ? 1 : 0;
   if (name == "_absolute" || name == "_incremental")
     return (name == "_incremental") == modes_.incremental ? 1 : 0;
   if (!lost_to_.empty() && !is_own(target)) return {};
   if (const double* const value = given_to(target)) return *value;
   // #5410 counts in the unit of the machine.
   constexpr std::int64_t diameter_of_tool = 5410;
-  const bool is_diameter = number == diameter_of_tool && name.empty() && modes_.inch == setup_.inch;
+  const bool is_diameter =
+      number == diameter_of_tool && name.empty() && modes_.unit == setup_.length_unit();
   if (!is_diameter || !modes_.spindle_diameter) return std::nullopt;
-  return *modes_.spindle_diameter / (modes_.inch ? mm_per_inch : 1);
+  return *modes_.spindle_diameter / mm_of(modes_.unit);
 }
 
 Value LinuxcncFlow::read(ExpressionReader& expression) {
   suppose();
   const std::size_t begin = expression.at();
-  const bool reads = kept_text_.pause();
-  const Target target = target_at(expression);
-  kept_text_.go_on(reads);
+  const Target target = kept_text_.read_aside([&] { return target_at(expression); });
   if (expression.failed()) return {};
   const Value value = value_of(expression, target, begin);
   std::string text;
@@ -260,13 +260,13 @@ Value LinuxcncFlow::value_of(ExpressionReader& expression, const Target& target,
   const std::optional<double> content = content_of(target);
   if (content) {
     if (is_of_machine(target))
-      kept_text_.keep(name, true);
+      kept_text_.keep(name);
     else if (locals_.back().of_machine.contains(name) || is_given_state(target))
       kept_text_.hang_by_the_way();
     return {.number = *content};
   }
   if (is_everyones && kept_text_.may_be_unknown(name)) {
-    kept_text_.keep(name, false);
+    kept_text_.keep_unknown(name);
     return {.number = 1};
   }
   std::string detail = name;

@@ -294,8 +294,9 @@ bool ProgramReader::begin_to_execute(std::vector<LinePointer>& lines) {
   lines_of_text_ = first_line - 1 + text.size();
   for (std::size_t line = start; line < text.size(); ++line)
     if (!check_order_of_files(text.line(line), text.number(line))) return false;
-  flow_ = program::make_flow(setup_, diagnostics_.calls(), std::move(text), start,
-                             interpreter_.blocks_read() > 0);
+  const auto first_block = interpreter_.blocks_read() > 0 ? program::FirstBlock::before_text
+                                                          : program::FirstBlock::in_text;
+  flow_ = program::make_flow(setup_, diagnostics_.calls(), std::move(text), start, first_block);
   flow_->know(told);
   return true;
 }
@@ -322,12 +323,12 @@ program::ModalState ProgramReader::modes() const {
   std::array<std::optional<double>, 3> place{};
   for (std::size_t axis = 0; axis < place.size(); ++axis) {
     if (state_.contour_open() || !state_.is_known(axis)) continue;
-    place.at(axis) = state_.position().at(axis) / (interpreter_.counts_in_inch() ? mm_per_inch : 1);
+    place.at(axis) = state_.position().at(axis) / mm_of(interpreter_.unit_in_force());
   }
   return {.motion = interpreter_.motion_in_force(),
           .plane = interpreter_.plane_in_force(),
           .incremental = interpreter_.is_incremental(),
-          .inch = interpreter_.counts_in_inch(),
+          .unit = interpreter_.unit_in_force(),
           .tool_radius = interpreter_.radius_in_force(),
           .spindle_diameter = interpreter_.spindle_diameter(),
           .contour_open = interpreter_.is_in_contour(),
@@ -336,11 +337,13 @@ program::ModalState ProgramReader::modes() const {
 
 // All that one line has become is told by its place.
 bool ProgramReader::read_flat_lines(std::vector<LinePointer>& lines) {
-  return read_flat_lines(flow_->settings(), true, lines) && read_flat_lines(flat_, false, lines);
+  return read_flat_lines(flow_->settings(), FlatText::settings, lines) &&
+         read_flat_lines(flat_, FlatText::rest, lines);
 }
 
-bool ProgramReader::read_flat_lines(std::string_view flat, bool sets_variables,
+bool ProgramReader::read_flat_lines(std::string_view flat, FlatText kind,
                                     std::vector<LinePointer>& lines) {
+  const bool sets_variables = kind == FlatText::settings;
   for (std::size_t begin = 0; begin < flat.size();) {
     const std::size_t end = std::min(flat.find_first_of("\r\n", begin), flat.size());
     const std::size_t next =

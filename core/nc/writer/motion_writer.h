@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/length_unit.h"
 #include "core/nc/state/program_line.h"
 #include "core/nc/text/number_format.h"
 #include "core/nc/text/text_buffer.h"
@@ -21,8 +22,8 @@ namespace trc {
 struct WrittenState {
   MotionKind motion = MotionKind::rapid;
   bool incremental = false;
-  bool inch = false;
-  bool feed_in_inch = false;
+  LengthUnit unit = LengthUnit::mm;
+  LengthUnit feed_unit = LengthUnit::mm;
   bool absolute_center = false;
   Plane plane = Plane::xy;
   double feed = 0;  // mm/min; 0: none written yet
@@ -31,14 +32,14 @@ struct WrittenState {
   // Of Klartext.
   Point pole = Point::Zero();  // CC, mm, in the plane
   bool has_pole = false;
-  bool pole_written = false;   // it is not the one in force in the program
-  bool other_tangent = false;  // the last motion does not lead where that of the program led
-  bool other_radius = false;   // the last PR of the program has not come out
+  bool pole_written = false;   // it differs from the pole in force in the program
+  bool other_tangent = false;  // the last motion ends in another direction than in the program
+  bool other_radius = false;   // the last PR of the program is not in the output
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(motion, incremental, inch, feed_in_inch, absolute_center, plane, feed, position,
-            tracking, pole, has_pole, pole_written, other_tangent, other_radius);
+    archive(motion, incremental, unit, feed_unit, absolute_center, plane, feed, position, tracking,
+            pole, has_pole, pole_written, other_tangent, other_radius);
   }
 };
 
@@ -46,7 +47,7 @@ struct WrittenState {
 using AxisSet = std::uint64_t;
 [[nodiscard]] constexpr AxisSet axis_bit(std::size_t axis) { return AxisSet{1} << axis; }
 
-// The two parts of an arc of half the sweep each; they share their joint.
+// The two halves of an arc, each with half the sweep; they share their joint.
 [[nodiscard]] std::array<Arc, 2> halves_of(const Arc& arc);
 
 // How numbers and motions are spelled.
@@ -55,10 +56,10 @@ struct Spelling {
   bool klartext = false;  // L X+10 FMAX; CC and C
 };
 
-// Turns motions into words (G01 X30 Y30 …) such that a reader of the text makes
-// the same motion: ends to half a unit of the last decimal, points inside an arc to
-// one and a half units, to five in one of more than 180 degrees. The state is brought up to what
-// such a reader knows.
+// Turns motions into words (G01 X30 Y30 …) such that a reader of the text makes the same
+// motion: ends to half a unit of the last decimal, points inside an arc to one and a half
+// units, or five in an arc of more than 180 degrees. The state is updated to what such a reader
+// knows.
 class MotionWriter {
  public:
   // `tracking_letters`: one letter per tracking axis, `tracking_names` those of more than one
@@ -66,7 +67,7 @@ class MotionWriter {
   MotionWriter(int decimals, std::string tracking_letters, Spelling spelling = {},
                std::vector<std::string> tracking_names = {});
 
-  // The tracking axis of that name, of more than one character; nothing: there is none.
+  // The tracking axis with that name of more than one character; nothing: there is none.
   [[nodiscard]] std::optional<std::size_t> axis_named(std::string_view name) const;
 
   // How an arc can be written from the position the reader is at.
@@ -87,22 +88,22 @@ class MotionWriter {
     std::array<Written, 2> center{};
   };
   [[nodiscard]] ArcNumbers numbers_of(const Arc& arc, Plane plane, const WrittenState& state) const;
-  // The form, from the arc that a reader makes of the numbers. numbers_of gets there by a shorter
+  // The form, judged by the arc that a reader makes of the numbers. numbers_of() takes a shorter
   // way where it can.
   [[nodiscard]] ArcForm form_of(const Arc& arc, const ArcNumbers& numbers, Plane plane,
                                 const WrittenState& state) const;
 
-  // An arc with its numbers: of this arc, from the state it is written in.
+  // An arc with its numbers, as numbers_of() returns them for this arc and the present state.
   struct NumberedArc {
     const Arc& arc;
     const ArcNumbers& numbers;
     Plane plane = Plane::xy;
   };
-  // Where the axes of a motion go, and which of them are named.
+  // The ends of the axes of a motion, and which axes are written.
   struct Axes {
     const Position& end;
     const TrackingTravel& tracking;
-    AxisSet always = 0;  // beside those that move
+    AxisSet always = 0;  // in addition to those that move
     AxisSet never = 0;   // although they move
   };
 
@@ -110,11 +111,11 @@ class MotionWriter {
   [[nodiscard]] bool moves(const Position& end, const TrackingTravel& tracking,
                            const WrittenState& state) const;
   // Whether `position` is `target` to half a unit of the last decimal.
-  [[nodiscard]] bool reaches(double target, double position, bool inch) const {
-    return std::abs(target - position) <= unit(inch) / 2;
+  [[nodiscard]] bool reaches(double target, double position, LengthUnit unit) const {
+    return std::abs(target - position) <= last_decimal(unit) / 2;
   }
   [[nodiscard]] bool reaches_tracking(std::size_t axis, double target, double position,
-                                      bool inch) const;
+                                      LengthUnit unit) const;
 
   // Append the motion function, the axes and, for an arc, both plane axes and the centre. Each word
   // has a blank before it.
@@ -126,19 +127,20 @@ class MotionWriter {
   void append_pole(TextBuffer& out, const Point& pole, Plane plane, WrittenState& state) const;
 
   // Whether two feeds are written alike, mm/min.
-  [[nodiscard]] bool same_feed(double a, double b, bool inch) const;
+  [[nodiscard]] bool same_feed(double a, double b, LengthUnit unit) const;
   void append_feed(TextBuffer& out, double feed, WrittenState& state) const;
 
  private:
-  [[nodiscard]] Written written(double value, bool inch) const {
-    const std::int64_t units = to_units(inch ? value / mm_per_inch : value, decimals_of(inch));
-    const double number = from_units(units, decimals_of(inch));
+  [[nodiscard]] Written written(double value, LengthUnit unit) const {
+    const bool inch = unit == LengthUnit::inch;
+    const std::int64_t units = to_units(inch ? value / mm_per_inch : value, decimals_of(unit));
+    const double number = from_units(units, decimals_of(unit));
     return {.units = units, .read = inch ? number * mm_per_inch : number};
   }
-  [[nodiscard]] Written written_end(double target, double position, bool inch,
+  [[nodiscard]] Written written_end(double target, double position, LengthUnit unit,
                                     bool incremental) const {
-    if (!incremental) return written(target, inch);
-    const Written step = written(target - position, inch);
+    if (!incremental) return written(target, unit);
+    const Written step = written(target - position, unit);
     return {.units = step.units, .read = position + step.read};
   }
   [[nodiscard]] Written written_center(double center, double start,
@@ -148,30 +150,34 @@ class MotionWriter {
     int decimals = 0;
     double read = 0;  // mm/min
   };
-  [[nodiscard]] WrittenFeed written_feed(double feed, bool inch) const;
-  [[nodiscard]] int decimals_of(bool inch) const { return inch ? decimals_ + 1 : decimals_; }
-  [[nodiscard]] double unit(bool inch) const { return inch ? unit_of_inch_ : unit_of_mm_; }
+  [[nodiscard]] WrittenFeed written_feed(double feed, LengthUnit unit) const;
+  [[nodiscard]] int decimals_of(LengthUnit unit) const {
+    return unit == LengthUnit::inch ? decimals_ + 1 : decimals_;
+  }
+  // One unit of the last decimal, mm.
+  [[nodiscard]] double last_decimal(LengthUnit unit) const {
+    return unit == LengthUnit::inch ? last_decimal_of_inch_ : last_decimal_of_mm_;
+  }
 
   [[nodiscard]] char* write_word(char* at, char letter, std::int64_t units, int decimals) const;
   // Klartext counts feeds in tenths of an inch.
-  [[nodiscard]] double feed_unit(bool inch) const {
-    return inch ? mm_per_inch / (spelling_.klartext ? 10 : 1) : 1;
+  [[nodiscard]] double feed_unit(LengthUnit unit) const {
+    return unit == LengthUnit::inch ? mm_per_inch / (spelling_.klartext ? 10 : 1) : 1;
   }
   void append_klartext_arc(TextBuffer& out, const NumberedArc& arc, const Axes& axes,
                            WrittenState& state) const;
 
   [[nodiscard]] char* room_of_motion(TextBuffer& out, const TrackingTravel& tracking) const;
-  // Of a tracking axis.
-  [[nodiscard]] bool is_linear(std::size_t axis) const;
-  // `known`: the numbers of main axes that have been asked for already.
+  // The unit of a tracking axis.
+  [[nodiscard]] LengthUnit unit_of_axis(std::size_t axis, LengthUnit of_lengths) const;
+  // `known`: the numbers of main axes that are known already.
   using KnownNumbers = std::array<const Written*, 3>;
   [[nodiscard]] char* write_axes(char* at, const Axes& axes, const KnownNumbers& known,
                                  WrittenState& state) const;
 
   int decimals_;
-  // Of the last decimal, mm.
-  double unit_of_mm_;
-  double unit_of_inch_;
+  double last_decimal_of_mm_;    // mm
+  double last_decimal_of_inch_;  // mm
   std::string tracking_letters_;
   std::vector<std::string> tracking_names_;
   std::size_t longest_name_ = 0;

@@ -30,8 +30,7 @@ NcWriter::NcWriter(const Setup& setup)
   state_.motion = setup.motion;
   state_.absolute_center = setup.absolute_center;
   state_.plane = setup.plane;
-  state_.inch = setup.inch;
-  state_.feed_in_inch = setup.inch;
+  state_.unit = state_.feed_unit = setup.unit;
   state_.position = setup.start;
   state_.tracking.resize(setup.tracking_letters.size());
 }
@@ -132,13 +131,15 @@ void NcWriter::write_without_motion(const WaitingLine& own, std::string& out) {
       next_number_ = number;
   }
   enter_modes(own);
-  if (line.klartext) enter_klartext(line, !line.has_trc_words && !line.is_motion);
+  const bool copied = !line.has_trc_words && !line.is_motion;
+  if (line.klartext) enter_klartext(line, copied ? LineForm::copied : LineForm::rewritten);
   if (own.line->has(WordRole::feed)) enter_feed(line);
   if (own.line->has(WordRole::motion) && !line.is_motion) state_.motion = line.motion;
 }
 
 // What a reader of the output knows behind the line.
-void NcWriter::enter_klartext(const ProgramLine& line, bool copied) {
+void NcWriter::enter_klartext(const ProgramLine& line, LineForm form) {
+  const bool copied = form == LineForm::copied;
   const KlartextLine& says = *line.klartext;
   if (says.sets_polar_radius) state_.other_radius = !copied;
   if (line.is_motion) state_.other_tangent = !copied;
@@ -216,10 +217,10 @@ void NcWriter::write_piece(const CompensatedBlock& block, const Segment& piece,
   if (arc == nullptr && !must_be_written && !motions_.moves(end, tracking, state_)) return;
 
   if (klartext_ && arc != nullptr &&
-      !(state_.has_pole && motions_.reaches(arc->center.x(), state_.pole.x(), state_.inch) &&
-        motions_.reaches(arc->center.y(), state_.pole.y(), state_.inch)))
+      !(state_.has_pole && motions_.reaches(arc->center.x(), state_.pole.x(), state_.unit) &&
+        motions_.reaches(arc->center.y(), state_.pole.y(), state_.unit)))
     write_pole(arc->center, block.plane, out);
-  if (own_ != nullptr && own_->line->klartext) enter_klartext(*own_->line, false);
+  if (own_ != nullptr && own_->line->klartext) enter_klartext(*own_->line, LineForm::rewritten);
   if (klartext_) state_.other_tangent = true;
   begin_words();
   if (own_ != nullptr && (own_->line->roles & roles_in_front) != 0) {
@@ -254,7 +255,7 @@ AxisSet NcWriter::axes_to_keep(const WaitingLine& own, const CompensatedBlock& b
   if (block.origin != Origin::uncompensated) return kept & ~plane_axes(block.plane);
   for (std::size_t axis = 0; axis < end.size(); ++axis) {
     if ((plane_axes(block.plane) & axis_bit(axis)) == 0) continue;
-    if (!motions_.reaches(end[axis], own.meaning.end[axis], state_.inch)) kept &= ~axis_bit(axis);
+    if (!motions_.reaches(end[axis], own.meaning.end[axis], state_.unit)) kept &= ~axis_bit(axis);
   }
   return kept;
 }
@@ -277,7 +278,7 @@ void NcWriter::append_feed_and_rest(const CompensatedBlock& block) {
       note_open_feed(line);
       // FMAX stands for the feed of its block; that of the line comes with the next one.
       if (klartext_ && block.rapid) continue;
-      if (needs_feed && !motions_.same_feed(line.feed, block.feed, line.feed_in_inch)) {
+      if (needs_feed && !motions_.same_feed(line.feed, block.feed, line.feed_unit)) {
         append_feed(block.feed);
       } else {
         append(line, word);
@@ -291,7 +292,7 @@ void NcWriter::append_feed_and_rest(const CompensatedBlock& block) {
 // of the program, also where that is per revolution and means nothing here.
 bool NcWriter::has_feed(const CompensatedBlock& block) const {
   if (feed_is_programmed_ && own_ != nullptr && own_->line->feed == block.feed) return true;
-  return motions_.same_feed(state_.feed, block.feed, state_.feed_in_inch);
+  return motions_.same_feed(state_.feed, block.feed, state_.feed_unit);
 }
 
 void NcWriter::append_feed(double feed) {
@@ -327,8 +328,8 @@ void NcWriter::write_plane(Plane plane, std::string& out) {
 void NcWriter::enter_modes(const WaitingLine& own) {
   if (!own.line->has(WordRole::mode)) return;
   state_.incremental = own.line->incremental;
-  state_.inch = own.line->inch;
-  state_.feed_in_inch = own.line->feed_in_inch;
+  state_.unit = own.line->unit;
+  state_.feed_unit = own.line->feed_unit;
   state_.absolute_center = own.line->absolute_center;
   state_.plane = own.line->plane;
 }
