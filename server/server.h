@@ -57,8 +57,9 @@ class Server {
   // Connections are being accepted, and the workers give turns.
   [[nodiscard]] bool is_well() const;
 
-  // Takes no new streams, lets the open ones finish within the drain timeout, then ends. Health
-  // says NOT_SERVING from the first moment. Returns how many streams had to be cut off.
+  // Takes no new streams, lets the open ones finish within the drain timeout, tells the others that
+  // it is over, then ends. Health says NOT_SERVING from the first moment. Returns how many streams
+  // had to be cut off.
   std::size_t drain();
 
   [[nodiscard]] Backend& backend() { return backend_; }

@@ -25,7 +25,7 @@ struct Row {
   int retry_after_s = 0;  // 0: waiting does not help
 };
 
-constexpr std::array<Row, 30> table{{
+constexpr std::array<Row, 31> table{{
     {Refusal::setup_missing, StatusCode::FAILED_PRECONDITION, "SETUP_MISSING",
      "the first request must carry the setup", "die erste Anfrage muss das Setup enthalten"},
     {Refusal::setup_repeated, StatusCode::FAILED_PRECONDITION, "SETUP_REPEATED",
@@ -126,6 +126,12 @@ constexpr std::array<Row, 30> table{{
     {Refusal::draining, StatusCode::UNAVAILABLE, "SERVER_DRAINING",
      "the server is shutting down and takes no new streams",
      "der Server fährt herunter und nimmt keine neuen Streams", 1},
+    {Refusal::drain_timeout, StatusCode::UNAVAILABLE, "DRAIN_TIMEOUT",
+     "the server shuts down, and the stream was not done within the setting drain-timeout-s; go on "
+     "with its last resume token, or begin anew",
+     "der Server fährt herunter, und der Stream war innerhalb der Einstellung drain-timeout-s "
+     "nicht fertig; mit seinem letzten Resume-Token weitermachen oder neu beginnen",
+     1},
     {Refusal::cancelled, StatusCode::CANCELLED, "CANCELLED", "the call was cancelled",
      "der Aufruf wurde abgebrochen"},
     {Refusal::deadline_exceeded, StatusCode::DEADLINE_EXCEEDED, "DEADLINE_EXCEEDED",

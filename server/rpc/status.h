@@ -44,6 +44,7 @@ enum class Refusal {
   resume_setup_differs,
   client_not_allowed,
   draining,
+  drain_timeout,
   cancelled,
   deadline_exceeded,
   internal,

@@ -64,6 +64,7 @@ const Case cases[] = {
     {Refusal::resume_setup_differs, grpc::FAILED_PRECONDITION, "RESUME_SETUP_DIFFERS", false},
     {Refusal::client_not_allowed, grpc::PERMISSION_DENIED, "CLIENT_NOT_ALLOWED", false},
     {Refusal::draining, grpc::UNAVAILABLE, "SERVER_DRAINING", true},
+    {Refusal::drain_timeout, grpc::UNAVAILABLE, "DRAIN_TIMEOUT", true},
     {Refusal::cancelled, grpc::CANCELLED, "CANCELLED", false},
     {Refusal::deadline_exceeded, grpc::DEADLINE_EXCEEDED, "DEADLINE_EXCEEDED", false},
     {Refusal::internal, grpc::INTERNAL, "INTERNAL", false},
