@@ -136,6 +136,7 @@ std::string Server::open(Callers callers) {
   set_limits(builder, config, config.max_message_bytes + refused_message_bytes,
              config.max_grpc_buffer_mib);
   builder.RegisterService(&service_);
+  builder.RegisterCallbackGenericService(&unknown_rpc_);
   if (config.reflection) {
     reflection_ = std::make_unique<Reflection>(backend_);
     reflection_->add_to(builder);

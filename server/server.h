@@ -17,6 +17,7 @@
 #include "server/net/certificates.h"
 #include "server/net/listener.h"
 #include "server/rpc/reflection.h"
+#include "server/rpc/unknown_rpc.h"
 #include "server/service.h"
 #include "server/telemetry/admin.h"
 
@@ -86,6 +87,7 @@ class Server {
 
   Backend backend_;
   TrcService service_{backend_};
+  UnknownRpc unknown_rpc_{backend_};
   std::unique_ptr<Reflection> reflection_;  // where it is served
   grpc::CallbackGenericService no_service_;
   std::shared_ptr<Certificates> certificates_;

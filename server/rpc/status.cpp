@@ -25,7 +25,7 @@ struct Row {
   int retry_after_s = 0;  // 0: waiting does not help
 };
 
-constexpr std::array<Row, 31> table{{
+constexpr std::array<Row, 32> table{{
     {Refusal::setup_missing, StatusCode::FAILED_PRECONDITION, "SETUP_MISSING",
      "the first request must carry the setup", "die erste Anfrage muss das Setup enthalten"},
     {Refusal::setup_repeated, StatusCode::FAILED_PRECONDITION, "SETUP_REPEATED",
@@ -46,6 +46,8 @@ constexpr std::array<Row, 31> table{{
      "one request",
      "Streams vom Client brauchen gRPC; CompensateProgramOnce und PreviewPath nehmen alles in "
      "einer Anfrage"},
+    {Refusal::rpc_unknown, StatusCode::UNIMPLEMENTED, "RPC_UNKNOWN", "there is no such RPC",
+     "diesen RPC gibt es nicht"},
     {Refusal::input_after_final, StatusCode::FAILED_PRECONDITION, "INPUT_AFTER_FINAL",
      "nothing may follow the request marked final",
      "nach der Anfrage mit final darf nichts mehr kommen"},

@@ -31,6 +31,7 @@ enum class Refusal {
   request_unreadable,
   call_invalid,
   stream_needs_grpc,
+  rpc_unknown,
   answer_too_large,
   stream_limit,
   stream_limit_of_peer,

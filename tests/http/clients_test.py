@@ -774,6 +774,14 @@ class Programs(unittest.TestCase):
         self.assertEqual(reason(once, text, **{"Connect-Timeout-Ms": "1"}),
                          ("deadline_exceeded", "DEADLINE_EXCEEDED"))
 
+    def test_an_rpc_that_there_is_not_is_told_those_there_are(self):
+        for path in ("/trc.v1.TrcService/NoSuch", "/trc.v2.TrcService/PreviewPath"):
+            status, problem = self.server.ask_json("POST", path, "{}", JSON)
+            self.assertEqual((status, problem["reason"]), (404, "NOT_FOUND"))
+            self.assertIn("there is no such RPC; trc.v1.TrcService has CompensatePath, ",
+                          problem["detail"])
+            self.assertIn("PreviewPath", problem["detail"])
+
     def test_connect_unary_in_both_codecs(self):
         rpc = "/trc.v1.TrcService/"
         status, info = self.server.ask_json("POST", rpc + "GetServerInfo", "{}",

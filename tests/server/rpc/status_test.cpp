@@ -42,6 +42,7 @@ const Case cases[] = {
     {Refusal::request_unreadable, grpc::INVALID_ARGUMENT, "REQUEST_UNREADABLE", false},
     {Refusal::call_invalid, grpc::INVALID_ARGUMENT, "CALL_INVALID", false},
     {Refusal::stream_needs_grpc, grpc::UNIMPLEMENTED, "STREAM_NEEDS_GRPC", false},
+    {Refusal::rpc_unknown, grpc::UNIMPLEMENTED, "RPC_UNKNOWN", false},
     {Refusal::input_after_final, grpc::FAILED_PRECONDITION, "INPUT_AFTER_FINAL", false},
     {Refusal::batch_out_of_sequence, grpc::OUT_OF_RANGE, "BATCH_OUT_OF_SEQUENCE", false},
     {Refusal::text_out_of_sequence, grpc::OUT_OF_RANGE, "TEXT_OUT_OF_SEQUENCE", false},
