@@ -25,7 +25,7 @@ struct Row {
   int retry_after_s = 0;  // 0: waiting does not help
 };
 
-constexpr std::array<Row, 32> table{{
+constexpr std::array<Row, 33> table{{
     {Refusal::setup_missing, StatusCode::FAILED_PRECONDITION, "SETUP_MISSING",
      "the first request must carry the setup", "die erste Anfrage muss das Setup enthalten"},
     {Refusal::setup_repeated, StatusCode::FAILED_PRECONDITION, "SETUP_REPEATED",
@@ -64,6 +64,11 @@ constexpr std::array<Row, 32> table{{
      "no request came within the idle timeout", "es kam zu lange keine Anfrage"},
     {Refusal::field_invalid, StatusCode::INVALID_ARGUMENT, "FIELD_INVALID",
      "a field has a value that is not allowed", "ein Feld hat einen Wert, der nicht erlaubt ist"},
+    {Refusal::field_unknown, StatusCode::INVALID_ARGUMENT, "FIELD_UNKNOWN",
+     "the request has a field that this server does not know; update the server, or leave the "
+     "field out",
+     "die Anfrage hat ein Feld, das dieser Server nicht kennt; den Server aktualisieren oder das "
+     "Feld weglassen"},
     {Refusal::message_too_large, StatusCode::RESOURCE_EXHAUSTED, "MESSAGE_TOO_LARGE",
      "the request is larger than the setting max-message-bytes allows; send smaller pieces",
      "die Anfrage ist größer, als die Einstellung max-message-bytes erlaubt; kleinere "
@@ -250,6 +255,14 @@ Ending refuse(const wire::FieldFaults& faults) {
   rich.add_details()->PackFrom(info);
   rich.add_details()->PackFrom(fields);
   return finished(row.code, row.reason, message, std::move(rich));
+}
+
+Ending refuse(const wire::UnknownField& unknown) {
+  const std::string number = std::to_string(unknown.number);
+  std::string detail = "field " + number + " of " + unknown.message;
+  if (!unknown.place.empty()) detail += ", in " + unknown.place;
+  return refuse(Refusal::field_unknown, detail,
+                {{"field", unknown.place}, {"message", unknown.message}, {"field_number", number}});
 }
 
 Ending refuse(const Diagnostic& diagnostic) {

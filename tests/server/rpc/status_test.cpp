@@ -49,6 +49,7 @@ const Case cases[] = {
     {Refusal::contour_incomplete, grpc::ABORTED, "CONTOUR_INCOMPLETE", false},
     {Refusal::stream_idle, grpc::ABORTED, "STREAM_IDLE", false},
     {Refusal::field_invalid, grpc::INVALID_ARGUMENT, "FIELD_INVALID", false},
+    {Refusal::field_unknown, grpc::INVALID_ARGUMENT, "FIELD_UNKNOWN", false},
     {Refusal::message_too_large, grpc::RESOURCE_EXHAUSTED, "MESSAGE_TOO_LARGE", false},
     {Refusal::batch_too_large, grpc::RESOURCE_EXHAUSTED, "BATCH_TOO_LARGE", false},
     {Refusal::answer_too_large, grpc::RESOURCE_EXHAUSTED, "ANSWER_TOO_LARGE", false},
