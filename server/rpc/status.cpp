@@ -25,7 +25,7 @@ struct Row {
   int retry_after_s = 0;  // 0: waiting does not help
 };
 
-constexpr std::array<Row, 33> table{{
+constexpr std::array<Row, 34> table{{
     {Refusal::setup_missing, StatusCode::FAILED_PRECONDITION, "SETUP_MISSING",
      "the first request must carry the setup", "die erste Anfrage muss das Setup enthalten"},
     {Refusal::setup_repeated, StatusCode::FAILED_PRECONDITION, "SETUP_REPEATED",
@@ -39,6 +39,8 @@ constexpr std::array<Row, 33> table{{
      "is no UTF-8",
      "die Anfrage ist keine Nachricht dieses Dienstes: Bytes fehlen oder sind verändert, oder ein "
      "Text darin ist kein UTF-8"},
+    {Refusal::json_unreadable, StatusCode::INVALID_ARGUMENT, "REQUEST_UNREADABLE",
+     "the JSON of the request cannot be taken", "das JSON der Anfrage ist so nicht möglich"},
     {Refusal::call_invalid, StatusCode::INVALID_ARGUMENT, "CALL_INVALID",
      "the call is none of the Connect protocol", "der Aufruf ist keiner des Connect-Protokolls"},
     {Refusal::stream_needs_grpc, StatusCode::UNIMPLEMENTED, "STREAM_NEEDS_GRPC",

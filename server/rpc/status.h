@@ -31,6 +31,7 @@ enum class Refusal {
   message_too_large,
   batch_too_large,
   request_unreadable,
+  json_unreadable,
   call_invalid,
   stream_needs_grpc,
   rpc_unknown,

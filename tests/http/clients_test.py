@@ -578,7 +578,8 @@ class Programs(unittest.TestCase):
         status, problem = self.server.ask_json("POST", "/v1/paths:compensate", '{"setop":{}}',
                                                json_type)
         self.assertEqual((status, problem["reason"]), (400, "JSON_INVALID"))
-        self.assertEqual(problem["detail"], "setop: there is no such field")
+        self.assertEqual(problem["detail"],
+                         "setop: there is no such field; did you mean setup?")
         status, problem = self.server.ask_json(
             "POST", "/v1/paths:compensate", '{"setup":{"toolRadius":"5,5"}}',
             {**json_type, "Accept-Language": "de"})
@@ -765,6 +766,11 @@ class Programs(unittest.TestCase):
         once = "CompensateProgramOnce"
         unreadable = ("invalid_argument", "REQUEST_UNREADABLE")
         self.assertEqual(reason(once, '{"nix":1}'), unreadable)
+        _, misspelt = self.server.ask_json("POST", "/trc.v1.TrcService/" + once,
+                                           '{"setup":{"path":{"toolRadus":1}}}', JSON)
+        self.assertEqual(misspelt["message"],
+                         "the JSON of the request cannot be taken: setup.path.toolRadus: there is "
+                         "no such field; did you mean toolRadius?")
         self.assertEqual(reason(once, "{"), unreadable)
         self.assertEqual(reason(once, "{}", **{"Connect-Protocol-Version": "2"}),
                          ("invalid_argument", "CALL_INVALID"))

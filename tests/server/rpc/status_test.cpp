@@ -40,6 +40,7 @@ const Case cases[] = {
     {Refusal::setup_repeated, grpc::FAILED_PRECONDITION, "SETUP_REPEATED", false},
     {Refusal::request_empty, grpc::INVALID_ARGUMENT, "REQUEST_EMPTY", false},
     {Refusal::request_unreadable, grpc::INVALID_ARGUMENT, "REQUEST_UNREADABLE", false},
+    {Refusal::json_unreadable, grpc::INVALID_ARGUMENT, "REQUEST_UNREADABLE", false},
     {Refusal::call_invalid, grpc::INVALID_ARGUMENT, "CALL_INVALID", false},
     {Refusal::stream_needs_grpc, grpc::UNIMPLEMENTED, "STREAM_NEEDS_GRPC", false},
     {Refusal::rpc_unknown, grpc::UNIMPLEMENTED, "RPC_UNKNOWN", false},
