@@ -18,6 +18,8 @@ namespace {
 
 // gRPC waits for its own end so long; by then no stream is open.
 constexpr auto shutdown_grace = std::chrono::milliseconds(100);
+// Streams that are cut off are told so, which takes no longer where their clients read.
+constexpr auto cut_off_grace = std::chrono::milliseconds(500);
 
 int milliseconds(std::uint32_t seconds) { return static_cast<int>(seconds) * 1000; }
 
@@ -134,6 +136,7 @@ std::string Server::open(Callers callers) {
   set_limits(builder, config, config.max_message_bytes + refused_message_bytes,
              config.max_grpc_buffer_mib);
   builder.RegisterService(&service_);
+  builder.RegisterCallbackGenericService(&unknown_rpc_);
   if (config.reflection) {
     reflection_ = std::make_unique<Reflection>(backend_);
     reflection_->add_to(builder);
@@ -317,7 +320,10 @@ std::size_t Server::drain() {
   backend_.streams.drain();
   const auto timeout = std::chrono::seconds(backend_.config.drain_timeout_s);
   std::size_t cut_off = 0;
-  if (!backend_.streams.wait_until_none(Clock::now() + timeout)) cut_off = backend_.streams.count();
+  if (!backend_.streams.wait_until_none(Clock::now() + timeout)) {
+    cut_off = backend_.streams.count();
+    backend_.streams.cut_off(Clock::now() + cut_off_grace);
+  }
   // The last bytes of an answer are on their way when its stream has ended.
   if (http_) http_->wait_until_idle(Clock::now() + shutdown_grace);
   stop_grpc();

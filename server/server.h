@@ -17,6 +17,7 @@
 #include "server/net/certificates.h"
 #include "server/net/listener.h"
 #include "server/rpc/reflection.h"
+#include "server/rpc/unknown_rpc.h"
 #include "server/service.h"
 #include "server/telemetry/admin.h"
 
@@ -57,8 +58,9 @@ class Server {
   // Connections are being accepted, and the workers give turns.
   [[nodiscard]] bool is_well() const;
 
-  // Takes no new streams, lets the open ones finish within the drain timeout, then ends. Health
-  // says NOT_SERVING from the first moment. Returns how many streams had to be cut off.
+  // Takes no new streams, lets the open ones finish within the drain timeout, tells the others that
+  // it is over, then ends. Health says NOT_SERVING from the first moment. Returns how many streams
+  // had to be cut off.
   std::size_t drain();
 
   [[nodiscard]] Backend& backend() { return backend_; }
@@ -85,6 +87,7 @@ class Server {
 
   Backend backend_;
   TrcService service_{backend_};
+  UnknownRpc unknown_rpc_{backend_};
   std::unique_ptr<Reflection> reflection_;  // where it is served
   grpc::CallbackGenericService no_service_;
   std::shared_ptr<Certificates> certificates_;

@@ -1,7 +1,6 @@
 #include "server/service.h"
 
 #include <memory>
-#include <string>
 
 #include "server/resources/peers.h"
 #include "server/rpc/caller.h"
@@ -11,6 +10,7 @@
 #include "server/rpc/get_server_info.h"
 #include "server/rpc/preview_path.h"
 #include "server/rpc/start_stream.h"
+#include "server/rpc/stream_refusals.h"
 #include "server/rpc/survey_radii.h"
 
 namespace trc::server {
@@ -69,9 +69,7 @@ class ServerInfoReactor final : public grpc::ServerUnaryReactor {
                 grpc::ByteBuffer& response) const {
     const Config& config = backend.config;
     if (auto refused = refuse_caller(context, config.tls_allowed_clients)) return *refused;
-    if (peer_->streams() > config.max_streams_per_peer)
-      return refuse(Refusal::stream_limit_of_peer, {},
-                    {{"max_streams_per_peer", std::to_string(config.max_streams_per_peer)}});
+    if (auto refused = refuse_crowd(backend, *peer_)) return *refused;
     v1::GetServerInfoResponse info;
     describe(config, info);
     bool own = false;

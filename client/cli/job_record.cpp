@@ -7,6 +7,7 @@
 #include <array>
 #include <fstream>
 
+#include "proto/wire/json.h"
 #include "server/job_record.h"
 #include "server/sha256.h"
 
@@ -69,8 +70,8 @@ std::string text_of(const v1::JobRecord& record) {
 }
 
 std::string record_from(const std::string& text, v1::JobRecord& record) {
-  const auto status = google::protobuf::util::JsonStringToMessage(text, &record);
-  if (!status.ok()) return "it is no record of a job: " + std::string(status.message());
+  if (const std::string fault = wire::Json().read(text, record); !fault.empty())
+    return "it is no record of a job: " + fault;
   if (record.format() != server::job_record_format)
     return "it is no record of a job: format is \"" + record.format() + "\"";
   return {};

@@ -119,6 +119,10 @@ class Service {
     // A server that gives a reason speaks for itself; the transport does not.
     if (failure.reason == "SERVER_DRAINING" && !name_.empty()) {
       complain("the server at " + name_ + " is there, but shuts down and takes no new programs");
+    } else if (failure.reason == "DRAIN_TIMEOUT") {
+      complain("the server at " + name_ +
+               " has shut down before the path was complete; run it again, or raise its "
+               "drain-timeout-s");
     } else if (failure.not_taken_over()) {
       complain("the server at " + name_ +
                " was lost, and the one there now cannot go on: it was started anew, or has another "
@@ -159,7 +163,7 @@ class Patience {
   void tell(const client::Failure& why) {
     if (reporter_.is_quiet() || !told_.insert(why.status + why.reason).second) return;
     std::string text = "the server at " + options_.server;
-    if (why.reason == "SERVER_DRAINING")
+    if (why.reason == "SERVER_DRAINING" || why.reason == "DRAIN_TIMEOUT")
       text += " shuts down";
     else if (why.asks_to_wait())
       text += " has no room now: " + why.message;

@@ -50,7 +50,9 @@ std::string Json::read(std::string_view text, google::protobuf::Message& message
   binary_.clear();
   const auto status = google::protobuf::util::JsonToBinaryString(types_.get(), type_url(message),
                                                                  std::string(text), &binary_);
-  if (!status.ok()) return json_fault({status.message().data(), status.message().size()}, text);
+  if (!status.ok())
+    return json_fault({status.message().data(), status.message().size()}, text,
+                      *message.GetDescriptor());
   return message.ParseFromString(binary_) ? "" : "is no " + message.GetDescriptor()->name();
 }
 

@@ -1,16 +1,19 @@
 #include "proto/wire/json_fault.h"
 
-#include <google/protobuf/descriptor.h>
-
 #include <algorithm>
 #include <array>
 #include <optional>
 #include <span>
 #include <utility>
+#include <vector>
+
+#include "core/base/likely_meant.h"
 
 namespace trc::wire {
 namespace {
 
+using google::protobuf::Descriptor;
+using google::protobuf::FieldDescriptor;
 using Pair = std::pair<std::string_view, std::string_view>;
 
 // Of text that is no JSON.
@@ -90,14 +93,35 @@ std::pair<std::string, std::string_view> field_and_rest(std::string_view said) {
   return {field, said.substr(colon + 2)};
 }
 
-std::optional<std::string> fault_of_field(std::string_view said) {
+// "; did you mean lookAheadBlocks?" of "setup.lookAheadBlok", in the spelling that was chosen;
+// empty where no field of the message is near.
+std::string meant_by(std::string_view field, const Descriptor& root) {
+  const Descriptor* type = &root;
+  while (const std::size_t dot = field.find('.') + 1) {
+    const std::string name(field.substr(0, std::min(field.find('['), dot - 1)));
+    const FieldDescriptor* const within = type->FindFieldByName(name);
+    if (within == nullptr || within->message_type() == nullptr) return {};
+    type = within->message_type();
+    field.remove_prefix(dot);
+  }
+  std::vector<std::string> names;
+  for (int i = 0; i < type->field_count(); ++i) {
+    names.push_back(type->field(i)->json_name());
+    names.push_back(type->field(i)->name());
+  }
+  const auto meant = likely_meant(field, names);
+  return meant ? "; did you mean " + *meant + "?" : std::string();
+}
+
+std::optional<std::string> fault_of_field(std::string_view said, const Descriptor& type_of_all) {
   constexpr std::string_view invalid = "invalid value ";
   constexpr std::string_view for_type = " for type ";
   constexpr std::string_view object = "Starting an object";
   constexpr std::string_view one_of = "oneof field";
   const auto [field, rest] = field_and_rest(said);
   if (rest.starts_with("Root element")) return "it must be an object in { }";
-  if (rest.starts_with("Cannot find field")) return field + ": there is no such field";
+  if (rest.starts_with("Cannot find field"))
+    return field + ": there is no such field" + meant_by(field, type_of_all);
   if (rest.starts_with("Proto field is not repeating"))
     return field + ": it takes one value, no list";
   const std::size_t type_at = rest.rfind(for_type);
@@ -113,7 +137,7 @@ std::optional<std::string> fault_of_field(std::string_view said) {
 
 }  // namespace
 
-std::string json_fault(std::string_view said, std::string_view text) {
+std::string json_fault(std::string_view said, std::string_view text, const Descriptor& type) {
   const std::size_t first = said.find('\n');
   const std::string_view what = said.substr(0, first);
   if (const auto words = begun_by(of_syntax, what)) {
@@ -124,7 +148,7 @@ std::string json_fault(std::string_view said, std::string_view text) {
     if (excerpt.empty()) return std::string(*words);
     return place_of(excerpt, said.size() - last - 2, text) + std::string(*words);
   }
-  if (auto fault = fault_of_field(what)) return *std::move(fault);
+  if (auto fault = fault_of_field(what, type)) return *std::move(fault);
   return what.empty() ? "it is no JSON" : std::string(what);
 }
 

@@ -57,6 +57,8 @@ constexpr auto sentences = std::to_array<Sentence>({
     {"{}: is not available, only {} is allowed", "{}: gibt es hier nicht, nur {} ist erlaubt"},
     // JSON.
     {"{}: there is no such field", "{}: dieses Feld gibt es nicht"},
+    {"{}: there is no such field; did you mean {}?",
+     "{}: dieses Feld gibt es nicht; ist {} gemeint?"},
     {"{}: is given more than once", "{}: ist mehrmals angegeben"},
     {"{}: is null, where a list has values", "{}: ist null, wo eine Liste Werte hat"},
     {"{}: is null; give it a value or leave it out",

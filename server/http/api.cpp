@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <ctime>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "server/http/problem.h"
 #include "server/http/questions.h"
 #include "server/net/address.h"
+#include "server/rpc/unknown_rpc.h"
 #include "server/work/worker_pool.h"
 
 namespace trc::server::http {
@@ -56,6 +58,12 @@ std::string methods_at(std::string_view path) {
   }
   if (methods.empty() && rpc_at(std::string(path)) != nullptr) methods = "POST";
   return methods;
+}
+
+// "/trc.v1.TrcService/Name", whatever the names are.
+bool names_rpc(std::string_view path) {
+  const std::string_view service = path.substr(0, path.find('/', 1));
+  return service.size() < path.size() && service.find('.') != std::string_view::npos;
 }
 
 // "Sun, 06 Nov 1994 08:49:37 GMT", whatever the locale is.
@@ -151,7 +159,8 @@ Service::Admission Api::admit(const Request& head) {
   const std::string methods = methods_at(head.path);
   if (methods.empty())
     return {.refused = problem(404, "NOT_FOUND", "There is nothing at this path",
-                               "see /v1/openapi.json for what there is")};
+                               names_rpc(head.path) ? "there is no such RPC; " + known_rpcs()
+                                                    : "see /v1/openapi.json for what there is")};
   if (head.method == "OPTIONS") return {};
   return {.refused = problem(405, "METHOD_NOT_ALLOWED", "This method is not possible here",
                              "possible are " + methods)};

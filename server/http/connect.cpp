@@ -270,8 +270,10 @@ void start(Api& api, const ExchangePointer& exchange, const Call& call) {
     const Question question = read_question(call);
     exchange->post([&api, exchange, call, question] {
       if (!question.fault.empty())
-        return call.format->refuse(exchange,
-                                   refuse(Refusal::request_unreadable, question.fault).status);
+        return call.format->refuse(
+            exchange, refuse(call.is_json ? Refusal::json_unreadable : Refusal::request_unreadable,
+                             question.fault)
+                          .status);
       exchange->request().body = {};
       RpcExchange::start(
           api, exchange, "/" + call.method.service()->full_name() + "/" + call.method.name(),

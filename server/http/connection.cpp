@@ -20,7 +20,7 @@
 #include "server/http/head.h"
 #include "server/http/problem.h"
 #include "server/http/tls.h"
-#include "server/http/uri.h"
+#include "server/http/unread_rest.h"
 
 namespace trc::server::http {
 namespace {
@@ -34,8 +34,6 @@ using tcp = asio::ip::tcp;
 using PlainStream = beast::tcp_stream;
 using TlsStream = beast::ssl_stream<beast::tcp_stream>;
 
-// What is read of a request that was answered before it had come, so that the answer arrives.
-constexpr std::size_t most_ignored_bytes = 4U << 20U;
 constexpr std::chrono::seconds longest_farewell{2};
 
 template <class Stream>
@@ -178,17 +176,9 @@ class Connection final : public Exchange,
       keep_alive_ = false;
       return refuse(*fault_of_head);
     }
-    auto target = read_target(request_.method, {head.target().data(), head.target().size()});
-    if (!target) return refuse(400, "TARGET_MALFORMED", "The target of the request is not one");
-    if (!target->scheme.empty()) {
-      if (target->scheme != scheme)
-        return refuse(problem(421, "SCHEME_NOT_SERVED", "This server is not the one that is meant",
-                              "targets begin with " + std::string(scheme) + ":// here"));
-      // It counts, whatever the header says.
-      request_.set_header("host", std::move(target->host));
-    }
-    request_.path = std::move(target->path);
-    request_.query = std::move(target->query);
+    const auto fault_of_target =
+        take_target({head.target().data(), head.target().size()}, scheme, request_);
+    if (fault_of_target) return refuse(*fault_of_target);
     if (!allowed_)
       return refuse(403, "CLIENT_NOT_ALLOWED", "The name of the certificate is not allowed");
     admit();
@@ -332,8 +322,6 @@ class Connection final : public Exchange,
     service_.log(request_, status_, sent_, took.count());
   }
 
-  // A connection that is closed while bytes of the client are unread is reset, and the answer may
-  // be lost with it.
   void say_farewell() {
     error_code ignored;
     give_memory_back();
@@ -345,20 +333,9 @@ class Connection final : public Exchange,
       stream_.async_shutdown(
           [self = this->shared_from_this()](error_code) { self->close_socket(); });
     } else {
-      ignored_bytes_ = 0;
-      ignore_rest();
+      const auto self = this->shared_from_this();
+      rest_.forget(self, [this] { close_socket(); });
     }
-  }
-
-  void ignore_rest() {
-    buffer_.clear();
-    lowest().async_read_some(
-        buffer_.prepare(piece_bytes),
-        [self = this->shared_from_this()](error_code fault, std::size_t bytes) {
-          self->ignored_bytes_ += bytes;
-          if (fault || self->ignored_bytes_ > most_ignored_bytes) return self->close_socket();
-          self->ignore_rest();
-        });
   }
 
   void close_socket() {
@@ -392,7 +369,7 @@ class Connection final : public Exchange,
   Written written_;
   std::function<void()> gone_;
   bool watching_ = false;
-  std::size_t ignored_bytes_ = 0;
+  UnreadRest rest_{lowest(), buffer_};
 };
 
 template <class Stream>

@@ -28,6 +28,7 @@ constexpr auto sentences = std::to_array<Sentence>({
     // Paths, methods and who asks.
     {"There is nothing at this path", "Unter diesem Pfad gibt es nichts"},
     {"see /v1/openapi.json for what there is", "was es gibt, steht in /v1/openapi.json"},
+    {"there is no such RPC; {} has {}", "diesen RPC gibt es nicht; {} hat {}"},
     {"the page has no such file", "die Seite hat keine solche Datei"},
     {"no program is offered under this name", "unter diesem Namen wird kein Programm angeboten"},
     {"This method is not possible here", "Diese Methode ist hier nicht möglich"},

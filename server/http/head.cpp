@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "server/http/problem.h"
+#include "server/http/uri.h"
 
 namespace trc::server::http {
 namespace {
@@ -55,6 +56,23 @@ std::optional<v1::Problem> fault_of(const Request& request) {
   if (!expected.empty() && lower(expected) != "100-continue")
     return problem(417, "EXPECTATION_FAILED", "The expectation is not known",
                    "only 100-continue is met");
+  return std::nullopt;
+}
+
+std::optional<v1::Problem> take_target(std::string_view target, std::string_view scheme,
+                                       Request& request) {
+  constexpr std::string_view malformed = "The target of the request is not one";
+  auto read = read_target(request.method, target);
+  if (!read) return problem(400, "TARGET_MALFORMED", malformed, malformed);
+  if (!read->scheme.empty()) {
+    if (read->scheme != scheme)
+      return problem(421, "SCHEME_NOT_SERVED", "This server is not the one that is meant",
+                     "targets begin with " + std::string(scheme) + ":// here");
+    // It counts, whatever the header says.
+    request.set_header("host", std::move(read->host));
+  }
+  request.path = std::move(read->path);
+  request.query = std::move(read->query);
   return std::nullopt;
 }
 

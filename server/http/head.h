@@ -22,6 +22,11 @@ using RequestHead = boost::beast::http::request_header<boost::beast::http::field
 // one that is not intended.
 [[nodiscard]] std::optional<v1::Problem> fault_of(const Request& request);
 
+// Reads the target of the first line into the request; why it is refused instead. `scheme`: what is
+// spoken here, "http" or "https".
+[[nodiscard]] std::optional<v1::Problem> take_target(std::string_view target,
+                                                     std::string_view scheme, Request& request);
+
 // Whether the client waits for permission to send the body.
 [[nodiscard]] bool expects_continue(const RequestHead& head);
 

@@ -107,7 +107,7 @@ std::string fault_of_authority(X509& authority) {
     return "has a key that is too weak (" + std::to_string(EVP_PKEY_get_bits(key)) + " bits)";
   constexpr int as_authority = 1;
   constexpr int as_client = 0;
-  // A client may also show the very certificate that is trusted.
+  // A client may also show the very certificate that is trusted: D-165.
   if (X509_check_purpose(&authority, X509_PURPOSE_SSL_CLIENT, as_authority) == 0 &&
       X509_check_purpose(&authority, X509_PURPOSE_SSL_CLIENT, as_client) == 0)
     return "is not meant to vouch for clients (keyUsage, extendedKeyUsage)";

@@ -20,6 +20,7 @@ void add(v1::CompensateProgramResponse& part, v1::CompensateProgramOnceResponse&
 
 Turn CompensateProgramOnce::take(const v1::CompensateProgramOnceRequest& request,
                                  v1::CompensateProgramOnceResponse& response) {
+  if (const auto unknown = wire::unknown_field_in(request)) return end(refuse(*unknown));
   if (request.setup().path().want_resume_tokens() || !request.setup().path().resume_token().empty())
     return end(refuse(Refusal::resume_token_invalid,
                       "CompensateProgramOnce takes the whole program",

@@ -19,6 +19,7 @@ class CompensateStream final : public StreamWork<typename Run::Request, typename
   explicit CompensateStream(const StreamContext& stream) : stream_(stream) {}
 
   Turn take(const Request& request, Response& response) override {
+    if (const auto unknown = wire::unknown_field_in(request)) return end(refuse(*unknown));
     if (request.request_case() == Request::REQUEST_NOT_SET)
       return end(refuse(Refusal::request_empty, Run::what_a_request_is, {{"field", "request"}}));
     if (request.request_case() == Request::kSetup) return set_up(request.setup(), response);

@@ -5,6 +5,7 @@
 namespace trc::server {
 
 Turn PreviewPath::take(const v1::PreviewPathRequest& request, v1::PreviewPathResponse& response) {
+  if (const auto unknown = wire::unknown_field_in(request)) return end(refuse(*unknown));
   if (!request.has_setup()) return end(refuse(Refusal::setup_missing, {}, {{"field", "setup"}}));
   wire::PathSettings settings;
   if (auto refused = read_setup(request.setup(), stream_.backend.config, settings))

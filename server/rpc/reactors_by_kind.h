@@ -21,8 +21,9 @@ class BidiReactor final
 
  private:
   void read() override {
-    this->await_request();
+    const auto alive = this->await_request();
     this->StartRead(&this->request_.bytes());
+    this->awaits_request();
   }
   void OnReadDone(bool ok) override {
     this->arrived(ok ? Base::Input::request : Base::Input::ended);

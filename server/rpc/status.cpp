@@ -25,7 +25,7 @@ struct Row {
   int retry_after_s = 0;  // 0: waiting does not help
 };
 
-constexpr std::array<Row, 30> table{{
+constexpr std::array<Row, 34> table{{
     {Refusal::setup_missing, StatusCode::FAILED_PRECONDITION, "SETUP_MISSING",
      "the first request must carry the setup", "die erste Anfrage muss das Setup enthalten"},
     {Refusal::setup_repeated, StatusCode::FAILED_PRECONDITION, "SETUP_REPEATED",
@@ -39,6 +39,8 @@ constexpr std::array<Row, 30> table{{
      "is no UTF-8",
      "die Anfrage ist keine Nachricht dieses Dienstes: Bytes fehlen oder sind verändert, oder ein "
      "Text darin ist kein UTF-8"},
+    {Refusal::json_unreadable, StatusCode::INVALID_ARGUMENT, "REQUEST_UNREADABLE",
+     "the JSON of the request cannot be taken", "das JSON der Anfrage ist so nicht möglich"},
     {Refusal::call_invalid, StatusCode::INVALID_ARGUMENT, "CALL_INVALID",
      "the call is none of the Connect protocol", "der Aufruf ist keiner des Connect-Protokolls"},
     {Refusal::stream_needs_grpc, StatusCode::UNIMPLEMENTED, "STREAM_NEEDS_GRPC",
@@ -46,6 +48,8 @@ constexpr std::array<Row, 30> table{{
      "one request",
      "Streams vom Client brauchen gRPC; CompensateProgramOnce und PreviewPath nehmen alles in "
      "einer Anfrage"},
+    {Refusal::rpc_unknown, StatusCode::UNIMPLEMENTED, "RPC_UNKNOWN", "there is no such RPC",
+     "diesen RPC gibt es nicht"},
     {Refusal::input_after_final, StatusCode::FAILED_PRECONDITION, "INPUT_AFTER_FINAL",
      "nothing may follow the request marked final",
      "nach der Anfrage mit final darf nichts mehr kommen"},
@@ -62,6 +66,11 @@ constexpr std::array<Row, 30> table{{
      "no request came within the idle timeout", "es kam zu lange keine Anfrage"},
     {Refusal::field_invalid, StatusCode::INVALID_ARGUMENT, "FIELD_INVALID",
      "a field has a value that is not allowed", "ein Feld hat einen Wert, der nicht erlaubt ist"},
+    {Refusal::field_unknown, StatusCode::INVALID_ARGUMENT, "FIELD_UNKNOWN",
+     "the request has a field that this server does not know; update the server, or leave the "
+     "field out",
+     "die Anfrage hat ein Feld, das dieser Server nicht kennt; den Server aktualisieren oder das "
+     "Feld weglassen"},
     {Refusal::message_too_large, StatusCode::RESOURCE_EXHAUSTED, "MESSAGE_TOO_LARGE",
      "the request is larger than the setting max-message-bytes allows; send smaller pieces",
      "die Anfrage ist größer, als die Einstellung max-message-bytes erlaubt; kleinere "
@@ -126,6 +135,12 @@ constexpr std::array<Row, 30> table{{
     {Refusal::draining, StatusCode::UNAVAILABLE, "SERVER_DRAINING",
      "the server is shutting down and takes no new streams",
      "der Server fährt herunter und nimmt keine neuen Streams", 1},
+    {Refusal::drain_timeout, StatusCode::UNAVAILABLE, "DRAIN_TIMEOUT",
+     "the server shuts down, and the stream was not done within the setting drain-timeout-s; go on "
+     "with its last resume token, or begin anew",
+     "der Server fährt herunter, und der Stream war innerhalb der Einstellung drain-timeout-s "
+     "nicht fertig; mit seinem letzten Resume-Token weitermachen oder neu beginnen",
+     1},
     {Refusal::cancelled, StatusCode::CANCELLED, "CANCELLED", "the call was cancelled",
      "der Aufruf wurde abgebrochen"},
     {Refusal::deadline_exceeded, StatusCode::DEADLINE_EXCEEDED, "DEADLINE_EXCEEDED",
@@ -242,6 +257,14 @@ Ending refuse(const wire::FieldFaults& faults) {
   rich.add_details()->PackFrom(info);
   rich.add_details()->PackFrom(fields);
   return finished(row.code, row.reason, message, std::move(rich));
+}
+
+Ending refuse(const wire::UnknownField& unknown) {
+  const std::string number = std::to_string(unknown.number);
+  std::string detail = "field " + number + " of " + unknown.message;
+  if (!unknown.place.empty()) detail += ", in " + unknown.place;
+  return refuse(Refusal::field_unknown, detail,
+                {{"field", unknown.place}, {"message", unknown.message}, {"field_number", number}});
 }
 
 Ending refuse(const Diagnostic& diagnostic) {

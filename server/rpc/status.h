@@ -12,6 +12,7 @@
 #include "core/base/diagnostic.h"
 #include "core/base/sentences.h"
 #include "proto/wire/field_fault.h"
+#include "proto/wire/unknown_fields.h"
 
 namespace trc::server {
 
@@ -26,11 +27,14 @@ enum class Refusal {
   contour_incomplete,
   stream_idle,
   field_invalid,
+  field_unknown,
   message_too_large,
   batch_too_large,
   request_unreadable,
+  json_unreadable,
   call_invalid,
   stream_needs_grpc,
+  rpc_unknown,
   answer_too_large,
   stream_limit,
   stream_limit_of_peer,
@@ -44,6 +48,7 @@ enum class Refusal {
   resume_setup_differs,
   client_not_allowed,
   draining,
+  drain_timeout,
   cancelled,
   deadline_exceeded,
   internal,
@@ -69,6 +74,9 @@ using Values = std::vector<std::pair<std::string, std::string>>;
 // The status of a message with fields that cannot be taken: BadRequest names them, at most
 // FieldFaults::most_listed; how many more there were is said.
 [[nodiscard]] Ending refuse(const wire::FieldFaults& faults);
+
+// The status of a request with a field that this build does not have.
+[[nodiscard]] Ending refuse(const wire::UnknownField& unknown);
 
 // The status of a program that cannot be compensated: INVALID_ARGUMENT with the reason of the
 // code's row, place, values and remedy; RESOURCE_EXHAUSTED where a limit was passed.

@@ -54,7 +54,7 @@ bool StreamAccount::is_due() {
 }
 
 void StreamAccount::check() {
-  if (evicted_) throw Refused{refuse(Refusal::memory_limit_of_process)};
+  if (const auto why = ends_with_.load()) throw Refused{refuse(*why)};
   check_memory();
   note_time();
   refuse_over(since_progress_, backend_.config.max_selection_cpu_s, "max-selection-cpu-s");

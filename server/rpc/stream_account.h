@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "server/backend.h"
 #include "server/resources/heap_reserve.h"
@@ -62,9 +63,8 @@ class StreamAccount {
   // Bytes of the answer that waits for its reader.
   void answers(std::size_t bytes) { answer_bytes_ = bytes; }
 
-  // The stream is to end, for the sake of the others. From any thread.
-  void evict() { evicted_ = true; }
-  [[nodiscard]] bool evicted() const { return evicted_; }
+  // The stream is to end where its turn passes by next. From any thread; the last reason counts.
+  void end_with(Refusal why) { ends_with_ = why; }
   [[nodiscard]] std::uint64_t held_bytes() const { return share_.bytes(); }
   // Counts as nothing from here on: what it holds is about to be freed.
   void close();
@@ -82,7 +82,7 @@ class StreamAccount {
   std::chrono::nanoseconds since_progress_{};
   std::chrono::nanoseconds in_all_{};
   long tick_ = 0;
-  std::atomic<bool> evicted_ = false;
+  std::atomic<std::optional<Refusal>> ends_with_{};
   std::atomic<std::uint64_t> measured_blocks_ = 0;
   std::atomic<std::uint64_t> blocks_to_measure_ = 0;
   bool closed_ = false;

@@ -11,7 +11,6 @@
 #include <mutex>
 #include <new>
 #include <optional>
-#include <string>
 #include <utility>
 
 #include "server/backend.h"
@@ -20,6 +19,7 @@
 #include "server/rpc/incoming_request.h"
 #include "server/rpc/stream_account.h"
 #include "server/rpc/stream_context.h"
+#include "server/rpc/stream_refusals.h"
 #include "server/rpc/stream_work.h"
 #include "server/telemetry/call_record.h"
 #include "trc/v1/trc_service.pb.h"
@@ -58,15 +58,11 @@ class StreamReactor
     work_ = std::move(work);
     if (const auto refused = refuse_caller(context_, backend_.config.tls_allowed_clients))
       return finish(*refused);
-    const Config& config = backend_.config;
     if (!backend_.streams.draining()) {
       if (backend_.memory_watch.state() != MemoryWatch::State::ample)
         return finish(refuse(Refusal::memory_limit_of_process));
       place_ = Peer::Place(*peer_);
-      if (peer_->streams() > config.max_streams_per_peer)
-        return finish(
-            refuse(Refusal::stream_limit_of_peer, {},
-                   {{"max_streams_per_peer", std::to_string(config.max_streams_per_peer)}}));
+      if (const auto refused = refuse_crowd(backend_, *peer_)) return finish(*refused);
     }
     OpenStreams::Admission admission = backend_.streams.admit(self_);
     switch (admission.answer) {
@@ -74,8 +70,7 @@ class StreamReactor
         ticket_ = std::move(admission.ticket);
         return read();
       case OpenStreams::Answer::full:
-        return finish(refuse(Refusal::stream_limit, {},
-                             {{"max_streams", std::to_string(config.max_streams)}}));
+        return finish(refuse_full(backend_.config));
       case OpenStreams::Answer::draining:
         return finish(refuse(Refusal::draining));
     }
@@ -89,9 +84,22 @@ class StreamReactor
   void end_if_idle(Clock::time_point since) final { give_up(since, Refusal::stream_idle); }
 
   void evict() final {
-    account_.evict();
+    account_.end_with(Refusal::memory_limit_of_process);
     give_up(Clock::time_point::max(), Refusal::memory_limit_of_process);
   }
+
+  void cut_off() final {
+    account_.end_with(Refusal::drain_timeout);
+    const Ending ending = refuse(Refusal::drain_timeout);
+    {
+      const std::lock_guard lock(mutex_);
+      if (!may_be_ended_from_outside() || phase_ != Phase::reading || beating_) return;
+      phase_ = Phase::finished;
+    }
+    release_work();
+    finish(ending);
+  }
+
   [[nodiscard]] std::uint64_t held_bytes() const final { return account_.held_bytes(); }
 
   // A beat is a write during a pending read or a running turn. Writes of the turn, and the end of
@@ -125,7 +133,19 @@ class StreamReactor
   // The next request: starts a read, or says that there is none.
   virtual void read() = 0;
 
-  void await_request() { enter(Phase::reading); }
+  // Around the start of a read. The stream is not ended from outside between the two: its end would
+  // let gRPC destroy what the start still works on. It lives as long as what is returned.
+  [[nodiscard]] std::shared_ptr<StreamReactor> await_request() {
+    const std::lock_guard lock(mutex_);
+    ++reads_starting_;
+    phase_ = Phase::reading;
+    phase_since_ = Clock::now();
+    return this->shared_from_this();
+  }
+  void awaits_request() {
+    const std::lock_guard lock(mutex_);
+    --reads_starting_;
+  }
 
   void arrived(Input input) {
     {
@@ -152,13 +172,16 @@ class StreamReactor
     phase_since_ = Clock::now();
   }
 
+  // Under the lock.
+  [[nodiscard]] bool may_be_ended_from_outside() const { return reads_starting_ == 0; }
+
   // Ends a stream that has waited for its client since then. A running turn is left alone.
   void give_up(Clock::time_point since, Refusal why) {
     bool waits_for_request = false;
     bool was_reading = false;
     {
       const std::lock_guard lock(mutex_);
-      if (phase_since_ > since) return;
+      if (phase_since_ > since || !may_be_ended_from_outside()) return;
       if (phase_ != Phase::reading && phase_ != Phase::writing) return;
       was_reading = phase_ == Phase::reading;
       waits_for_request = was_reading && !beating_;
@@ -167,7 +190,7 @@ class StreamReactor
     }
     if (waits_for_request) {
       release_work();
-      return finish(end_of_given_up(why));
+      return finish(refuse_waiting(why, backend_.config));
     }
 
     // The client does not read. The status would wait behind the answer, so the call is cancelled.
@@ -260,12 +283,6 @@ class StreamReactor
     }
   }
 
-  // Takes no memory: short texts lie in the strings themselves.
-  static Turn end_for_want_of_memory() noexcept {
-    return end(
-        {.status = grpc::Status(grpc::RESOURCE_EXHAUSTED, "no memory"), .reason = "MEMORY_LIMIT"});
-  }
-
   // Called in the thread that ends the stream, best in the pool: a session may hold too much for a
   // reaction to free.
   void release_work() noexcept {
@@ -292,7 +309,8 @@ class StreamReactor
   Turn compute() {
     switch (std::exchange(input_, Input::none)) {
       case Input::request:
-        if (request_.bytes_too_many() > 0) return end(too_large());
+        if (const std::size_t bytes = request_.bytes_too_many(); bytes > 0)
+          return end(refuse_too_large(bytes, backend_.config));
         if (!request_.read()) return end(refuse(Refusal::request_unreadable));
         return work_->take(request_.take(), *response_);
       case Input::ended:
@@ -301,13 +319,6 @@ class StreamReactor
         break;
     }
     return work_->proceed(*response_);
-  }
-
-  [[nodiscard]] Ending too_large() const {
-    const std::string size = std::to_string(request_.bytes_too_many());
-    const std::string most = std::to_string(backend_.config.max_message_bytes);
-    return refuse(Refusal::message_too_large, size + " > " + most + " bytes",
-                  {{"message_bytes", size}, {"max_message_bytes", most}});
   }
 
   // Does what the last turn has asked for, or leaves it to the end of a heartbeat being written.
@@ -360,8 +371,6 @@ class StreamReactor
   void OnCancel() final { cancelled_ = true; }
 
   void OnDone() final {
-    // The ticket goes last: the server may end once no stream holds one.
-    const OpenStreams::Ticket ticket = std::move(ticket_);
     work_.reset();
     self_.reset();
   }
@@ -373,13 +382,8 @@ class StreamReactor
     this->Finish(ending.status);
   }
 
-  [[nodiscard]] Ending end_of_given_up(Refusal why) const {
-    if (why != Refusal::stream_idle) return refuse(why);
-    return refuse(why, {}, {{"idle_timeout_s", std::to_string(backend_.config.idle_timeout_s)}});
-  }
-
   [[nodiscard]] Ending gone() const {
-    if (given_up_) return end_of_given_up(*given_up_);
+    if (given_up_) return refuse_waiting(*given_up_, backend_.config);
     return refuse(context_.deadline() <= std::chrono::system_clock::now()
                       ? Refusal::deadline_exceeded
                       : Refusal::cancelled);
@@ -387,12 +391,13 @@ class StreamReactor
 
   Backend& backend_;
   grpc::CallbackServerContext& context_;
+  // Goes behind all that follows: the server may end once no stream holds one.
+  OpenStreams::Ticket ticket_;
   const std::shared_ptr<Peer> peer_;
   Peer::Place place_;
   StreamAccount account_;
   CallRecord record_;
   std::unique_ptr<Work> work_;
-  OpenStreams::Ticket ticket_;
   std::shared_ptr<StreamReactor> self_;
 
   ArenaMessage<Response> response_;
@@ -407,6 +412,7 @@ class StreamReactor
   Clock::time_point phase_since_ = Clock::now();
   Clock::time_point written_at_ = Clock::now();
   std::uint64_t answers_written_ = 0;
+  int reads_starting_ = 0;
   bool beating_ = false;
   std::optional<Refusal> given_up_;
   bool written_while_cancelling_ = false;

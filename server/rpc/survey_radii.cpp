@@ -10,6 +10,7 @@ namespace trc::server {
 
 Turn SurveyRadii::take(const v1::SurveyRadiiRequest& request, v1::SurveyRadiiResponse& response) {
   using Request = v1::SurveyRadiiRequest;
+  if (const auto unknown = wire::unknown_field_in(request)) return end(refuse(*unknown));
   if (request.request_case() == Request::REQUEST_NOT_SET)
     return end(refuse(Refusal::request_empty, "setup, text or blocks", {{"field", "request"}}));
   if (request.request_case() == Request::kSetup) return set_up(request.setup(), response);

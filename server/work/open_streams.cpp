@@ -94,6 +94,23 @@ bool OpenStreams::wait_until_none(Clock::time_point deadline) {
   return changed_.wait_until(lock, deadline, [this] { return streams_.empty(); });
 }
 
+void OpenStreams::cut_off(Clock::time_point deadline) {
+  constexpr std::chrono::milliseconds between_rounds{10};
+  do {
+    do_round([this] { cut_off_each(); });
+  } while (!wait_until_none(std::min(deadline, Clock::now() + between_rounds)) &&
+           Clock::now() < deadline);
+}
+
+void OpenStreams::cut_off_each() {
+  std::vector<std::shared_ptr<OpenStream>> open;
+  {
+    const std::lock_guard lock(mutex_);
+    open = held();
+  }
+  for (const auto& stream : open) stream->cut_off();
+}
+
 bool OpenStreams::draining() const {
   const std::lock_guard lock(mutex_);
   return draining_;

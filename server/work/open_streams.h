@@ -24,6 +24,10 @@ class OpenStream {
   virtual void beat_if_silent(Clock::time_point since) = 0;
   // Ends the stream at once, or where its turn passes by next: its memory is needed.
   virtual void evict() = 0;
+  // Ends the stream and tells its client that draining is over: at once where it waits for input,
+  // else where its turn passes by next. An answer on its way goes first, so this is to be called
+  // again until the stream has ended.
+  virtual void cut_off() = 0;
   [[nodiscard]] virtual std::uint64_t held_bytes() const = 0;
 };
 
@@ -73,6 +77,8 @@ class OpenStreams {
   void drain();
   // True once no stream is open; false when that has not come by the deadline.
   bool wait_until_none(Clock::time_point deadline);
+  // Cuts off what is still open and waits for its end, at most until the deadline.
+  void cut_off(Clock::time_point deadline);
 
   [[nodiscard]] bool draining() const;
   [[nodiscard]] std::size_t count() const;
@@ -84,6 +90,7 @@ class OpenStreams {
   [[nodiscard]] std::vector<std::shared_ptr<OpenStream>> held() const;
   [[nodiscard]] bool beats() const { return heartbeat_ > heartbeat_.zero(); }
   void look();
+  void cut_off_each();
   void watch();
 
   const std::size_t most_;

@@ -222,6 +222,103 @@ INSTANTIATE_TEST_SUITE_P(States, End,
                                          State{"WaitingForAPlace", wait_for_a_place}),
                          [](const auto& state) { return state.param.name; });
 
+// What draining cuts off is told so, whatever the stream was at.
+class CutOff : public testing::Test {
+ protected:
+  void end() {
+    scene_.server.signal(SIGTERM);
+    EXPECT_EQ(scene_.server.wait(), 0);
+  }
+  static void expect_told(const server::Answer& answer) {
+    EXPECT_EQ(answer.status.error_code(), grpc::UNAVAILABLE) << answer.status.error_message();
+    EXPECT_EQ(answer.reason(), "DRAIN_TIMEOUT") << answer.status.error_message();
+  }
+  [[nodiscard]] std::shared_ptr<grpc::Channel> channel() const {
+    return channel_to(scene_.server.address());
+  }
+
+  Scene scene_;
+};
+
+TEST_F(CutOff, StreamThatComputesSaysWhy) {
+  LongStream stream(channel(), laps(1000));
+  ASSERT_TRUE(scene_.serves_streams(1));
+  end();
+  expect_told(stream.end());
+}
+
+TEST_F(CutOff, StreamThatWaitsForItsClientSaysWhy) {
+  const auto stub = v1::TrcService::NewStub(channel());
+  grpc::ClientContext context;
+  const auto stream = stub->CompensateProgram(&context);
+  ASSERT_TRUE(stream->Write(server::setup_request(v1::ProgramSetup())));
+  ASSERT_TRUE(stream->Write(server::text_request(0, "G0 X0 Y0\nG1 G41 V.G.WZ_AKT.R=1 X5", false)));
+  ASSERT_TRUE(scene_.serves_streams(1));
+  end();
+  server::Answer answer;
+  v1::CompensateProgramResponse response;
+  while (stream->Read(&response)) continue;
+  answer.status = stream->Finish();
+  expect_told(answer);
+}
+
+// Its answers wait for it; the reason comes behind the one on its way.
+TEST_F(CutOff, StreamThatIsReadSlowlySaysWhy) {
+  const std::string text = long_way();
+  const auto stub = v1::TrcService::NewStub(channel());
+  grpc::ClientContext context;
+  const auto stream = stub->CompensateProgram(&context);
+  std::thread writer([&] {
+    stream->Write(server::setup_request(v1::ProgramSetup()));
+    constexpr std::size_t piece = 64U << 10U;
+    for (std::size_t at = 0; at < text.size(); at += piece)
+      if (!stream->Write(server::text_request(at, text.substr(at, piece), false))) break;
+  });
+  server::Answer answer;
+  std::thread reader([&] {
+    v1::CompensateProgramResponse response;
+    while (stream->Read(&response)) std::this_thread::sleep_for(milliseconds(50));
+    answer.status = stream->Finish();
+  });
+  EXPECT_TRUE(scene_.serves_streams(1));
+  end();
+  writer.join();
+  reader.join();
+  expect_told(answer);
+}
+
+TEST_F(CutOff, LastLineOfJsonSaysWhy) {
+  std::string text;
+  while (text.size() < 200'000) text += "G1 X1 Y1 F800\nX0\n";
+  text += laps(1000);
+  std::string answer;
+  std::thread client([&] {
+    answer = testing_support::http_answer(
+        scene_.http(),
+        "POST /v1/programs:compensate HTTP/1.1\r\nHost: localhost\r\nContent-Type: text/plain\r\n"
+        "Accept: application/x-ndjson\r\nConnection: close\r\nContent-Length: " +
+            std::to_string(text.size()) + "\r\n\r\n" + text);
+  });
+  EXPECT_TRUE(scene_.serves_streams(1));
+  std::this_thread::sleep_for(seconds(1));
+  end();
+  client.join();
+  ASSERT_TRUE(answer.starts_with("HTTP/1.1 200 ")) << answer.substr(0, 400);
+  const std::size_t last_line = answer.rfind("\n{", answer.rfind('}'));
+  EXPECT_NE(answer.substr(last_line).find("DRAIN_TIMEOUT"), std::string::npos)
+      << answer.substr(answer.size() - 500);
+}
+
+TEST_F(CutOff, ClientSaysThatTheServerShutsDown) {
+  const Asked& asked = scene_.ask({"compensate"}, laps(1000));
+  ASSERT_TRUE(scene_.serves_streams(1));
+  end();
+  EXPECT_NE(asked.process->wait(), 0);
+  EXPECT_NE(asked.process->err().find(" shuts down; waiting for up to 3 s"), std::string::npos)
+      << asked.process->err();
+  EXPECT_FALSE(std::filesystem::exists(asked.output));
+}
+
 // The port that is asked for readiness must not hold it up, whenever the signal comes.
 TEST(EndOfAnIdleStream, ComesInTimeAndIsLogged) {
   for (const int before : {300, 900, 1500, 2100}) {
@@ -242,7 +339,7 @@ TEST(EndOfAnIdleStream, ComesInTimeAndIsLogged) {
     EXPECT_NE(server.log().find("\"stopped\""), std::string::npos) << server.log();
     v1::CompensateProgramResponse answer;
     while (stream->Read(&answer)) continue;
-    EXPECT_FALSE(stream->Finish().ok());
+    EXPECT_EQ(stream->Finish().error_code(), grpc::UNAVAILABLE);
   }
 }
 

@@ -6,6 +6,7 @@ import random
 import socket
 import ssl
 import subprocess
+import tempfile
 import threading
 import time
 import unittest
@@ -575,6 +576,51 @@ class Tls(unittest.TestCase):
             self.assertEqual(status_of(answer), 403)
             self.assertEqual(json.loads(answer.partition(b"\r\n\r\n")[2])["reason"],
                              "CLIENT_NOT_ALLOWED")
+
+    def made(self, folder, name, extension, issuer=None):
+        """A certificate with its key in one file, of its own or of an issuer."""
+        file = f"{folder}/{name}.pem"
+        command = ["openssl", "req", "-x509", "-newkey", "ec", "-pkeyopt",
+                   "ec_paramgen_curve:P-256", "-nodes", "-days", "2", "-subj", "/CN=" + name,
+                   "-addext", "basicConstraints=critical," + extension, "-keyout", file + ".key",
+                   "-out", file + ".crt"]
+        if issuer:
+            command += ["-CA", issuer + ".crt", "-CAkey", issuer + ".key"]
+        subprocess.run(command, check=True, capture_output=True, timeout=60)
+        return file
+
+    def served(self, server, client):
+        """Over HTTP and over gRPC."""
+        context = ssl.create_default_context(cafile=self.FOLDER + "/ca_cert.pem")
+        context.check_hostname = False
+        context.load_cert_chain(client + ".crt", client + ".key")
+        try:
+            with context.wrap_socket(server.connect()) as connection:
+                connection.sendall(b"GET /v1/info HTTP/1.1\r\nHost: localhost\r\n"
+                                   b"Connection: close\r\n\r\n")
+                over_http = status_of(connection.recv(65536)) == 200
+        except OSError:
+            over_http = False
+        info = subprocess.run(
+            [BUILD + "/bin/trc", "info", "--server", server.grpc_address, "--tls-ca",
+             self.FOLDER + "/ca_cert.pem", "--tls-cert", client + ".crt", "--tls-key",
+             client + ".key"], capture_output=True, timeout=60, check=False)
+        return over_http, info.returncode == 0
+
+    def test_what_vouches_for_clients_is_trusted_as_it_stands(self):
+        with tempfile.TemporaryDirectory() as folder:
+            root = self.made(folder, "root", "CA:TRUE")
+            between = self.made(folder, "between", "CA:TRUE", root)
+            pinned = self.made(folder, "pinned", "CA:FALSE")
+            clients = {name: self.made(folder, name, "CA:FALSE", issuer) for name, issuer in (
+                ("of_root", root), ("of_between", between), ("of_pinned", pinned))}
+            for authority, served in ((between, {"of_between"}), (clients["of_root"], {"of_root"}),
+                                      (pinned, {"pinned"})):
+                flags = self.flags("--tls-client-ca-file", authority + ".crt")
+                with Server(*flags) as server:
+                    for name, client in {**clients, "pinned": pinned}.items():
+                        self.assertEqual(self.served(server, client), (name in served,) * 2,
+                                         (authority, name))
 
     def test_plain_text_for_other_machines_must_be_allowed(self):
         done = subprocess.run([BUILD + "/bin/trcd", "--listen", "127.0.0.1:0", "--http-listen", "0.0.0.0:0"],

@@ -578,7 +578,8 @@ class Programs(unittest.TestCase):
         status, problem = self.server.ask_json("POST", "/v1/paths:compensate", '{"setop":{}}',
                                                json_type)
         self.assertEqual((status, problem["reason"]), (400, "JSON_INVALID"))
-        self.assertEqual(problem["detail"], "setop: there is no such field")
+        self.assertEqual(problem["detail"],
+                         "setop: there is no such field; did you mean setup?")
         status, problem = self.server.ask_json(
             "POST", "/v1/paths:compensate", '{"setup":{"toolRadius":"5,5"}}',
             {**json_type, "Accept-Language": "de"})
@@ -765,6 +766,11 @@ class Programs(unittest.TestCase):
         once = "CompensateProgramOnce"
         unreadable = ("invalid_argument", "REQUEST_UNREADABLE")
         self.assertEqual(reason(once, '{"nix":1}'), unreadable)
+        _, misspelt = self.server.ask_json("POST", "/trc.v1.TrcService/" + once,
+                                           '{"setup":{"path":{"toolRadus":1}}}', JSON)
+        self.assertEqual(misspelt["message"],
+                         "the JSON of the request cannot be taken: setup.path.toolRadus: there is "
+                         "no such field; did you mean toolRadius?")
         self.assertEqual(reason(once, "{"), unreadable)
         self.assertEqual(reason(once, "{}", **{"Connect-Protocol-Version": "2"}),
                          ("invalid_argument", "CALL_INVALID"))
@@ -773,6 +779,14 @@ class Programs(unittest.TestCase):
         text = json.dumps({"setup": {"path": {"toolRadius": 0.01}}, "text": program_of(15_000)})
         self.assertEqual(reason(once, text, **{"Connect-Timeout-Ms": "1"}),
                          ("deadline_exceeded", "DEADLINE_EXCEEDED"))
+
+    def test_an_rpc_that_there_is_not_is_told_those_there_are(self):
+        for path in ("/trc.v1.TrcService/NoSuch", "/trc.v2.TrcService/PreviewPath"):
+            status, problem = self.server.ask_json("POST", path, "{}", JSON)
+            self.assertEqual((status, problem["reason"]), (404, "NOT_FOUND"))
+            self.assertIn("there is no such RPC; trc.v1.TrcService has CompensatePath, ",
+                          problem["detail"])
+            self.assertIn("PreviewPath", problem["detail"])
 
     def test_connect_unary_in_both_codecs(self):
         rpc = "/trc.v1.TrcService/"

@@ -1,3 +1,4 @@
+#include <google/protobuf/unknown_field_set.h>
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -107,6 +108,47 @@ TEST_F(Junk, SetupOutOfRange) {
   setup.set_tool_radius(5);
   setup.set_selection_mode(static_cast<v1::SelectionMode>(77));
   expect_field(call_path(channel(), {setup_request(setup)}), "setup.selection_mode");
+}
+
+// Of a newer client, or garbage: an option that is passed over makes another path than was meant.
+void add_unknown(google::protobuf::Message& message) {
+  message.GetReflection()->MutableUnknownFields(&message)->AddVarint(4711, 1);
+}
+
+TEST_F(Junk, FieldsThatNobodyKnows) {
+  const auto expect_unknown = [](const Answer& answer, const std::string& message,
+                                 const std::string& place) {
+    EXPECT_EQ(answer.status.error_code(), grpc::INVALID_ARGUMENT) << answer.status.error_message();
+    EXPECT_EQ(answer.reason(), "FIELD_UNKNOWN");
+    EXPECT_EQ(answer.metadata("message"), message);
+    EXPECT_EQ(answer.metadata("field"), place);
+    EXPECT_EQ(answer.metadata("field_number"), "4711");
+    EXPECT_EQ(answer.summaries, 0);
+    EXPECT_TRUE(answer.blocks.empty());
+  };
+  v1::ProgramSetup program;
+  add_unknown(*program.mutable_path()->mutable_options());
+  const Answer answer = run_program(channel(), program, g239_program);
+  expect_unknown(answer, "trc.v1.TrcOptions", "setup.path.options");
+  EXPECT_NE(answer.status.error_message().find(
+                "leave the field out: field 4711 of trc.v1.TrcOptions, in setup.path.options"),
+            std::string::npos)
+      << answer.status.error_message();
+
+  v1::CompensatePathRequest blocks = batch(0, {line_to(1, 1), line_to(2, 2)}, true);
+  add_unknown(*blocks.mutable_batch()->mutable_blocks(1)->mutable_linear()->mutable_end());
+  expect_unknown(call_path(channel(), {setup_request(v1::PathSetup()), blocks}), "trc.v1.Position",
+                 "batch.blocks[1].linear.end");
+
+  v1::PreviewPathRequest preview;
+  add_unknown(*preview.mutable_setup());
+  expect_unknown(call_preview(channel(), preview), "trc.v1.PathSetup", "setup");
+
+  // A kind of request that there is only later.
+  v1::CompensatePathRequest unheard_of;
+  add_unknown(unheard_of);
+  expect_unknown(call_path(channel(), {setup_request(v1::PathSetup()), unheard_of}),
+                 "trc.v1.CompensatePathRequest", "");
 }
 
 TEST_F(Junk, ColumnsOfDifferentLength) {

@@ -206,7 +206,9 @@ TEST(Server, DrainCutsOffWhatDoesNotFinishInTime) {
   const auto begin = Clock::now();
   EXPECT_EQ(running.server->drain(), 1U);
   EXPECT_LT(Clock::now() - begin, seconds(15));
-  EXPECT_FALSE(open.finish().ok());
+  const grpc::Status status = open.end();
+  EXPECT_EQ(status.error_code(), grpc::UNAVAILABLE);
+  EXPECT_EQ(reason_of(status), "DRAIN_TIMEOUT");
 }
 
 TEST(Server, StreamsBeyondTheLimitAreRefusedUntilOneEnds) {

@@ -1,3 +1,4 @@
+#include <google/protobuf/unknown_field_set.h>
 #include <google/protobuf/util/message_differencer.h>
 #include <gtest/gtest.h>
 
@@ -82,6 +83,17 @@ TEST(CompensateProgramOnce, TakesNoResumeTokens) {
   v1::ProgramSetup setup;
   setup.mutable_path()->set_want_resume_tokens(true);
   EXPECT_EQ(call_once(server, setup, "G0 X1\n").status.error_code(), grpc::INVALID_ARGUMENT);
+}
+
+TEST(CompensateProgramOnce, RefusesAFieldThatNobodyKnows) {
+  const InProcessServer server;
+  v1::ProgramSetup setup;
+  setup.GetReflection()->MutableUnknownFields(&setup)->AddVarint(4711, 1);
+  const Once once = call_once(server, setup, g239_program);
+  EXPECT_EQ(once.status.error_code(), grpc::INVALID_ARGUMENT);
+  EXPECT_NE(once.status.error_message().find("field 4711 of trc.v1.ProgramSetup"),
+            std::string::npos)
+      << once.status.error_message();
 }
 
 }  // namespace

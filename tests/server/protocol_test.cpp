@@ -1,3 +1,4 @@
+#include <grpcpp/generic/generic_stub.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -139,6 +140,34 @@ TEST(Protocol, RequestThatIsTooLargeIsToldWithItsLimit) {
   v1::PreviewPathRequest preview;
   *preview.mutable_setup() = tagged;
   EXPECT_EQ(call_preview(server.channel(), preview).reason(), "MESSAGE_TOO_LARGE");
+}
+
+// Of a client of another version, or a slip of the pen: it is told what there is.
+TEST(Protocol, CallOfAnRpcThatThereIsNotNamesThoseThereAre) {
+  const InProcessServer server;
+  for (const char* path : {"/trc.v1.TrcService/NoSuch", "/trc.v2.TrcService/CompensatePath",
+                           "/trc.v1.TrcService", "/none"}) {
+    SCOPED_TRACE(path);
+    grpc::ClientContext context;
+    grpc::GenericStub stub(server.channel());
+    grpc::CompletionQueue queue;
+    const grpc::ByteBuffer request;
+    const auto call = stub.PrepareUnaryCall(&context, path, request, &queue);
+    grpc::ByteBuffer response;
+    Answer answer;
+    call->StartCall();
+    call->Finish(&response, &answer.status, nullptr);
+    void* tag = nullptr;
+    bool ok = false;
+    ASSERT_TRUE(queue.Next(&tag, &ok));
+    EXPECT_EQ(answer.status.error_code(), grpc::UNIMPLEMENTED);
+    EXPECT_EQ(answer.reason(), "RPC_UNKNOWN");
+    EXPECT_EQ(answer.metadata("rpc"), path);
+    const auto& service = *v1::GetServerInfoRequest::descriptor()->file()->service(0);
+    for (int i = 0; i < service.method_count(); ++i)
+      EXPECT_NE(answer.status.error_message().find(service.method(i)->name()), std::string::npos)
+          << answer.status.error_message();
+  }
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include <google/protobuf/unknown_field_set.h>
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -246,6 +247,19 @@ TEST(SurveyRadiiRpc, IsCancelledWhileItComputes) {
   // The next one has its turn soon.
   EXPECT_TRUE(survey_program(server, setup_with({3}), slot).status.ok());
   EXPECT_LT(std::chrono::steady_clock::now() - before, std::chrono::seconds(5));
+}
+
+TEST(SurveyRadii, RefusesAFieldThatNobodyKnows) {
+  const InProcessServer server;
+  v1::SurveyRadiiRequest request;
+  v1::SurveySetup& setup = *request.mutable_setup();
+  setup.mutable_program();
+  setup.GetReflection()->MutableUnknownFields(&setup)->AddVarint(4711, 1);
+  const Survey survey = call(server.channel(), {request});
+  EXPECT_EQ(survey.status.error_code(), grpc::INVALID_ARGUMENT);
+  EXPECT_NE(survey.status.error_message().find("field 4711 of trc.v1.SurveySetup, in setup"),
+            std::string::npos)
+      << survey.status.error_message();
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ std::string fault_of(const std::string& json) {
 }
 
 TEST(JsonFault, NamesTheFieldAndWhatItTakes) {
-  EXPECT_EQ(fault_of(R"({"setop":{}})"), "setop: there is no such field");
+  EXPECT_EQ(fault_of(R"({"nix":{}})"), "nix: there is no such field");
   EXPECT_EQ(fault_of(R"({"setup":{"options":{"revers":true}}})"),
             "setup.options.revers: there is no such field");
   EXPECT_EQ(fault_of(R"({"setup":{"toolRadius":"5,5"}})"),
@@ -35,6 +35,19 @@ TEST(JsonFault, NamesTheFieldAndWhatItTakes) {
   EXPECT_EQ(fault_of(R"({"setup":{"toolRadius":{}}})"),
             "setup.tool_radius: it takes one value, no object");
   EXPECT_EQ(fault_of("[]"), "it must be an object in { }");
+}
+
+TEST(JsonFault, NamesTheFieldThatIsMeant) {
+  EXPECT_EQ(fault_of(R"({"setop":{}})"), "setop: there is no such field; did you mean setup?");
+  EXPECT_EQ(fault_of(R"({"setup":{"toolRadus":5}})"),
+            "setup.toolRadus: there is no such field; did you mean toolRadius?");
+  EXPECT_EQ(fault_of(R"({"setup":{"tool_radus":5}})"),
+            "setup.tool_radus: there is no such field; did you mean tool_radius?");
+  EXPECT_EQ(fault_of(R"({"batch":{"blocks":[{},{"linear":{"end":{"x":1},"fed":100}}]}})"),
+            "batch.blocks[1].linear.fed: there is no such field; did you mean feed?");
+  v1::ProgramSetup setup;
+  EXPECT_EQ(Json().read(R"({"subprogramms":{}})", setup),
+            "subprogramms: there is no such field; did you mean subprograms?");
 }
 
 // Which of two values holds nobody can say, and two lists would be one.
@@ -121,17 +134,17 @@ TEST(JsonFault, NamesThePlaceInTheText) {
 
 TEST(JsonFault, IsThereInGerman) {
   for (const char* json :
-       {R"({"setop":{}})", R"({"setup":{"toolRadius":"5,5"}})", R"({"setup":{"plane":{}}})", "[]",
-        "", "{\"setup\":{\"toolRadius\" 5}}", "{\"setup\":{5}}", "{} x", R"({"setup":[1]})",
-        "{\"setup\":{\"toolRadius\":5 6}}", "{\"setup\":{\"toolRadius\":-}}",
-        R"({"setup":{"clientTag":"\uzz"}})", R"({"setup":{"clientTag":"a)",
-        R"({"setup":{},"setup":{}})", R"({"batch":{"blocks":[null]}})",
-        R"({"batch":{"blocks":[[]]}})", "{'setup':{}}",
+       {R"({"nix":{}})", R"({"setop":{}})", R"({"setup":{"toolRadius":"5,5"}})",
+        R"({"setup":{"plane":{}}})", "[]", "", "{\"setup\":{\"toolRadius\" 5}}", "{\"setup\":{5}}",
+        "{} x", R"({"setup":[1]})", "{\"setup\":{\"toolRadius\":5 6}}",
+        "{\"setup\":{\"toolRadius\":-}}", R"({"setup":{"clientTag":"\uzz"}})",
+        R"({"setup":{"clientTag":"a)", R"({"setup":{},"setup":{}})",
+        R"({"batch":{"blocks":[null]}})", R"({"batch":{"blocks":[[]]}})", "{'setup':{}}",
         R"({"batch":{"blocks":[{"linear":{},"circular":{}}]}})"}) {
     const std::string english = fault_of(json);
     const std::string german = translated(english, {setting_sentences()});
     EXPECT_NE(german, english) << json;
-    for (const char* word : {"the ", " is ", " no ", "takes", "expected", "line "})
+    for (const char* word : {"the ", " is ", " no ", "takes", "expected", "line ", "mean"})
       EXPECT_EQ(german.find(word), std::string::npos) << german;
   }
 }

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -30,8 +31,9 @@ using std::chrono::steady_clock;
 // Servers of one key at ports of their own.
 class Servers {
  public:
-  explicit Servers(std::size_t count) {
+  explicit Servers(std::size_t count, std::uint32_t drain_timeout_s = 30) {
     config_ = server::InProcessServer::quiet();
+    config_.drain_timeout_s = drain_timeout_s;
     config_.resume_key_file = folder_.path("key");
     config_.listen = {"127.0.0.1:0"};
     for (std::size_t i = 0; i < count; ++i) {
@@ -193,6 +195,23 @@ TEST(SeveralServers, OneThatStopsGetsNoNewSessionAndFinishesItsOwn) {
   }
   drainer.join();
   EXPECT_EQ(cut_off, 0U);
+}
+
+TEST(SeveralServers, SessionsThatOneCutsOffGoOnAtAnother) {
+  Servers servers(2, 1);
+  const Connection connection = servers.connection();
+  std::vector<std::unique_ptr<Passage>> runs;
+  spread(servers, 2, connection, runs);
+  const std::size_t cut_off = servers.streams(0);
+  EXPECT_EQ(servers[0].drain(), cut_off);
+  const std::string path = expected();
+  std::uint64_t resumed = 0;
+  for (const auto& run : runs) {
+    EXPECT_TRUE(run->finish());
+    EXPECT_EQ(run->output(), path);
+    resumed += run->session().resumed();
+  }
+  EXPECT_EQ(resumed, cut_off);
 }
 
 // A balancer may still send sessions to it: they come again.

@@ -18,8 +18,10 @@ class Stream final : public OpenStream {
   void end_if_idle(Clock::time_point since) override { asked_until = since; }
   void beat_if_silent(Clock::time_point since) override { silent_since = since; }
   void evict() override { evicted = true; }
+  void cut_off() override { ++cut_offs; }
   [[nodiscard]] std::uint64_t held_bytes() const override { return holds; }
   std::atomic<bool> evicted = false;
+  std::atomic<int> cut_offs = 0;
   std::uint64_t holds = 0;
   std::atomic<Clock::time_point> silent_since{Clock::time_point::min()};
   std::atomic<Clock::time_point> asked_until{Clock::time_point::min()};
@@ -61,6 +63,22 @@ TEST(OpenStreams, WaitsForTheLastStreamButNotLongerThanTold) {
   leaver.join();
 }
 
+TEST(OpenStreams, AreCutOffUntilTheyHaveEndedButNotLongerThanTold) {
+  OpenStreams streams(2, seconds(300));
+  const auto stream = std::make_shared<Stream>();
+  auto open = streams.admit(stream);
+  streams.cut_off(Clock::now() + milliseconds(50));
+  EXPECT_EQ(streams.count(), 1U);
+  EXPECT_GT(stream->cut_offs.load(), 1);
+  std::thread leaver([&] {
+    std::this_thread::sleep_for(milliseconds(20));
+    open.ticket = {};
+  });
+  streams.cut_off(Clock::now() + seconds(30));
+  EXPECT_EQ(streams.count(), 0U);
+  leaver.join();
+}
+
 TEST(OpenStreams, AsksStreamsWhetherTheyAreIdle) {
   OpenStreams streams(2, seconds(1));
   const auto stream = std::make_shared<Stream>();
@@ -79,6 +97,7 @@ class StreamWithoutMemory final : public OpenStream {
   }
   void beat_if_silent(Clock::time_point /*since*/) override {}
   void evict() override {}
+  void cut_off() override {}
   [[nodiscard]] std::uint64_t held_bytes() const override { return 0; }
   std::atomic<int> asked = 0;
 };
