@@ -1,6 +1,7 @@
 #include "server/http/formats.h"
 
 #include "proto/wire/json.h"
+#include "server/http/problem.h"
 #include "server/text.h"
 
 namespace trc::server::http {
@@ -63,6 +64,14 @@ bool JsonLinesFormat<Response>::take(const grpc::ByteBuffer& answer, std::string
     lines_.append(item_, out);
   }
   return true;
+}
+
+template <class Response>
+bool JsonLinesFormat<Response>::stop(const grpc::Status& status, std::string& out) {
+  const v1::Problem problem = problem_of(status);
+  constexpr unsigned of_program = 422;
+  if (problem.status() != of_program) out += "{\"problem\":" + wire::json_of(problem) + "}\n";
+  return false;
 }
 
 template <class Response>

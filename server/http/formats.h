@@ -63,6 +63,8 @@ class JsonLinesFormat final : public ProblemFormat {
   [[nodiscard]] Head head() const override { return {.content_type = "application/x-ndjson"}; }
   bool take(const grpc::ByteBuffer& answer, std::string& out) override;
   void close(std::string& /*out*/) override {}
+  // Ends with a line {"problem": …} where no diagnostic says why already.
+  bool stop(const grpc::Status& status, std::string& out) override;
 
  private:
   Response answer_;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <string>
 
+#include "server/rpc/status.h"
+
 namespace trc::server::http {
 namespace {
 
@@ -35,6 +37,21 @@ TEST(NcTextFormat, EndsAProgramThatStopsWithALineThatNoControlTakes) {
   std::string out = "G1 X";
   EXPECT_FALSE(format.stop({grpc::StatusCode::INVALID_ARGUMENT, "a gouge"}, out));
   EXPECT_EQ(out, "G1 X\n!!! TRC STOPPED, THIS PROGRAM IS NOT COMPLETE: a gouge !!!\n");
+}
+
+// Of an error in the program the diagnostic before has said it.
+TEST(JsonLinesFormat, EndsWithTheProblemWhereItIsNotTheProgram) {
+  JsonLinesFormat<v1::CompensateProgramResponse> format;
+  std::string out;
+  EXPECT_FALSE(format.stop(refuse(Refusal::drain_timeout).status, out));
+  EXPECT_TRUE(out.starts_with("{\"problem\":{")) << out;
+  EXPECT_TRUE(out.ends_with("}}\n")) << out;
+  EXPECT_NE(out.find("\"reason\":\"DRAIN_TIMEOUT\""), std::string::npos) << out;
+  out.clear();
+  Diagnostic gouge;
+  gouge.code = Code::line_reversed;
+  EXPECT_FALSE(format.stop(refuse(gouge).status, out));
+  EXPECT_EQ(out, "");
 }
 
 TEST(Format, TakesNothingThatIsNoAnswer) {
