@@ -20,7 +20,8 @@ namespace {
 NcWriter::Setup plain_setup(const ProgramSetup& setup, const Dialect& to) {
   NcWriter::Setup plain = writer_setup(setup, to);
   plain.absolute_center = to.name == DialectName::heidenhain;
-  plain.inch = plain.renumbers = false;
+  plain.unit = LengthUnit::mm;
+  plain.renumbers = false;
   plain.tracking_names.clear();
   return plain;
 }
