@@ -324,8 +324,9 @@ std::size_t Server::drain() {
     cut_off = backend_.streams.count();
     backend_.streams.cut_off(Clock::now() + cut_off_grace);
   }
-  // The last bytes of an answer are on their way when its stream has ended.
-  if (http_) http_->wait_until_idle(Clock::now() + shutdown_grace);
+  // The last bytes of an answer are on their way when its stream has ended, and so is the line that
+  // says why it was cut off.
+  if (http_) http_->wait_until_idle(Clock::now() + cut_off_grace);
   stop_grpc();
   return cut_off;
 }
