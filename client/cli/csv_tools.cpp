@@ -4,8 +4,8 @@
 #include <array>
 
 #include "client/cli/table_text.h"
+#include "core/base/length_unit.h"
 #include "core/nc/text/characters.h"
-#include "core/nc/text/number_format.h"
 
 namespace trc::cli {
 namespace {

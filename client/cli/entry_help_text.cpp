@@ -5,13 +5,12 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/length_unit.h"
 #include "core/nc/dialect/dialect.h"
 #include "core/nc/text/number_format.h"
 
 namespace trc::cli {
 namespace {
-
-constexpr double mm_per_inch = 25.4;
 
 using Axes = std::array<double, 3>;
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "client/cli/table_text.h"
+#include "core/base/length_unit.h"
 #include "core/base/utf8.h"
 #include "core/nc/text/characters.h"
-#include "core/nc/text/number_format.h"
 
 namespace trc::cli {
 namespace {

@@ -87,7 +87,7 @@ survey::ProgramReading reading_of(const v1::SurveySetup& setup, const std::strin
 std::optional<bool> unit_of(const survey::ProgramReading& reading) {
   for (const Block& block : reading.blocks)
     if (const auto* motion = std::get_if<MotionBlock>(&block); motion && motion->mode->active())
-      return reading.places.units.is_inch(motion->source.index);
+      return reading.places.units.unit_in(motion->source.index) == LengthUnit::inch;
   return std::nullopt;
 }
 

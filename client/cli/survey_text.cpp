@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "client/cli/fixed_text.h"
+#include "core/base/length_unit.h"
 #include "core/base/text_width.h"
 
 namespace trc::cli {
@@ -70,7 +71,6 @@ SurveyText::SurveyText(Language language, bool inch, const ToolNames& names)
     : words_(language == Language::german ? german : english), inch_(inch), names_(names) {}
 
 std::string SurveyText::length(double mm) const {
-  constexpr double mm_per_inch = 25.4;
   return inch_ ? fixed(mm / mm_per_inch, 4) : fixed(mm, 3);
 }
 std::string SurveyText::with_unit(double mm) const { return length(mm) + (inch_ ? " in" : " mm"); }

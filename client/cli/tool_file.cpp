@@ -12,9 +12,9 @@
 #include "client/cli/heidenhain_tools.h"
 #include "client/cli/table_text.h"
 #include "client/cli/tool_table.h"
+#include "core/base/length_unit.h"
 #include "core/base/utf8.h"
 #include "core/nc/text/characters.h"
-#include "core/nc/text/number_format.h"
 
 namespace trc::cli {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "client/cli/fixed_text.h"
 #include "client/cli/program_options.h"
+#include "core/base/length_unit.h"
 #include "core/nc/dialect/dialect.h"
 #include "core/trc/result/compensated_block.h"
 #include "proto/wire/settings.h"
@@ -130,7 +131,6 @@ const Words& words_in(Language language) { return language == Language::german ?
 
 // A length in the unit of the program.
 std::string length_text(double mm, bool inch) {
-  constexpr double mm_per_inch = 25.4;
   return inch ? fixed(mm / mm_per_inch, 4) + " in" : fixed(mm, 3) + " mm";
 }
 

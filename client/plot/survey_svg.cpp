@@ -9,6 +9,7 @@
 #include "client/plot/frame.h"
 #include "client/plot/svg.h"
 #include "client/plot/words.h"
+#include "core/base/length_unit.h"
 
 namespace trc::plot {
 namespace {
@@ -93,7 +94,6 @@ class Drawing {
     const auto [first, second] = axis_names(picture_.plane);
     const Point low = frame_.world.low;
     const Point high = frame_.world.high;
-    constexpr double mm_per_inch = 25.4;
     const auto length = [&](double mm) {
       return picture_.inch ? decimal(mm / mm_per_inch, 3) : decimal(mm, 2);
     };

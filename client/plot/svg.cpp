@@ -12,7 +12,7 @@
 #include "client/plot/arrows.h"
 #include "client/plot/frame.h"
 #include "client/plot/words.h"
-#include "core/nc/text/number_format.h"
+#include "core/base/length_unit.h"
 
 namespace trc::plot {
 namespace {

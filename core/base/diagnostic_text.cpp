@@ -12,6 +12,7 @@
 #include "core/base/entry_help.h"
 #include "core/base/german.h"
 #include "core/base/help_by_reason.h"
+#include "core/base/length_unit.h"
 
 namespace trc {
 namespace {
@@ -107,14 +108,13 @@ std::string words_of(std::string_view name, Language language) {
   return words;
 }
 
-constexpr double mm_per_inch = 25.4;
-
 // How lengths are written.
 struct Lengths {
-  bool inch = false;
+  LengthUnit unit = LengthUnit::mm;
   int decimals = 3;  // at least
 
-  [[nodiscard]] double in_unit(double length) const { return inch ? length / mm_per_inch : length; }
+  [[nodiscard]] bool in_inch() const { return unit == LengthUnit::inch; }
+  [[nodiscard]] double in_unit(double length) const { return length / mm_of(unit); }
 };
 
 std::string written(double value, std::chars_format format, int precision) {
@@ -130,17 +130,21 @@ constexpr double least = 1e-9;  // mm, more than what arithmetic leaves of 0
 // nothing.
 std::string length_text(double length, const Lengths& lengths) {
   const double value = std::abs(length) < least ? 0 : lengths.in_unit(length);
-  if (value != 0 && std::abs(value) < (lengths.inch ? 0.00005 : 0.0005))
+  if (value != 0 && std::abs(value) < (lengths.in_inch() ? 0.00005 : 0.0005))
     return written(value, std::chars_format::general, 3);
   if (std::abs(value) >= 1e9) return written(value, std::chars_format::general, 9);
   return written(value, std::chars_format::fixed, lengths.decimals);
 }
 
+LengthUnit unit_of(const Diagnostic& diagnostic) {
+  return diagnostic.inch ? LengthUnit::inch : LengthUnit::mm;
+}
+
 // With so many decimals that all of these can be told from each other, but for what arithmetic
 // leaves between equal ones.
-Lengths lengths_for(std::span<const DiagnosticValue> values, bool inch) {
+Lengths lengths_for(std::span<const DiagnosticValue> values, LengthUnit unit) {
   constexpr int most = 9;
-  Lengths lengths{.inch = inch, .decimals = inch ? 4 : 3};
+  Lengths lengths{.unit = unit, .decimals = unit == LengthUnit::inch ? 4 : 3};
   const auto look_the_same = [&] {
     for (std::size_t i = 0; i < values.size(); ++i)
       for (std::size_t k = i + 1; k < values.size(); ++k)
@@ -156,7 +160,7 @@ Lengths lengths_for(std::span<const DiagnosticValue> values, bool inch) {
 }
 
 std::string with_unit(double length, const Lengths& lengths) {
-  return length_text(length, lengths) + (lengths.inch ? " in" : " mm");
+  return length_text(length, lengths) + (lengths.in_inch() ? " in" : " mm");
 }
 
 std::string value_text(const DiagnosticValue& value, const Lengths& lengths, Language language) {
@@ -172,8 +176,8 @@ std::string value_text(const DiagnosticValue& value, const Lengths& lengths, Lan
     case Measure::feed:
       return words +
              written(lengths.in_unit(value.value), std::chars_format::general,
-                     lengths.inch ? 6 : 9) +
-             (lengths.inch ? " in/min" : " mm/min");
+                     lengths.in_inch() ? 6 : 9) +
+             (lengths.in_inch() ? " in/min" : " mm/min");
     case Measure::lines:
       return "in " + written(value.value, std::chars_format::general, 9) + " " +
              words_of(value.name, language);
@@ -223,7 +227,7 @@ Narrowness narrowness_of_arc(const Diagnostic& diagnostic) {
   const auto arc = value_named(diagnostic, "contour_radius");
   if (!radius || !arc) return {};
   const std::array<DiagnosticValue, 2> both{{{"", *radius}, {"", *arc}}};
-  const Lengths lengths = lengths_for(both, diagnostic.inch);
+  const Lengths lengths = lengths_for(both, unit_of(diagnostic));
   const std::string tool = with_unit(2 * *radius, lengths);
   const std::string room = with_unit(*arc, lengths);
   return {.english = "tool ⌀" + tool + " does not fit into the arc of radius " + room + ": ",
@@ -243,7 +247,7 @@ Narrowness narrowness_of(const Diagnostic& diagnostic) {
   if (!does_not_fit || !radius || !(width || largest)) return {};
   const std::array<DiagnosticValue, 2> both{
       {{"", 2 * *radius}, {"", width ? *width : 2 * *largest}}};
-  const Lengths lengths = lengths_for(both, diagnostic.inch);
+  const Lengths lengths = lengths_for(both, unit_of(diagnostic));
   const std::string tool = with_unit(both[0].value, lengths);
   const std::string room = with_unit(both[1].value, lengths);
   if (width)
@@ -366,7 +370,7 @@ std::string message_of(const Diagnostic& diagnostic, Language language) {
     text.append(": ").append(german ? german_detail(diagnostic.detail) : diagnostic.detail);
   const char* separator = " (";
   std::span<const DiagnosticValue> values(diagnostic.values);
-  const Lengths lengths = lengths_for(values, diagnostic.inch);
+  const Lengths lengths = lengths_for(values, unit_of(diagnostic));
   while (!values.empty()) {
     if (values.front().name == narrow.said) {
       values = values.subspan(1);

@@ -29,7 +29,7 @@ class Diagnostics {
                                       pending_.back().found_together;
     if (stopped_ && !belongs_to_the_error) return false;
     const ProgramPlaces& places = places_ == nullptr ? own_places_ : *places_;
-    diagnostic.inch = places.units.is_inch(diagnostic.source.index);
+    diagnostic.inch = places.units.unit_in(diagnostic.source.index) == LengthUnit::inch;
     if (diagnostic.calls.empty()) diagnostic.calls = places.calls.of(diagnostic.source.index);
     diagnostic.language = language_;
     diagnostic.words = words_;

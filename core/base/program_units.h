@@ -5,6 +5,8 @@
 #include <iterator>
 #include <vector>
 
+#include "core/base/length_unit.h"
+
 namespace trc {
 
 // Which unit the lengths of a program count in, block by block, as far as it has been read. mm
@@ -12,15 +14,15 @@ namespace trc {
 class ProgramUnits {
  public:
   // From this block (Source::index) on; blocks rise.
-  void count_in(bool inch, std::uint64_t from_block) {
-    if (is_inch(from_block) != inch) changes_.push_back({.from_block = from_block, .inch = inch});
+  void count_in(LengthUnit unit, std::uint64_t from_block) {
+    if (unit_in(from_block) != unit) changes_.push_back({.from_block = from_block, .unit = unit});
   }
 
-  [[nodiscard]] bool is_inch(std::uint64_t block) const {
+  [[nodiscard]] LengthUnit unit_in(std::uint64_t block) const {
     const auto behind = std::upper_bound(
         changes_.begin(), changes_.end(), block,
         [](std::uint64_t place, const Change& change) { return place < change.from_block; });
-    return behind != changes_.begin() && std::prev(behind)->inch;
+    return behind != changes_.begin() ? std::prev(behind)->unit : LengthUnit::mm;
   }
 
   template <class Archive>
@@ -31,11 +33,11 @@ class ProgramUnits {
  private:
   struct Change {
     std::uint64_t from_block = 0;
-    bool inch = false;
+    LengthUnit unit = LengthUnit::mm;
 
     template <class Archive>
     void serialize(Archive& archive) {
-      archive(from_block, inch);
+      archive(from_block, unit);
     }
   };
 

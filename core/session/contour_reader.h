@@ -24,7 +24,9 @@ class ContourReader {
   // End of the text: the blocks that have not been taken; nothing may be fed behind it.
   [[nodiscard]] std::vector<Block> finish();
   // Whether the text counts in inch in a block (Source::index) that was read.
-  [[nodiscard]] bool is_inch(std::uint64_t block) { return diagnostics_.units().is_inch(block); }
+  [[nodiscard]] bool is_inch(std::uint64_t block) {
+    return diagnostics_.units().unit_in(block) == LengthUnit::inch;
+  }
 
  private:
   Diagnostics diagnostics_;

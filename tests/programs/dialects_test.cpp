@@ -14,11 +14,11 @@
 
 #include "core/base/archive.h"
 #include "core/base/help_by_reason.h"
+#include "core/base/length_unit.h"
 #include "core/nc/convert/conversion.h"
 #include "core/nc/dialect/dialect.h"
 #include "core/nc/dialect/pass_words.h"
 #include "core/nc/program/flow.h"
-#include "core/nc/text/number_format.h"
 #include "core/session/program_session.h"
 #include "tests/support/contours.h"
 #include "tests/support/files.h"

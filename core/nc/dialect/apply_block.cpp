@@ -73,7 +73,7 @@ bool apply_modes(Reading& reading, const ProgramLine& line, const BlockWords& bl
     reading.motion_given = true;
   }
   if (block.has(unit)) {
-    reading.count_in(line, reading.counts_in_inch(*block.of(unit).function));
+    reading.count_in(line, reading.unit_of(*block.of(unit).function));
     reading.feed_in_mm =
         reading.dialect.name == DialectName::sinumerik && block.of(unit).function->number < 100;
   }
@@ -86,7 +86,7 @@ bool apply_modes(Reading& reading, const ProgramLine& line, const BlockWords& bl
     reading.feed_mode = block.of(feed_mode).function->number;
     reading.gcode.feed_mode_line = line.source.line;
   }
-  if (block.feed) reading.feed = block.feed->value * reading.feed_unit(reading.inch);
+  if (block.feed) reading.feed = block.feed->value * reading.feed_unit(reading.unit);
   // A feed per tooth, which blocks have no number for.
   if (block.tooth_feed) reading.feed = 0;
   if (block.has(circle_center)) {
@@ -304,7 +304,7 @@ bool move(Reading& reading, ProgramLine& line, MoveRequest& request) {
   request.kind = reading.motion;
   request.incremental = reading.incremental;
   request.feed = reading.feed_mode == 94 ? reading.feed : 0;
-  if (reading.inch) scale(reading, request);
+  if (reading.unit == LengthUnit::inch) scale(reading, request);
   // Of an arc of Fanuc that has both, R is what counts.
   // R counts beside I and J (D-126).
   if (reading.dialect.name == DialectName::fanuc && request.radius) request.center = {};

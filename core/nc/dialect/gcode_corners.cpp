@@ -77,10 +77,10 @@ bool take_modal_rounding(Reading& reading, ProgramLine& line, BlockWords& block)
 
 bool take_corner_feed(Reading& reading, ProgramLine& line, BlockWords& block) {
   if (block.corners.modal_feed)
-    reading.gcode.corners.feed = block.corners.modal_feed->value * reading.feed_unit(reading.inch);
+    reading.gcode.corners.feed = block.corners.modal_feed->value * reading.feed_unit(reading.unit);
   if (!block.move.corner || !reading.trc_active()) return true;
   const bool is_said = block.corners.feed && block.corners.feed->value > 0;
-  block.move.corner_feed = is_said ? block.corners.feed->value * reading.feed_unit(reading.inch)
+  block.move.corner_feed = is_said ? block.corners.feed->value * reading.feed_unit(reading.unit)
                                    : reading.gcode.corners.feed;
   for (WordRange& word : line.words)
     if (block.corners.feed && word.begin == block.corners.feed->begin) word.role = WordRole::trc;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/length_unit.h"
 #include "core/base/source.h"
 #include "core/geometry/segment.h"
 #include "core/nc/state/program_state.h"
@@ -41,7 +42,7 @@ struct SoftApproach {
 
 // What M70 of LinuxCNC keeps for M72.
 struct KeptModes {
-  bool inch = false;
+  LengthUnit unit = LengthUnit::mm;
   bool incremental = false;
   bool absolute_center = false;
   std::int16_t feed_mode = 94;
@@ -51,7 +52,7 @@ struct KeptModes {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(inch, incremental, absolute_center, feed_mode, feed, plane, work_offset);
+    archive(unit, incremental, absolute_center, feed_mode, feed, plane, work_offset);
   }
 };
 

@@ -14,7 +14,7 @@ bool refuse_klartext(Reading& reading, const ProgramLine& line, std::size_t begi
 
 // mm/min: programs in inch count F in tenths of an inch.
 [[nodiscard]] inline double klartext_feed_unit(const Reading& reading) {
-  return reading.inch ? mm_per_inch / 10 : 1;
+  return reading.unit == LengthUnit::inch ? mm_per_inch / 10 : 1;
 }
 
 // A block that is not plain (klartext_plain.h).

@@ -185,8 +185,8 @@ ProgramLine& Interpreter::append_line(std::string_view text, std::string_view li
 void Interpreter::enter_modes(ProgramLine& line) const {
   line.motion = reading_.motion;
   line.incremental = reading_.incremental;
-  line.inch = reading_.inch;
-  line.feed_in_inch = reading_.inch && !reading_.feed_in_mm;
+  line.unit = reading_.unit;
+  line.feed_unit = reading_.feed_in_mm ? LengthUnit::mm : reading_.unit;
   line.absolute_center = reading_.state.absolute_center();
   line.plane = reading_.state.programmed_plane();
   line.feed = reading_.feed_mode == 94 ? reading_.feed : 0;

@@ -79,7 +79,7 @@ class Interpreter {
   // Physical lines read so far.
   [[nodiscard]] std::uint64_t lines_read() const { return reading_.lines_read; }
   // What holds behind the lines read.
-  [[nodiscard]] bool counts_in_inch() const { return reading_.inch; }
+  [[nodiscard]] LengthUnit unit_in_force() const { return reading_.unit; }
   [[nodiscard]] bool is_incremental() const { return reading_.incremental; }
   [[nodiscard]] MotionKind motion_in_force() const { return reading_.motion; }
   [[nodiscard]] Plane plane_in_force() const { return reading_.state.programmed_plane(); }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "core/base/length_unit.h"
 #include "core/nc/dialect/block_words.h"
 #include "core/nc/dialect/gcode_block.h"
 #include "core/nc/dialect/gcode_tools.h"
@@ -14,7 +15,6 @@
 #include "core/nc/dialect/trc_command.h"
 #include "core/nc/dialect/unfollowed.h"
 #include "core/nc/text/characters.h"
-#include "core/nc/text/number_format.h"
 
 namespace trc {
 namespace {
@@ -348,10 +348,10 @@ bool check_feed(Reading& reading, ProgramLine& line, const BlockWords& block) {
   using enum GGroup;
   const bool preset = block.of(zero_shift).is(92);
   const int feed = block.has(feed_mode) ? block.of(feed_mode).function->number : reading.feed_mode;
-  const bool inch =
-      block.has(unit) ? reading.counts_in_inch(*block.of(unit).function) : reading.inch;
+  const LengthUnit lengths =
+      block.has(unit) ? reading.unit_of(*block.of(unit).function) : reading.unit;
   if (block.feed && feed == 94 &&
-      !reading.state.is_feed(block.feed->value * reading.feed_unit(inch))) {
+      !reading.state.is_feed(block.feed->value * reading.feed_unit(lengths))) {
     const auto word = std::ranges::find(line.words, block.feed->begin, &WordRange::begin);
     const std::uint32_t end = word == line.words.end() ? block.feed->begin + 1 : word->end;
     return reading.refuse(

@@ -35,7 +35,7 @@ bool check_kept_modes(Reading& reading, ProgramLine& line, const BlockWords& blo
 
 bool apply_kept_modes(Reading& reading, const ProgramLine& line, const BlockWords& block) {
   if (block.kept_modes->value == keeping) {
-    reading.gcode.kept = KeptModes{.inch = reading.inch,
+    reading.gcode.kept = KeptModes{.unit = reading.unit,
                                    .incremental = reading.incremental,
                                    .absolute_center = reading.state.absolute_center(),
                                    .feed_mode = reading.feed_mode,
@@ -51,7 +51,7 @@ bool apply_kept_modes(Reading& reading, const ProgramLine& line, const BlockWord
     return true;
   }
   const KeptModes& kept = *reading.gcode.kept;
-  reading.count_in(line, kept.inch);
+  reading.count_in(line, kept.unit);
   if (kept.incremental && !reading.incremental) reading.state.count_increments_since(line.source);
   reading.incremental = kept.incremental;
   reading.state.set_absolute_center(kept.absolute_center);

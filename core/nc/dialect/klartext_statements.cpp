@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/length_unit.h"
 #include "core/nc/dialect/apply_block.h"
 #include "core/nc/dialect/heidenhain.h"
 #include "core/nc/dialect/klartext_block.h"
@@ -17,7 +18,6 @@
 #include "core/nc/dialect/reading.h"
 #include "core/nc/text/characters.h"
 #include "core/nc/text/klartext_words.h"
-#include "core/nc/text/number_format.h"
 
 // Statements of Klartext that are no motion: what passes, what moves the machine, labels and calls.
 
@@ -255,7 +255,8 @@ bool read_klartext_statement(Reading& reading, ProgramLine& line, std::size_t be
   if (begins_with_word(statement, "BEGIN")) {
     if (reading.blocks_read > 0)
       return refuse_klartext(reading, line, begin, "BEGIN PGM, a second program in one text");
-    if (reading.faults.empty()) reading.count_in(line, statement.ends_with(" INCH"));
+    const bool inch = statement.ends_with(" INCH");
+    if (reading.faults.empty()) reading.count_in(line, inch ? LengthUnit::inch : LengthUnit::mm);
     return copy_klartext(reading, line, begin, WordRole::mode);
   }
   if (begins_with_word(statement, "END")) {

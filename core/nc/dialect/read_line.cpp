@@ -206,7 +206,7 @@ bool is_plain(const Reading& reading, ProgramLine& line, PlainMotion& plain) {
          (!reading.incremental ||
           reading.state.is_known(axes_of(reading.state.programmed_plane()).third)) &&
          (!plain.has_feed() ||
-          reading.state.is_feed(plain.feed() * reading.feed_unit(reading.inch)));
+          reading.state.is_feed(plain.feed() * reading.feed_unit(reading.unit)));
 }
 
 bool apply_plain(Reading& reading, ProgramLine& line, const PlainMotion& plain) {
@@ -228,7 +228,7 @@ bool apply_plain(Reading& reading, ProgramLine& line, const PlainMotion& plain) 
   ++reading.blocks_read;
   if (plain.has_function()) reading.motion = plain.motion();
   reading.motion_given = true;
-  if (plain.has_feed()) reading.feed = plain.feed() * reading.feed_unit(reading.inch);
+  if (plain.has_feed()) reading.feed = plain.feed() * reading.feed_unit(reading.unit);
   reading.state.place(plain.first_coordinate() + 1,
                       plain.has_circle_words() ? column_of_center(line) : 0);
   return move(reading, line, request);

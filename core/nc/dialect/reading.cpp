@@ -38,10 +38,10 @@ Reading::Reading(const ReaderLimits& limits_of_text, ProgramState& state_of_prog
       in_front_of_tape(dialect.name == DialectName::fanuc || dialect.name == DialectName::linuxcnc),
       motion(dialect.motion.value_or(MotionKind::rapid)),
       motion_given(dialect.motion.has_value()),
-      inch(state.setup().inch),
+      unit(state.setup().length_unit()),
       reads_plain_lines(dialect.name == DialectName::isg) {
-  diagnostics.units().count_in(inch, 0);
-  state.set_inch(inch);
+  diagnostics.units().count_in(unit, 0);
+  state.set_length_unit(unit);
   if (dialect.name == DialectName::heidenhain) {
     state.set_absolute_center(true);
     for (const auto& [name, value] : state.setup().variables) {
@@ -62,10 +62,10 @@ Reading::Reading(const ReaderLimits& limits_of_text, ProgramState& state_of_prog
   }
 }
 
-void Reading::count_in(const ProgramLine& line, bool in_inch) {
-  inch = in_inch;
-  state.set_inch(inch);
-  diagnostics.units().count_in(inch, line.source.index);
+void Reading::count_in(const ProgramLine& line, LengthUnit lengths) {
+  unit = lengths;
+  state.set_length_unit(unit);
+  diagnostics.units().count_in(unit, line.source.index);
 }
 
 void Reading::place(const ProgramLine& line, std::uint32_t begin) {

@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "core/base/diagnostics.h"
+#include "core/base/length_unit.h"
 #include "core/nc/dialect/block_skip.h"
 #include "core/nc/dialect/dialect.h"
 #include "core/nc/dialect/gcode_modes.h"
 #include "core/nc/dialect/klartext_modes.h"
 #include "core/nc/state/program_line.h"
 #include "core/nc/state/program_state.h"
-#include "core/nc/text/number_format.h"
 #include "core/nc/text/words.h"
 
 namespace trc {
@@ -67,14 +67,15 @@ struct Reading {
   void place(const ProgramLine& line, std::uint32_t begin);
   [[nodiscard]] WordPlace place_of_word(const ProgramLine& line, std::uint32_t begin) const;
   // Lengths count so from this line on.
-  void count_in(const ProgramLine& line, bool in_inch);
-  [[nodiscard]] double length_unit() const { return inch ? mm_per_inch : 1; }
+  void count_in(const ProgramLine& line, LengthUnit lengths);
+  [[nodiscard]] double length_unit() const { return mm_of(unit); }
   // Under G70 of Sinumerik feeds stay in mm.
-  [[nodiscard]] double feed_unit(bool in_inch) const {
-    return in_inch && !feed_in_mm ? mm_per_inch : 1;
+  [[nodiscard]] double feed_unit(LengthUnit lengths) const {
+    return feed_in_mm ? 1 : mm_of(lengths);
   }
-  [[nodiscard]] bool counts_in_inch(const GFunction& function) const {
-    return function.number == dialect.inch_function || function.number == 700;
+  [[nodiscard]] LengthUnit unit_of(const GFunction& function) const {
+    const bool inch = function.number == dialect.inch_function || function.number == 700;
+    return inch ? LengthUnit::inch : LengthUnit::mm;
   }
 
   // TRC is active, or its retract motion is still to come, as far as the text has been read.
@@ -96,7 +97,7 @@ struct Reading {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(lines_read, blocks_read, comment_block, ended, motion, motion_given, incremental, inch,
+    archive(lines_read, blocks_read, comment_block, ended, motion, motion_given, incremental, unit,
             feed_mode, feed, isg_word_seen, reads_plain_lines, feed_in_mm, gcode, klartext_modes,
             faults, scanned_trc, in_front_of_tape, called_motion, called_dimension, in_subprogram);
   }
@@ -122,7 +123,7 @@ struct Reading {
   MotionKind motion = MotionKind::rapid;
   bool motion_given = false;  // by the program, or by its control at the start
   bool incremental = false;
-  bool inch = false;
+  LengthUnit unit = LengthUnit::mm;
   bool feed_in_mm = false;  // whatever lengths count in
   std::int16_t feed_mode = 94;
   double feed = 0;  // mm/min

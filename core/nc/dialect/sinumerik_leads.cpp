@@ -189,7 +189,7 @@ bool approach_softly(Reading& reading, ProgramLine& line, BlockWords& block) {
                         .along_the_lead = reading.gcode.soft.in_space,
                         .rapid = block.soft.motion_before == MotionKind::rapid,
                         .feed_before = block.soft.feed_before};
-  if (block.soft.feed) approach.feed = block.soft.feed->value * reading.feed_unit(reading.inch);
+  if (block.soft.feed) approach.feed = block.soft.feed->value * reading.feed_unit(reading.unit);
   std::array<std::optional<double>, 3> end{};
   if (!find_soft_end(reading, line, block, end)) return false;
   const PlaneAxes axes = axes_of(reading.state.mode().plane);
@@ -256,7 +256,7 @@ bool depart_softly(Reading& reading, ProgramLine& line, BlockWords& block) {
   const auto quick = height_of(clearance, plane, end[axes.third].value_or(HUGE_VAL));
   if (!quick) return refuse_clearance(reading, line, block.soft.clearance->begin);
   const double slow = block.soft.feed_before;
-  const double infeed = block.soft.feed ? block.soft.feed->value * reading.feed_unit(reading.inch)
+  const double infeed = block.soft.feed ? block.soft.feed->value * reading.feed_unit(reading.unit)
                                         : block.soft.feed_before;
   MoveRequest step{.source = line.source, .kind = MotionKind::linear, .feed = slow};
   if (reading.gcode.soft.in_space && block.soft.feed) step.feed = infeed;

@@ -66,8 +66,9 @@ bool read_edge_data(Reading& reading, const NamedWord& word, ProgramLine& line, 
   if (!row) return refused("whose tool and edge are no numbers");
   if (reading.trc_active()) return refused("data of a tool while TRC is active");
   // Under G70 and G71 such data are in the unit of the machine.
-  const bool inch = reading.feed_in_mm ? reading.state.setup().inch : reading.inch;
-  const double value = word.value * (inch ? mm_per_inch : 1);
+  const LengthUnit lengths =
+      reading.feed_in_mm ? reading.state.setup().length_unit() : reading.unit;
+  const double value = word.value * mm_of(lengths);
   if (word.name == "$TC_DP6") {
     GcodeModes::Tools& tools = reading.gcode.tools;
     const std::int64_t called = tools.changed_by_m6 ? tools.in_spindle : tools.next;
@@ -109,10 +110,10 @@ bool take_tool_data(Reading& reading, ProgramLine& line, BlockWords& block) {
   if (adds && is_wear && *block.move.radius == 0) return true;
   if ((linuxcnc && data != 1) || !block.p_word || adds) return refused("a sum of a tool radius");
   if (!reading.faults.empty()) return true;
-  const bool inch =
-      block.has(unit) ? reading.counts_in_inch(*block.of(unit).function) : reading.inch;
+  const LengthUnit lengths =
+      block.has(unit) ? reading.unit_of(*block.of(unit).function) : reading.unit;
   const std::int64_t number = register_number(block.p_word->value);
-  const double value = *block.move.radius * (inch ? mm_per_inch : 1);
+  const double value = *block.move.radius * mm_of(lengths);
   if (is_wear) {
     // What the setup says of the wear it has been told; a program that sets it back to 0 does not.
     const double wear = reading.state.tool().wear_of(number);

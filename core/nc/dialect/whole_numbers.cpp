@@ -28,16 +28,15 @@ bool turns(std::string_view axis) {
 bool count_whole_numbers(Reading& reading, ProgramLine& line, BlockWords& block) {
   const WholeNumbers rule = reading.state.setup().whole_numbers;
   if (rule == WholeNumbers::units) return true;
-  const bool inch = block.has(GGroup::unit)
-                        ? reading.counts_in_inch(*block.of(GGroup::unit).function)
-                        : reading.inch;
+  const LengthUnit unit =
+      block.has(GGroup::unit) ? reading.unit_of(*block.of(GGroup::unit).function) : reading.unit;
   MoveRequest& move = block.move;
   const auto is_whole = [&](std::size_t bit) { return bit < 64 && (block.whole >> bit & 1) != 0; };
   if (rule == WholeNumbers::unsaid) {
     for (const GGroup group :
          {GGroup::tool_data, GGroup::frame, GGroup::single_move, GGroup::axis_technology})
       if (block.has(group)) return true;  // no positions of the program
-    const double in_mm = inch ? mm_per_inch : 1;
+    const double in_mm = mm_of(unit);
     for (std::size_t axis = 0; axis < move.end.size(); ++axis)
       if (move.end[axis] && is_whole(WholeWord::axis + axis) && !reading.gcode.seen.points &&
           std::abs(*move.end[axis]) * in_mm >= longest_travel)
@@ -48,7 +47,7 @@ bool count_whole_numbers(Reading& reading, ProgramLine& line, BlockWords& block)
                                       "what whole numbers count in"});
     return true;
   }
-  const double length = inch ? increment_inch : increment_mm;
+  const double length = unit == LengthUnit::inch ? increment_inch : increment_mm;
   const auto scale = [&](auto& value, std::size_t bit, double increment) {
     if (value && is_whole(bit)) *value *= increment;
   };
@@ -64,7 +63,7 @@ bool count_whole_numbers(Reading& reading, ProgramLine& line, BlockWords& block)
           turns(names[axis]) ? increment_mm : length);
   const int feed = block.has(GGroup::feed_mode) ? block.of(GGroup::feed_mode).function->number
                                                 : reading.feed_mode;
-  if (inch && feed == 94 && block.feed && is_whole(WholeWord::feed))
+  if (unit == LengthUnit::inch && feed == 94 && block.feed && is_whole(WholeWord::feed))
     block.feed->value *= feed_increment_inch;
   return true;
 }

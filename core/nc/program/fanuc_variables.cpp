@@ -174,7 +174,7 @@ FanucFlow::Followed FanucFlow::followed(std::int64_t number) const {
     case 4003:
       return mode(modes_.incremental ? 91 : 90);
     case 4006:
-      return mode(modes_.inch ? 20 : 21);
+      return mode(modes_.unit == LengthUnit::inch ? 20 : 21);
     case 4107:
       return word('D');
     case 4109:

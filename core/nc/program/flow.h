@@ -15,6 +15,7 @@
 
 #include "core/base/call_places.h"
 #include "core/base/diagnostic.h"
+#include "core/base/length_unit.h"
 #include "core/nc/dialect/klartext_effects.h"
 #include "core/nc/program/expression.h"
 #include "core/nc/program/kept_text.h"
@@ -32,7 +33,7 @@ struct ModalState {
   MotionKind motion = MotionKind::rapid;
   Plane plane = Plane::xy;
   bool incremental = false;
-  bool inch = false;
+  LengthUnit unit = LengthUnit::mm;
   std::optional<double> tool_radius{};  // mm; none: nobody has given it
   // Of the tool that M6 has put into the spindle, mm, where the setup or the program gives it.
   std::optional<double> spindle_diameter{};

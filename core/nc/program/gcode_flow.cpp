@@ -99,7 +99,7 @@ bool GcodeFlow::scan_value(ComputedWord& word, std::size_t& at) {
   const bool fanuc = grammar_.dialect == DialectName::fanuc;
   ExpressionReader expression = expression_at(at);
   if (fanuc && style_of(word.letter) == PointStyle::with_point)
-    expression.round_to(modes_.inch ? 4 : 3);
+    expression.round_to(modes_.unit == LengthUnit::inch ? 4 : 3);
   word.value = expression.operand();
   if (expression.failed()) return refuse(expression.fault());
   word.computed = has_computed_ = true;
@@ -205,9 +205,11 @@ bool GcodeFlow::rounds_places() const {
 int GcodeFlow::decimals_of(char letter) const {
   const bool is_place = std::string_view("XYZUVWABCQR").find(letter) != std::string_view::npos;
   // A feed has as many digits as a control takes, of 1e-4 mm or 1e-6 inch a minute.
-  if (letter == 'F' && grammar_.dialect == DialectName::fanuc) return modes_.inch ? 6 : 4;
+  if (letter == 'F' && grammar_.dialect == DialectName::fanuc)
+    return modes_.unit == LengthUnit::inch ? 6 : 4;
   if (!is_place || !rounds_places()) return decimals_of_values;
-  return std::clamp(setup_.decimals + (modes_.inch ? 1 : 0), 0, decimals_of_values);
+  return std::clamp(setup_.decimals + (modes_.unit == LengthUnit::inch ? 1 : 0), 0,
+                    decimals_of_values);
 }
 
 void GcodeFlow::write_as_it_is(std::string& flat) {

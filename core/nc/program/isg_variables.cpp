@@ -11,8 +11,6 @@
 namespace trc::program {
 namespace {
 
-constexpr double mm_per_inch = 25.4;
-
 // The variable an element belongs to: V.P.A of V.P.A[2].
 std::string_view base_of(std::string_view name) { return name.substr(0, name.find('[')); }
 
@@ -256,7 +254,7 @@ Value IsgFlow::value_of(ExpressionReader& expression, const std::string& name, s
 // V.G.WZ_AKT.R, V.G.WZR: of the tool in force. V.G.WZ[5].R: of the table.
 Value IsgFlow::read_radius(ExpressionReader& expression, const std::string& name,
                            std::size_t begin) {
-  const double unit = modes_.inch ? mm_per_inch : 1;
+  const double unit = mm_of(modes_.unit);
   if ((name == "V.G.WZ_AKT.R" || name == "V.G.WZR") && modes_.tool_radius)
     return {.number = *modes_.tool_radius / unit};
   constexpr std::string_view beginning = "V.G.WZ[";

@@ -3,9 +3,9 @@
 #include <span>
 #include <utility>
 
+#include "core/base/length_unit.h"
 #include "core/nc/program/linuxcnc_flow.h"
 #include "core/nc/text/characters.h"
-#include "core/nc/text/number_format.h"
 
 // Parameters of LinuxCNC.
 
@@ -226,16 +226,18 @@ std::optional<double> LinuxcncFlow::content_of(const Target& target) const {
   const bool* const counted = known ? counter(spelled(target)) : nullptr;
   if (counted != nullptr && !*counted) return {};
   if (known) return known;
-  if (name == "_metric" || name == "_imperial") return (name == "_imperial") == modes_.inch ? 1 : 0;
+  if (name == "_metric" || name == "_imperial")
+    return (name == "_imperial") == (modes_.unit == LengthUnit::inch) ? 1 : 0;
   if (name == "_absolute" || name == "_incremental")
     return (name == "_incremental") == modes_.incremental ? 1 : 0;
   if (!lost_to_.empty() && !is_own(target)) return {};
   if (const double* const value = given_to(target)) return *value;
   // #5410 counts in the unit of the machine.
   constexpr std::int64_t diameter_of_tool = 5410;
-  const bool is_diameter = number == diameter_of_tool && name.empty() && modes_.inch == setup_.inch;
+  const bool is_diameter =
+      number == diameter_of_tool && name.empty() && modes_.unit == setup_.length_unit();
   if (!is_diameter || !modes_.spindle_diameter) return std::nullopt;
-  return *modes_.spindle_diameter / (modes_.inch ? mm_per_inch : 1);
+  return *modes_.spindle_diameter / mm_of(modes_.unit);
 }
 
 Value LinuxcncFlow::read(ExpressionReader& expression) {

@@ -322,12 +322,12 @@ program::ModalState ProgramReader::modes() const {
   std::array<std::optional<double>, 3> place{};
   for (std::size_t axis = 0; axis < place.size(); ++axis) {
     if (state_.contour_open() || !state_.is_known(axis)) continue;
-    place.at(axis) = state_.position().at(axis) / (interpreter_.counts_in_inch() ? mm_per_inch : 1);
+    place.at(axis) = state_.position().at(axis) / mm_of(interpreter_.unit_in_force());
   }
   return {.motion = interpreter_.motion_in_force(),
           .plane = interpreter_.plane_in_force(),
           .incremental = interpreter_.is_incremental(),
-          .inch = interpreter_.counts_in_inch(),
+          .unit = interpreter_.unit_in_force(),
           .tool_radius = interpreter_.radius_in_force(),
           .spindle_diameter = interpreter_.spindle_diameter(),
           .contour_open = interpreter_.is_in_contour(),

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/base/diagnostic.h"
+#include "core/base/length_unit.h"
 #include "core/base/tolerances.h"
 #include "core/geometry/segment.h"
 
@@ -43,8 +44,10 @@ struct CircleFault {
 
 using CircleResult = std::variant<Arc, CircleFault>;
 
-// The worth of the last digit of a program that counts in inch, or not, mm.
-[[nodiscard]] constexpr double last_digit(bool inch) { return inch ? 2.54e-3 : 1e-3; }
+// The worth of the last digit of a program that counts in this unit, mm.
+[[nodiscard]] constexpr double last_digit(LengthUnit unit) {
+  return unit == LengthUnit::inch ? 2.54e-3 : 1e-3;
+}
 
 // What correcting a centre does to an arc, as a length: the width of the narrowest ring about the
 // programmed centre that holds the arc, mm. On a short arc that is far less than the shift.

@@ -12,8 +12,8 @@ using AxisLetters = std::array<char, 3>;
 // "X0 Y40", "I25 J0"
 std::string words_of(const AxisLetters& letters, const Point& point, const CircleWords& words) {
   const PlaneAxes axes = axes_of(words.plane);
-  const int decimals = words.inch ? 4 : 3;
-  const double unit = words.inch ? mm_per_inch : 1;
+  const int decimals = words.unit == LengthUnit::inch ? 4 : 3;
+  const double unit = mm_of(words.unit);
   std::string text(1, letters[axes.first]);
   append_units(text, to_units(point.x() / unit, decimals), decimals);
   text.append(1, ' ').append(1, letters[axes.second]);

@@ -13,7 +13,7 @@ struct CircleWords {
   Plane plane = Plane::xy;
   bool absolute_center = false;  // of I, J and K
   bool klartext = false;         // CC
-  bool inch = false;
+  LengthUnit unit = LengthUnit::mm;
 };
 
 // "I25 J0, X0 Y40 → X40 Y40": the words of a circle that do not fit together, in the unit of the

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/length_unit.h"
 #include "core/base/source.h"
 #include "core/geometry/plane.h"
 #include "core/nc/state/program_state.h"
@@ -103,10 +104,10 @@ struct ProgramLine {
 
   // In force at the end of the line.
   MotionKind motion = MotionKind::rapid;
-  bool incremental = false;      // G91
-  bool inch = false;             // G70
-  bool feed_in_inch = false;     // F counts in inch/min
-  bool absolute_center = false;  // G161
+  bool incremental = false;               // G91
+  LengthUnit unit = LengthUnit::mm;       // G70, G71
+  LengthUnit feed_unit = LengthUnit::mm;  // of F, a minute
+  bool absolute_center = false;           // G161
   Plane plane = Plane::xy;
   double feed = 0;  // mm/min; 0: none programmed yet, or not per minute (G93, G95)
   std::optional<KlartextLine> klartext{};

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/length_unit.h"
 #include "core/nc/state/block.h"
 #include "core/nc/state/circle.h"
 #include "core/nc/state/dialect_name.h"
@@ -90,6 +91,7 @@ struct ProgramSetup {
   bool renumbers = false;  // the blocks of NC text that comes out
   int decimals = 4;        // of its coordinates, mm; one more for inch
 
+  [[nodiscard]] LengthUnit length_unit() const { return inch ? LengthUnit::inch : LengthUnit::mm; }
   [[nodiscard]] bool demands_utf8() const {
     return encoding == Encoding::utf8 ||
            (encoding == Encoding::of_dialect && dialect == DialectName::isg);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/diagnostics.h"
+#include "core/base/length_unit.h"
 #include "core/base/tolerances.h"
 #include "core/nc/state/block.h"
 #include "core/nc/state/corner_cut.h"
@@ -151,7 +152,7 @@ class ProgramState {
   void set_absolute_center(bool absolute) { absolute_center_ = absolute; }
   void set_circle_correction(bool correct) { circle_.correct_center = correct; }  // G165 / G164
   // How finely coordinates are written: G70 / G71.
-  void set_inch(bool inch) { circle_.last_digit = last_digit(inch); }
+  void set_length_unit(LengthUnit unit) { circle_.last_digit = last_digit(unit); }
 
   // The coordinates mean something else from here on (zero shift, preset): where
   // the machine stands is not known on the axes given (X Y Z) until each is

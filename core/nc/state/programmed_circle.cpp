@@ -49,11 +49,13 @@ Refusal ProgramState::misfit(CircleFault&& fault, const MoveRequest& request,
   const bool klartext = setup_.dialect == DialectName::heidenhain;
   std::optional<Point> center;
   if (!request.radius) center = center_of(request, ends.start, absolute_center_);
-  refusal.detail = told_circle(ends, center,
-                               {.plane = mode_.plane,
-                                .absolute_center = absolute_center_,
-                                .klartext = klartext,
-                                .inch = circle_.last_digit == last_digit(true)});
+  refusal.detail =
+      told_circle(ends, center,
+                  {.plane = mode_.plane,
+                   .absolute_center = absolute_center_,
+                   .klartext = klartext,
+                   .unit = circle_.last_digit == last_digit(LengthUnit::inch) ? LengthUnit::inch
+                                                                              : LengthUnit::mm});
   if (!center || klartext) return refusal;
   const CircleResult other = arc_about(center_of(request, ends.start, !absolute_center_), ends,
                                        circle_, mode_.active(), tolerances_);

@@ -12,8 +12,6 @@ namespace trc {
 // exact.
 inline constexpr int most_decimals = 9;
 
-inline constexpr double mm_per_inch = 25.4;
-
 inline constexpr std::array<std::int64_t, most_decimals + 1> units_per_one_by_decimals{
     1, 10, 100, 1'000, 10'000, 100'000, 1'000'000, 10'000'000, 100'000'000, 1'000'000'000};
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/length_unit.h"
 #include "core/nc/text/characters.h"
-#include "core/nc/text/number_format.h"
 #include "core/nc/text/words.h"
 #include "core/nc/writer/nc_writer.h"
 #include "core/nc/writer/written_block.h"
@@ -42,7 +42,7 @@ bool names_end(const ProgramLine& line, const CompensatedBlock& block) {
     bool whole = false;
     const std::string_view number = without_blanks_in_front(word.substr(1));
     return read_number(number, value, whole) == number.size() &&
-           std::abs(value * (line.inch ? mm_per_inch : 1) - end.at(axis)) <= same_start;
+           std::abs(value * mm_of(line.unit) - end.at(axis)) <= same_start;
   });
 }
 
@@ -110,20 +110,20 @@ bool NcWriter::reads_as(const WaitingLine& own, const CompensatedBlock& block,
     // Without motion in the plane the block stays where TRC has put it, and the
     // words of the line name the programmed place.
     if (!flat && (in_plane & named & bit) != 0 &&
-        !motions_.reaches(end[axis], own.meaning.end[axis], line.inch))
+        !motions_.reaches(end[axis], own.meaning.end[axis], line.unit))
       return false;
     if ((named & bit) != 0)
       position = line.incremental || (line.klartext && (line.klartext->increments & bit) != 0)
                      ? position + (end[axis] - start[axis])
                      : end[axis];
-    if (!motions_.reaches(end[axis], position, line.inch)) return false;
+    if (!motions_.reaches(end[axis], position, line.unit)) return false;
   }
   for (std::size_t axis = 0; axis < block.tracking.size(); ++axis) {
     const AxisTravel& travel = block.tracking[axis];
     double& position = after.tracking[axis];
     if ((named & axis_bit(end.size() + axis)) != 0)
       position = line.incremental ? position + (travel.to - travel.from) : travel.to;
-    if (!motions_.reaches_tracking(axis, travel.to, position, line.inch)) return false;
+    if (!motions_.reaches_tracking(axis, travel.to, position, line.unit)) return false;
   }
   return true;
 }

@@ -52,8 +52,8 @@ double sagitta_of(const Arc& arc) { return radius_of(arc) * (1 - std::cos(arc.sw
 
 // A control that counts in thousandths of a millimetre, or ten-thousandths of an inch, takes both
 // ends of an arc so short for one place, and goes all the way round (D-97). `squared_chord`: mm².
-bool may_become_circle(const Arc& arc, double squared_chord, bool inch) {
-  const double near = 1.5 * (inch ? mm_per_inch / 10'000 : 0.001);
+bool may_become_circle(const Arc& arc, double squared_chord, LengthUnit unit) {
+  const double near = 1.5 * (unit == LengthUnit::inch ? mm_per_inch / 10'000 : 0.001);
   return squared_chord < near * near && std::abs(arc.sweep) < std::numbers::pi;
 }
 
@@ -133,8 +133,8 @@ std::array<Arc, 2> halves_of(const Arc& arc) {
 MotionWriter::MotionWriter(int decimals, std::string tracking_letters, Spelling spelling,
                            std::vector<std::string> tracking_names)
     : decimals_(decimals),
-      unit_of_mm_(from_units(1, decimals)),
-      unit_of_inch_(from_units(1, decimals + 1) * mm_per_inch),
+      last_decimal_of_mm_(from_units(1, decimals)),
+      last_decimal_of_inch_(from_units(1, decimals + 1) * mm_per_inch),
       tracking_letters_(std::move(tracking_letters)),
       tracking_names_(std::move(tracking_names)),
       spelling_(spelling) {
@@ -152,10 +152,10 @@ std::optional<std::size_t> MotionWriter::axis_named(std::string_view name) const
 }
 
 // A B C turn: degrees have no inch.
-bool MotionWriter::is_linear(std::size_t axis) const {
+LengthUnit MotionWriter::unit_of_axis(std::size_t axis, LengthUnit of_lengths) const {
   const std::string& name = tracking_names_[axis];
   const char letter = name.empty() ? tracking_letters_[axis] : name.front();
-  return letter >= 'U' && letter <= 'Z';
+  return letter >= 'U' && letter <= 'Z' ? of_lengths : LengthUnit::mm;
 }
 
 // For the words of one motion: a function, three axes and two words for the centre, and the
@@ -177,21 +177,21 @@ inline char* MotionWriter::write_word(char* at, char letter, std::int64_t units,
 // I, J, K: from the start of the arc, or absolute.
 MotionWriter::Written MotionWriter::written_center(double center, double start,
                                                    const WrittenState& state) const {
-  if (state.absolute_center) return written(center, state.inch);
-  const Written step = written(center - start, state.inch);
+  if (state.absolute_center) return written(center, state.unit);
+  const Written step = written(center - start, state.unit);
   return {.units = step.units, .read = step.read + start};
 }
 
 bool MotionWriter::reaches_tracking(std::size_t axis, double target, double position,
-                                    bool inch) const {
-  return reaches(target, position, inch && is_linear(axis));
+                                    LengthUnit unit) const {
+  return reaches(target, position, unit_of_axis(axis, unit));
 }
 
 MotionWriter::ArcNumbers MotionWriter::numbers_of(const Arc& arc, Plane plane,
                                                   const WrittenState& state) const {
   const Point start = to_plane(plane, state.position);
   const auto end = [&](double target, double position) {
-    return written_end(target, position, state.inch, state.incremental);
+    return written_end(target, position, state.unit, state.incremental);
   };
   ArcNumbers numbers{.end = {end(arc.end.x(), start.x()), end(arc.end.y(), start.y())},
                      .center = {written_center(arc.center.x(), start.x(), state),
@@ -199,8 +199,8 @@ MotionWriter::ArcNumbers MotionWriter::numbers_of(const Arc& arc, Plane plane,
   const ReadArc read{.start = start,
                      .end = {numbers.end[0].read, numbers.end[1].read},
                      .center = {numbers.center[0].read, numbers.center[1].read}};
-  if (may_become_circle(arc, (read.end - read.start).squaredNorm(), state.inch) ||
-      !is_surely_read_alike(read, arc, unit(state.inch)))
+  if (may_become_circle(arc, (read.end - read.start).squaredNorm(), state.unit) ||
+      !is_surely_read_alike(read, arc, last_decimal(state.unit)))
     numbers.form = form_of(arc, numbers, plane, state);
   return numbers;
 }
@@ -212,8 +212,8 @@ MotionWriter::ArcForm MotionWriter::form_of(const Arc& arc, const ArcNumbers& nu
   const Point end(numbers.end[0].read, numbers.end[1].read);
   const Point center(numbers.center[0].read, numbers.center[1].read);
 
-  if (may_become_circle(arc, (end - start).squaredNorm(), state.inch) &&
-      sagitta_of(arc) <= unit(state.inch))
+  if (may_become_circle(arc, (end - start).squaredNorm(), state.unit) &&
+      sagitta_of(arc) <= last_decimal(state.unit))
     return ArcForm::line;
   // Controls know no rounding.
   const CircleCheck check{.last_digit = 0};
@@ -222,7 +222,7 @@ MotionWriter::ArcForm MotionWriter::form_of(const Arc& arc, const ArcNumbers& nu
   const CircleEnds ends{.start = start, .end = end, .clockwise = arc.sweep < 0};
   const CircleResult result = arc_about(center, ends, check, false, tolerances);
   const Arc* read = std::get_if<Arc>(&result);
-  if (read != nullptr && is_same_arc(*read, arc, unit(state.inch))) {
+  if (read != nullptr && is_same_arc(*read, arc, last_decimal(state.unit))) {
     // Controls that do not shift a centre compare the radii (G164).
     const double start_radius = (start - center).norm();
     const double difference = std::abs(start_radius - (end - center).norm());
@@ -230,43 +230,44 @@ MotionWriter::ArcForm MotionWriter::form_of(const Arc& arc, const ArcNumbers& nu
         std::min(check.largest_radius_difference, check.largest_radius_factor * start_radius))
       return ArcForm::arc;
   }
-  return sagitta_of(arc) <= unit(state.inch) ? ArcForm::line : ArcForm::halves;
+  return sagitta_of(arc) <= last_decimal(state.unit) ? ArcForm::line : ArcForm::halves;
 }
 
 bool MotionWriter::moves(const Position& end, const TrackingTravel& tracking,
                          const WrittenState& state) const {
   for (std::size_t axis = 0; axis < end.size(); ++axis)
-    if (!reaches(end[axis], state.position[axis], state.inch)) return true;
+    if (!reaches(end[axis], state.position[axis], state.unit)) return true;
   for (std::size_t axis = 0; axis < tracking.size(); ++axis)
-    if (!reaches_tracking(axis, tracking[axis].to, state.tracking[axis], state.inch)) return true;
+    if (!reaches_tracking(axis, tracking[axis].to, state.tracking[axis], state.unit)) return true;
   return false;
 }
 
 char* MotionWriter::write_axes(char* at, const Axes& axes, const KnownNumbers& known,
                                WrittenState& state) const {
-  const auto write_axis = [&](char letter, AxisSet bit, double target, bool inch,
+  const auto write_axis = [&](char letter, AxisSet bit, double target, LengthUnit unit,
                               const Written* number, double& position, std::string_view name = {}) {
     if ((axes.never & bit) != 0) return;
-    if ((axes.always & bit) == 0 && reaches(target, position, inch)) return;
+    if ((axes.always & bit) == 0 && reaches(target, position, unit)) return;
     const Written axis =
-        number != nullptr ? *number : written_end(target, position, inch, state.incremental);
+        number != nullptr ? *number : written_end(target, position, unit, state.incremental);
     if (!name.empty()) {
       *at++ = ' ';
       at = write_name(at, name);
       letter = '=';
     }
     char* const begin = at;
-    at = write_word(at, letter, axis.units, decimals_of(inch));
+    at = write_word(at, letter, axis.units, decimals_of(unit));
     if (!name.empty()) at = std::copy(begin + 1, at, begin);
     position = axis.read;
   };
   for (std::size_t axis = 0; axis < axes.end.size(); ++axis)
-    write_axis(main_axis_letters[axis], axis_bit(axis), axes.end[axis], state.inch, known[axis],
+    write_axis(main_axis_letters[axis], axis_bit(axis), axes.end[axis], state.unit, known[axis],
                state.position[axis]);
   for (std::size_t axis = 0; axis < axes.tracking.size(); ++axis) {
     const char letter = tracking_letters_[axis];
     write_axis(letter, axis_bit(axes.end.size() + axis), axes.tracking[axis].to,
-               state.inch && is_linear(axis), nullptr, state.tracking[axis], tracking_names_[axis]);
+               unit_of_axis(axis, state.unit), nullptr, state.tracking[axis],
+               tracking_names_[axis]);
   }
   return at;
 }
@@ -305,7 +306,7 @@ void MotionWriter::append_arc(TextBuffer& out, const NumberedArc& numbered, cons
   at = write_axes(at, named, known, state);
   const auto write_center = [&](std::size_t axis, std::size_t number) {
     at =
-        write_word(at, center_letters[axis], numbers.center[number].units, decimals_of(state.inch));
+        write_word(at, center_letters[axis], numbers.center[number].units, decimals_of(state.unit));
   };
   // The letters belong to the machine axes: in G18 the first axis of the plane is Z.
   const bool swapped = axes.first > axes.second;
@@ -319,13 +320,13 @@ void MotionWriter::append_arc(TextBuffer& out, const NumberedArc& numbered, cons
 void MotionWriter::append_pole(TextBuffer& out, const Point& pole, Plane plane,
                                WrittenState& state) const {
   const PlaneAxes axes = axes_of(plane);
-  const Written first = written(pole.x(), state.inch);
-  const Written second = written(pole.y(), state.inch);
+  const Written first = written(pole.x(), state.unit);
+  const Written second = written(pole.y(), state.unit);
   char* at = out.room(3 * room_of_word);
   at = write_name(at, " CC");
   const bool swapped = axes.first > axes.second;
   const auto write = [&](std::size_t axis, const Written& number) {
-    at = write_word(at, main_axis_letters[axis], number.units, decimals_of(state.inch));
+    at = write_word(at, main_axis_letters[axis], number.units, decimals_of(state.unit));
   };
   if (swapped) write(axes.second, second);
   write(axes.first, first);
@@ -344,7 +345,7 @@ void MotionWriter::append_klartext_arc(TextBuffer& out, const NumberedArc& numbe
   const AxisSet in_plane = axis_bit(axes.first) | axis_bit(axes.second);
   const AxisSet third = axis_bit(axes.third);
   const bool helix = (given.always & third) != 0 ||
-                     !reaches(given.end[axes.third], state.position[axes.third], state.inch);
+                     !reaches(given.end[axes.third], state.position[axes.third], state.unit);
   Axes named = given;
   char* at = room_of_motion(out, given.tracking);
   if (helix) {
@@ -375,21 +376,21 @@ void MotionWriter::append_klartext_arc(TextBuffer& out, const NumberedArc& numbe
 
 // A feed counts by its digits, not by its decimals: a slow one gets more of them,
 // and none becomes F0.
-MotionWriter::WrittenFeed MotionWriter::written_feed(double feed, bool inch) const {
-  const double value = feed / feed_unit(inch);
-  int decimals = decimals_of(inch);
+MotionWriter::WrittenFeed MotionWriter::written_feed(double feed, LengthUnit unit) const {
+  const double value = feed / feed_unit(unit);
+  int decimals = decimals_of(unit);
   while (decimals < most_decimals && to_units(value, decimals) < least_feed_units) ++decimals;
   const std::int64_t units = std::max<std::int64_t>(to_units(value, decimals), 1);
   const double number = from_units(units, decimals);
-  return {.units = units, .decimals = decimals, .read = number * feed_unit(inch)};
+  return {.units = units, .decimals = decimals, .read = number * feed_unit(unit)};
 }
 
-bool MotionWriter::same_feed(double a, double b, bool inch) const {
-  return a == b || written_feed(a, inch).read == written_feed(b, inch).read;
+bool MotionWriter::same_feed(double a, double b, LengthUnit unit) const {
+  return a == b || written_feed(a, unit).read == written_feed(b, unit).read;
 }
 
 void MotionWriter::append_feed(TextBuffer& out, double feed, WrittenState& state) const {
-  const WrittenFeed word = written_feed(feed, state.feed_in_inch);
+  const WrittenFeed word = written_feed(feed, state.feed_unit);
   out.end_at(write_word(out.room(room_of_word), 'F', word.units, word.decimals));
   state.feed = word.read;
 }

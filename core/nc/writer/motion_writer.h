@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/length_unit.h"
 #include "core/nc/state/program_line.h"
 #include "core/nc/text/number_format.h"
 #include "core/nc/text/text_buffer.h"
@@ -21,8 +22,8 @@ namespace trc {
 struct WrittenState {
   MotionKind motion = MotionKind::rapid;
   bool incremental = false;
-  bool inch = false;
-  bool feed_in_inch = false;
+  LengthUnit unit = LengthUnit::mm;
+  LengthUnit feed_unit = LengthUnit::mm;
   bool absolute_center = false;
   Plane plane = Plane::xy;
   double feed = 0;  // mm/min; 0: none written yet
@@ -37,8 +38,8 @@ struct WrittenState {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(motion, incremental, inch, feed_in_inch, absolute_center, plane, feed, position,
-            tracking, pole, has_pole, pole_written, other_tangent, other_radius);
+    archive(motion, incremental, unit, feed_unit, absolute_center, plane, feed, position, tracking,
+            pole, has_pole, pole_written, other_tangent, other_radius);
   }
 };
 
@@ -110,11 +111,11 @@ class MotionWriter {
   [[nodiscard]] bool moves(const Position& end, const TrackingTravel& tracking,
                            const WrittenState& state) const;
   // Whether `position` is `target` to half a unit of the last decimal.
-  [[nodiscard]] bool reaches(double target, double position, bool inch) const {
-    return std::abs(target - position) <= unit(inch) / 2;
+  [[nodiscard]] bool reaches(double target, double position, LengthUnit unit) const {
+    return std::abs(target - position) <= last_decimal(unit) / 2;
   }
   [[nodiscard]] bool reaches_tracking(std::size_t axis, double target, double position,
-                                      bool inch) const;
+                                      LengthUnit unit) const;
 
   // Append the motion function, the axes and, for an arc, both plane axes and the centre. Each word
   // has a blank before it.
@@ -126,19 +127,20 @@ class MotionWriter {
   void append_pole(TextBuffer& out, const Point& pole, Plane plane, WrittenState& state) const;
 
   // Whether two feeds are written alike, mm/min.
-  [[nodiscard]] bool same_feed(double a, double b, bool inch) const;
+  [[nodiscard]] bool same_feed(double a, double b, LengthUnit unit) const;
   void append_feed(TextBuffer& out, double feed, WrittenState& state) const;
 
  private:
-  [[nodiscard]] Written written(double value, bool inch) const {
-    const std::int64_t units = to_units(inch ? value / mm_per_inch : value, decimals_of(inch));
-    const double number = from_units(units, decimals_of(inch));
+  [[nodiscard]] Written written(double value, LengthUnit unit) const {
+    const bool inch = unit == LengthUnit::inch;
+    const std::int64_t units = to_units(inch ? value / mm_per_inch : value, decimals_of(unit));
+    const double number = from_units(units, decimals_of(unit));
     return {.units = units, .read = inch ? number * mm_per_inch : number};
   }
-  [[nodiscard]] Written written_end(double target, double position, bool inch,
+  [[nodiscard]] Written written_end(double target, double position, LengthUnit unit,
                                     bool incremental) const {
-    if (!incremental) return written(target, inch);
-    const Written step = written(target - position, inch);
+    if (!incremental) return written(target, unit);
+    const Written step = written(target - position, unit);
     return {.units = step.units, .read = position + step.read};
   }
   [[nodiscard]] Written written_center(double center, double start,
@@ -148,30 +150,34 @@ class MotionWriter {
     int decimals = 0;
     double read = 0;  // mm/min
   };
-  [[nodiscard]] WrittenFeed written_feed(double feed, bool inch) const;
-  [[nodiscard]] int decimals_of(bool inch) const { return inch ? decimals_ + 1 : decimals_; }
-  [[nodiscard]] double unit(bool inch) const { return inch ? unit_of_inch_ : unit_of_mm_; }
+  [[nodiscard]] WrittenFeed written_feed(double feed, LengthUnit unit) const;
+  [[nodiscard]] int decimals_of(LengthUnit unit) const {
+    return unit == LengthUnit::inch ? decimals_ + 1 : decimals_;
+  }
+  // Its worth, mm.
+  [[nodiscard]] double last_decimal(LengthUnit unit) const {
+    return unit == LengthUnit::inch ? last_decimal_of_inch_ : last_decimal_of_mm_;
+  }
 
   [[nodiscard]] char* write_word(char* at, char letter, std::int64_t units, int decimals) const;
   // Klartext counts feeds in tenths of an inch.
-  [[nodiscard]] double feed_unit(bool inch) const {
-    return inch ? mm_per_inch / (spelling_.klartext ? 10 : 1) : 1;
+  [[nodiscard]] double feed_unit(LengthUnit unit) const {
+    return unit == LengthUnit::inch ? mm_per_inch / (spelling_.klartext ? 10 : 1) : 1;
   }
   void append_klartext_arc(TextBuffer& out, const NumberedArc& arc, const Axes& axes,
                            WrittenState& state) const;
 
   [[nodiscard]] char* room_of_motion(TextBuffer& out, const TrackingTravel& tracking) const;
   // Of a tracking axis.
-  [[nodiscard]] bool is_linear(std::size_t axis) const;
+  [[nodiscard]] LengthUnit unit_of_axis(std::size_t axis, LengthUnit of_lengths) const;
   // `known`: the numbers of main axes that have been asked for already.
   using KnownNumbers = std::array<const Written*, 3>;
   [[nodiscard]] char* write_axes(char* at, const Axes& axes, const KnownNumbers& known,
                                  WrittenState& state) const;
 
   int decimals_;
-  // Of the last decimal, mm.
-  double unit_of_mm_;
-  double unit_of_inch_;
+  double last_decimal_of_mm_;    // mm
+  double last_decimal_of_inch_;  // mm
   std::string tracking_letters_;
   std::vector<std::string> tracking_names_;
   std::size_t longest_name_ = 0;

@@ -30,8 +30,7 @@ NcWriter::NcWriter(const Setup& setup)
   state_.motion = setup.motion;
   state_.absolute_center = setup.absolute_center;
   state_.plane = setup.plane;
-  state_.inch = setup.inch;
-  state_.feed_in_inch = setup.inch;
+  state_.unit = state_.feed_unit = setup.unit;
   state_.position = setup.start;
   state_.tracking.resize(setup.tracking_letters.size());
 }
@@ -216,8 +215,8 @@ void NcWriter::write_piece(const CompensatedBlock& block, const Segment& piece,
   if (arc == nullptr && !must_be_written && !motions_.moves(end, tracking, state_)) return;
 
   if (klartext_ && arc != nullptr &&
-      !(state_.has_pole && motions_.reaches(arc->center.x(), state_.pole.x(), state_.inch) &&
-        motions_.reaches(arc->center.y(), state_.pole.y(), state_.inch)))
+      !(state_.has_pole && motions_.reaches(arc->center.x(), state_.pole.x(), state_.unit) &&
+        motions_.reaches(arc->center.y(), state_.pole.y(), state_.unit)))
     write_pole(arc->center, block.plane, out);
   if (own_ != nullptr && own_->line->klartext) enter_klartext(*own_->line, false);
   if (klartext_) state_.other_tangent = true;
@@ -254,7 +253,7 @@ AxisSet NcWriter::axes_to_keep(const WaitingLine& own, const CompensatedBlock& b
   if (block.origin != Origin::uncompensated) return kept & ~plane_axes(block.plane);
   for (std::size_t axis = 0; axis < end.size(); ++axis) {
     if ((plane_axes(block.plane) & axis_bit(axis)) == 0) continue;
-    if (!motions_.reaches(end[axis], own.meaning.end[axis], state_.inch)) kept &= ~axis_bit(axis);
+    if (!motions_.reaches(end[axis], own.meaning.end[axis], state_.unit)) kept &= ~axis_bit(axis);
   }
   return kept;
 }
@@ -277,7 +276,7 @@ void NcWriter::append_feed_and_rest(const CompensatedBlock& block) {
       note_open_feed(line);
       // FMAX stands for the feed of its block; that of the line comes with the next one.
       if (klartext_ && block.rapid) continue;
-      if (needs_feed && !motions_.same_feed(line.feed, block.feed, line.feed_in_inch)) {
+      if (needs_feed && !motions_.same_feed(line.feed, block.feed, line.feed_unit)) {
         append_feed(block.feed);
       } else {
         append(line, word);
@@ -291,7 +290,7 @@ void NcWriter::append_feed_and_rest(const CompensatedBlock& block) {
 // of the program, also where that is per revolution and means nothing here.
 bool NcWriter::has_feed(const CompensatedBlock& block) const {
   if (feed_is_programmed_ && own_ != nullptr && own_->line->feed == block.feed) return true;
-  return motions_.same_feed(state_.feed, block.feed, state_.feed_in_inch);
+  return motions_.same_feed(state_.feed, block.feed, state_.feed_unit);
 }
 
 void NcWriter::append_feed(double feed) {
@@ -327,8 +326,8 @@ void NcWriter::write_plane(Plane plane, std::string& out) {
 void NcWriter::enter_modes(const WaitingLine& own) {
   if (!own.line->has(WordRole::mode)) return;
   state_.incremental = own.line->incremental;
-  state_.inch = own.line->inch;
-  state_.feed_in_inch = own.line->feed_in_inch;
+  state_.unit = own.line->unit;
+  state_.feed_unit = own.line->feed_unit;
   state_.absolute_center = own.line->absolute_center;
   state_.plane = own.line->plane;
 }

@@ -34,7 +34,7 @@ class NcWriter {
     MotionKind motion = MotionKind::rapid;  // of lines that do not say it
     bool absolute_center = false;
     Plane plane = Plane::xy;
-    bool inch = false;
+    LengthUnit unit = LengthUnit::mm;
     Spelling spelling{};
     std::string tracking_letters{};  // one per tracking axis
     // Names of more than one character, which are written X1=5; else empty.

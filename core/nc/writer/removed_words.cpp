@@ -103,7 +103,7 @@ void NcWriter::write_what_it_counts_on(const ProgramLine& line, std::string& out
   if (line.calls_the_machine && !removed_.empty()) write_removed_words(out);
   const double feed = line.feed_it_takes;
   if (feed <= 0 || feed_is_programmed_ || line.has(WordRole::feed) ||
-      motions_.same_feed(state_.feed, feed, state_.feed_in_inch))
+      motions_.same_feed(state_.feed, feed, state_.feed_unit))
     return;
   begin_words();
   append_number_of_inserted();

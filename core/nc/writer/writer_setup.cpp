@@ -13,7 +13,7 @@ NcWriter::Setup writer_setup(const ProgramSetup& program, const Dialect& dialect
                          .motion = dialect.motion.value_or(MotionKind::rapid),
                          .absolute_center = program.absolute_center || klartext,
                          .plane = program.mode.plane,
-                         .inch = program.inch,
+                         .unit = program.length_unit(),
                          .spelling = {.points = dialect.writes_points, .klartext = klartext},
                          .renumbers = program.renumbers};
   for (const std::string& axis : program.tracking_axes) {

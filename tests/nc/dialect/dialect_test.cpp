@@ -233,7 +233,7 @@ TEST(Dialect, LinesCarryTheModesInForceBehindThem) {
   ASSERT_EQ(reading.lines.size(), 3U);
   EXPECT_FALSE(reading.lines[0].incremental);
   const ProgramLine& line = reading.lines[2];
-  EXPECT_TRUE(line.incremental && line.inch && line.absolute_center);
+  EXPECT_TRUE(line.incremental && line.unit == LengthUnit::inch && line.absolute_center);
   EXPECT_EQ(line.plane, Plane::zx);
   EXPECT_EQ(line.motion, MotionKind::linear);
   EXPECT_EQ(line.feed, 25.4);

@@ -162,7 +162,7 @@ TEST(CircleCentreCorrection, OfAShortArcIsJudgedByWhatItDoesToTheArc) {
   EXPECT_EQ(code_of(about({10.053, 0.65}, start, end, true)), Code::circle_center_misfit);
   // Four decimals of an inch.
   CircleCheck inch;
-  inch.last_digit = last_digit(true);
+  inch.last_digit = last_digit(LengthUnit::inch);
   EXPECT_GT(arc_of(about({10.053, 0.65}, start, {10.007, 0.004}, false, inch)).sweep, 0);
 }
 

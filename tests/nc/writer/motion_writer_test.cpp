@@ -112,7 +112,7 @@ TEST(ArcForm, IsFoundTheShortWayToo) {
     for (double& position : state.position)
       if (random.chance(0.2)) position += random.between(-3, 3) * unit;
     state.absolute_center = random.chance(0.5);
-    state.inch = random.chance(0.2);
+    if (random.chance(0.2)) state.unit = LengthUnit::inch;
     const MotionWriter writer(places, "");
     const MotionWriter::ArcNumbers numbers = writer.numbers_of(arc, Plane::xy, state);
     ASSERT_EQ(numbers.form, writer.form_of(arc, numbers, Plane::xy, state))
@@ -186,7 +186,7 @@ TEST(Halves, ShareTheirJointAndTheSweep) {
 
 TEST(MotionWords, RotaryAxesHaveNoInch) {
   const MotionWriter writer(4, "AU");
-  WrittenState state{.inch = true, .tracking = {0, 0}};
+  WrittenState state{.unit = LengthUnit::inch, .tracking = {0, 0}};
   TextBuffer text;
   const TrackingTravel tracking{{.from = 0, .to = 30}, {.from = 0, .to = 50.8}};
   writer.append_line(text, MotionKind::linear, {Position{25.4, 0, 0}, tracking}, state);
@@ -196,10 +196,9 @@ TEST(MotionWords, RotaryAxesHaveNoInch) {
   EXPECT_EQ(state.tracking[1], 50.8);
 }
 
-std::string feed_word(double feed, int decimals, bool inch = false) {
+std::string feed_word(double feed, int decimals, LengthUnit unit = LengthUnit::mm) {
   WrittenState state;
-  state.inch = inch;
-  state.feed_in_inch = inch;
+  state.unit = state.feed_unit = unit;
   TextBuffer text;
   MotionWriter(decimals, "").append_feed(text, feed, state);
   EXPECT_NEAR(state.feed, feed, feed / 1000) << text.view();
@@ -212,9 +211,9 @@ TEST(Feed, IsWrittenToAThousandthWithAnyNumberOfDecimals) {
   EXPECT_EQ(feed_word(0.3333, 0), " F0.3333");
   EXPECT_EQ(feed_word(0.05, 4), " F0.05");
   EXPECT_EQ(feed_word(0.0001234567, 4), " F0.0001235");
-  EXPECT_EQ(feed_word(254, 4, true), " F10");
+  EXPECT_EQ(feed_word(254, 4, LengthUnit::inch), " F10");
   EXPECT_EQ(feed_word(1e9, 8), " F1000000000");
-  EXPECT_EQ(feed_word(1e9, 4, true), " F39370078.74016");
+  EXPECT_EQ(feed_word(1e9, 4, LengthUnit::inch), " F39370078.74016");
 }
 
 TEST(Feed, IsNeverWrittenAsNone) {
@@ -222,7 +221,7 @@ TEST(Feed, IsNeverWrittenAsNone) {
   WrittenState state;
   MotionWriter(4, "").append_feed(text, 1e-15, state);
   EXPECT_EQ(text.view(), " F0.000000001");
-  EXPECT_FALSE(MotionWriter(0, "").same_feed(0.2, 0.3, false));
+  EXPECT_FALSE(MotionWriter(0, "").same_feed(0.2, 0.3, LengthUnit::mm));
 }
 
 }  // namespace
