@@ -91,8 +91,8 @@ std::size_t FanucFlow::number_of_loop(std::string_view line, std::size_t at) con
 bool FanucFlow::execute_statement(std::string& flat) {
   ExpressionReader expression = expression_at(head_.behind);
   if (expression.pass("IF")) return branch(flat, expression);
-  if (expression.pass("WHILE")) return loop(flat, expression, true);
-  if (expression.pass("DO")) return loop(flat, expression, false);
+  if (expression.pass("WHILE")) return loop(flat, expression, LoopHead::with_condition);
+  if (expression.pass("DO")) return loop(flat, expression, LoopHead::endless);
   if (expression.pass("ENDIF")) return finish_statement(flat, expression.at());
   if (expression.pass("ELSE"))  // behind a branch that was taken
     return go_behind_foot("ELSE without ENDIF") && finish_statement(flat, expression.at());
@@ -134,9 +134,9 @@ bool FanucFlow::go_behind_foot(const char* missing) {
   return true;
 }
 
-bool FanucFlow::loop(std::string& flat, ExpressionReader& expression, bool has_condition) {
+bool FanucFlow::loop(std::string& flat, ExpressionReader& expression, LoopHead head) {
   bool holds = true;
-  if (has_condition) {
+  if (head == LoopHead::with_condition) {
     expression.pass_blanks();
     if (expression.peek() != '[')
       return refuse(Code::expression_invalid, head_.behind, "WHILE without [ ]");

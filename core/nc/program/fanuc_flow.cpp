@@ -168,7 +168,7 @@ Flow::Step FanucFlow::execute_next(std::string& flat) {
 }
 
 void FanucFlow::note_line(std::string_view line) {
-  said_.take(line, false);
+  said_.take(line);
   if (returns_to_.empty()) return;
   const auto found = returns_to_.find(head_of(line).number);
   if (found != returns_to_.end()) ++found->second;

@@ -84,7 +84,8 @@ class FanucFlow : public GcodeFlow {
   [[nodiscard]] std::size_t number_of_loop(std::string_view line, std::size_t at) const;
   bool execute_statement(std::string& flat);
   bool branch(std::string& flat, ExpressionReader& expression);
-  bool loop(std::string& flat, ExpressionReader& expression, bool has_condition);
+  enum class LoopHead : std::uint8_t { with_condition, endless };  // WHILE [ ] DO, DO
+  bool loop(std::string& flat, ExpressionReader& expression, LoopHead head);
   // To the line behind the ELSE or ENDIF that belongs to the line.
   bool go_behind_foot(const char* missing);
   bool end_loop(std::string& flat, ExpressionReader& expression);
@@ -113,11 +114,13 @@ class FanucFlow : public GcodeFlow {
   // A macro that the program has not, and that the machine has: O8000 to O9999, or as declared.
   [[nodiscard]] bool is_of_the_machine(std::int64_t number) const;
   bool call_modally(std::string& flat);
-  bool pass_call(std::int64_t number, bool sees_locals);
+  // M98: a subprogram sees the local variables of its caller; G65, G66: a macro has its own.
+  enum class Called : std::uint8_t { subprogram, macro };
+  bool pass_call(std::int64_t number, Called called);
   void forget_what_the_machine_may_set(std::int64_t number);
   // Lines that set what the program has set, for a macro of the machine that is called behind them.
   void write_value(std::string& flat, std::int64_t number, const std::optional<double>& content);
-  void write_values(std::string& flat, bool sees_locals);
+  void write_values(std::string& flat, Called called);
   void write_lasting_values(std::string& flat);
 
   // fanuc_variables.cpp

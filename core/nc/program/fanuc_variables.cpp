@@ -132,8 +132,8 @@ void FanucFlow::write_value(std::string& flat, std::int64_t number,
 }
 
 // D-95
-void FanucFlow::write_values(std::string& flat, bool sees_locals) {
-  if (sees_locals) {
+void FanucFlow::write_values(std::string& flat, Called called) {
+  if (called == Called::subprogram) {
     const Locals& locals = locals_.back();
     for (std::size_t number = 1; number < locals.size(); ++number)
       if (locals[number]) write_value(flat, static_cast<std::int64_t>(number), locals[number]);
@@ -238,9 +238,7 @@ Value FanucFlow::lost(ExpressionReader& expression, std::int64_t number, std::si
 Value FanucFlow::read(ExpressionReader& expression) {
   suppose();
   const std::size_t begin = expression.at();
-  const bool reads = kept_text_.pause();
-  const std::int64_t number = number_of_variable(expression);
-  kept_text_.go_on(reads);
+  const std::int64_t number = kept_text_.read_aside([&] { return number_of_variable(expression); });
   if (expression.failed() || number == 0) return {.vacant = true};
   Value value = value_of(expression, number, begin);
   std::string text;
@@ -264,20 +262,20 @@ Value FanucFlow::value_of(ExpressionReader& expression, std::int64_t number, std
   const auto known = common_.find(number);
   const bool* const counted = counter(name);
   if (known != common_.end() && (counted == nullptr || *counted)) {
-    if (counted != nullptr) kept_text_.keep(name, true);
+    if (counted != nullptr) kept_text_.keep(name);
     return content_or_vacant(known->second);
   }
   if (const Followed state = followed(number); state.is_followed)
     return value_followed(expression, number, begin, state);
   const double* const value = known == common_.end() ? given(name.substr(1)) : nullptr;
   if (value != nullptr) {
-    is_kept(number) ? kept_text_.keep(name, true) : kept_text_.hang_by_the_way();
+    is_kept(number) ? kept_text_.keep(name) : kept_text_.hang_by_the_way();
     return {.number = *value};
   }
   const bool is_lost = number < 1000 && !lost_to_.empty();
   if (number >= 100 && number < 1000 && !is_kept(number) && !is_lost) return content_or_vacant({});
   if (is_kept(number) && kept_text_.may_be_unknown(name)) {
-    kept_text_.keep(name, false);
+    kept_text_.keep_unknown(name);
     return {.number = 1};
   }
   if (counted != nullptr) return without_value(expression, Code::variable_unset, begin, name);

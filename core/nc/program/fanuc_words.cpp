@@ -59,7 +59,7 @@ bool FanucFlow::execute_words(std::string& flat) {
                   std::string(line_.substr(call_word->begin, call_word->end - call_word->begin))
                       .append(" under G66"));
   if (call_word != nullptr) return call(flat, *call_word);
-  if (calls && modal_call_->is_of_machine) write_values(flat, false);
+  if (calls && modal_call_->is_of_machine) write_values(flat, Called::macro);
   if (ends) write_lasting_values(flat);
   write_line(flat);
   if (calls) return call_modally(flat);
@@ -88,7 +88,7 @@ bool FanucFlow::call(std::string& flat, ComputedWord& word) {
   if (!call) return false;
   if (word.value.number == 97) return call_own_lines(flat, *call);
   if (is_of_the_machine(call->number)) {
-    write_values(flat, true);
+    write_values(flat, Called::subprogram);
     if (called_alone_ && !has_computed_) {
       write_as_it_is(flat);
     } else {
@@ -97,7 +97,7 @@ bool FanucFlow::call(std::string& flat, ComputedWord& word) {
       called_alone_ ? write_behind_number(flat, text)
                     : static_cast<void>(flat.append(text).append(line_end()));
     }
-    return pass_call(call->number, true);
+    return pass_call(call->number, Called::subprogram);
   }
   // Of older controls: repetitions in front of the four digits of the program.
   constexpr std::int64_t of_four_digits = 10'000;
@@ -206,11 +206,11 @@ bool FanucFlow::call_macro(std::string& flat, const ComputedWord& word) {
   if (!program || !repetitions) return false;
   const bool is_modal = word.is('G', 66);
   if (is_of_the_machine(*program)) {
-    write_values(flat, false);
+    write_values(flat, Called::macro);
     write_line(flat);
     if (is_modal)
       modal_call_ = {.number = *program, .depth = frames_.size(), .is_of_machine = true};
-    return pass_call(*program, false);
+    return pass_call(*program, Called::macro);
   }
   if (!take_arguments(word, locals)) return false;
   if (is_modal) {
@@ -286,10 +286,10 @@ void FanucFlow::forget_what_the_machine_may_set(std::int64_t number) {
 }
 
 // The line passes; what the variables of the program hold behind it is not known.
-bool FanucFlow::pass_call(std::int64_t number, bool sees_locals) {
+bool FanucFlow::pass_call(std::int64_t number, Called called) {
   calls_the_machine_ = true;
   forget_what_the_machine_may_set(number);
-  if (!sees_locals) return true;
+  if (called == Called::macro) return true;
   locals_.back().fill({});
   locals_.back().are_lost = true;
   return true;

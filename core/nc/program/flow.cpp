@@ -63,7 +63,7 @@ bool Flow::is_left_out(std::string_view line) const {
 }
 
 bool Flow::count_line() {
-  see_line(true);
+  seen_line() = true;
   if (looks_ahead_ || ++executed_ <= setup_.max_executed_lines) return true;
   refuse(Code::too_many_lines_executed, 0, {});
   refusals_.back().column = 0;
@@ -71,12 +71,12 @@ bool Flow::count_line() {
   return false;
 }
 
-void Flow::see_line(bool seen) {
+std::vector<bool>::reference Flow::seen_line() {
   const Frame& frame = frames_.back();
   if (seen_.size() < texts_.size()) seen_.resize(texts_.size());
   std::vector<bool>& lines = seen_[frame.text];
   if (lines.empty()) lines.resize(texts_[frame.text].size());
-  lines[frame.current] = seen;
+  return lines[frame.current];
 }
 
 bool Flow::was_seen(const Frame& frame, std::size_t line) const {
@@ -129,7 +129,7 @@ void Flow::look_ahead() {
          .knows_values = true});
   Frame& innermost = ahead_.front().frames.back();
   innermost.next = innermost.current;
-  see_line(false);
+  seen_line() = false;
 }
 
 Flow::Step Flow::look_at_next(std::string& flat) {
@@ -243,13 +243,13 @@ bool computes(const ProgramSetup& setup, std::string_view line) {
 }
 
 std::unique_ptr<Flow> make_flow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text,
-                                std::size_t start, bool has_begun) {
+                                std::size_t start, FirstBlock first_block) {
   if (setup.dialect == DialectName::linuxcnc)
     return std::make_unique<LinuxcncFlow>(setup, calls, std::move(text), start);
   if (setup.dialect == DialectName::sinumerik)
     return std::make_unique<SinumerikFlow>(setup, calls, std::move(text), start);
   if (setup.dialect == DialectName::isg)
-    return std::make_unique<IsgFlow>(setup, calls, std::move(text), has_begun);
+    return std::make_unique<IsgFlow>(setup, calls, std::move(text), first_block);
   if (setup.dialect == DialectName::heidenhain)
     return std::make_unique<KlartextFlow>(setup, calls, std::move(text), start);
   return std::make_unique<FanucFlow>(setup, calls, std::move(text), start);

@@ -42,6 +42,10 @@ struct ModalState {
   std::array<std::optional<double>, 3> place{};
 };
 
+// Where the first block of the program stands: in the text that is executed, or in lines in front
+// of it, which have come out already.
+enum class FirstBlock : std::uint8_t { in_text, before_text };
+
 // Executes a program that computes, a line at a time: follows its jumps, loops and calls, and says
 // what each line becomes in the flat program.
 class Flow {
@@ -182,7 +186,8 @@ class Flow {
     bool knows_values = false;  // the frames of the refusal, whose variables are known
   };
   Step look_at_next(std::string& flat);
-  void see_line(bool seen);
+  // Whether the line of the innermost frame was seen.
+  [[nodiscard]] std::vector<bool>::reference seen_line();
 
   std::map<std::string, double, std::less<>> given_{};
   std::uint64_t executed_ = 0;
@@ -200,9 +205,9 @@ class Flow {
 // Whether a line makes its program one that computes.
 [[nodiscard]] bool computes(const ProgramSetup& setup, std::string_view line);
 
-// The program is executed from the line `start` of `text` on (0-based). `has_begun`: blocks of it
-// stand in front of that line.
+// The program is executed from the line `start` of `text` on (0-based).
 [[nodiscard]] std::unique_ptr<Flow> make_flow(const ProgramSetup& setup, CallPlaces& calls,
-                                              ProgramText text, std::size_t start, bool has_begun);
+                                              ProgramText text, std::size_t start,
+                                              FirstBlock first_block);
 
 }  // namespace trc::program

@@ -24,7 +24,8 @@ bool IsgFlow::follow(std::string& flat) {
   const std::string word = word_behind_sign(line_, head_.behind);
   if (word == "GOTO") return execute_words(flat);
   ExpressionReader expression = expression_at(head_.behind + 1 + word.size());
-  if (word == "BREAK" || word == "CONTINUE") return leave_or_go_on(flat, word == "BREAK");
+  if (word == "BREAK" || word == "CONTINUE")
+    return leave(flat, word == "BREAK" ? Exit::of_loop : Exit::of_round);
   using enum Structure;
   const Outline& outline = outline_of(frame());
   if (const auto barred = outline.misplaced.find(frame().current);
@@ -52,7 +53,7 @@ bool IsgFlow::follow(std::string& flat) {
       return true;
     case counting:
     case end_counting:
-      return count(flat, structure == counting);
+      return count(flat, structure);
     case none:
       if (word != "IF")
         return refuse(Code::nc_unsupported, head_.behind, "$" + word + ", a control statement");
@@ -190,7 +191,8 @@ bool IsgFlow::choose(std::string& flat, ExpressionReader& expression) {
 }
 
 // $FOR P1 = first, last, step
-bool IsgFlow::count(std::string& flat, bool begins) {
+bool IsgFlow::count(std::string& flat, Structure structure) {
+  const bool begins = structure == Structure::counting;
   const Outline& outline = outline_of(frame());
   const auto other = begins ? partner(outline.feet, "$ENDFOR") : partner(outline.heads, "$FOR");
   if (!other) return false;
@@ -237,8 +239,9 @@ bool IsgFlow::count(std::string& flat, bool begins) {
   return true;
 }
 
-// Of $SWITCH and loops; a loop alone goes on.
-bool IsgFlow::leave_or_go_on(std::string& flat, bool leaves) {
+// Of $SWITCH and loops; a loop alone has rounds.
+bool IsgFlow::leave(std::string& flat, Exit exit) {
+  const bool leaves = exit == Exit::of_loop;
   const Outline& outline = outline_of(frame());
   std::optional<std::size_t> head;
   for (std::size_t line = frame().current; !head;) {

@@ -5,14 +5,15 @@
 
 namespace trc::program {
 
-IsgFlow::IsgFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text, bool has_begun)
+IsgFlow::IsgFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text,
+                 FirstBlock first_block)
     : Flow(setup, calls) {
   texts_.push_back(std::move(text));
-  add_units(0, has_begun);
+  add_units(0, first_block);
   const Unit main = units_.back();
   for (const auto& [name, given_text] : setup.subprograms) {
     texts_.emplace_back(name, given_text);
-    add_units(texts_.size() - 1, false);
+    add_units(texts_.size() - 1, FirstBlock::in_text);
     units_.back().name = plain_file_name(name);
   }
   frames_.push_back({.begin = main.begin,
@@ -38,14 +39,15 @@ bool IsgFlow::calls_the_unknown() const {
 }
 
 // The subprograms of a text, then its program. It begins behind them with a % of its own, without
-// subprograms with any block. `has_begun`: it did in front of the text.
-void IsgFlow::add_units(std::size_t text, bool has_begun) {
+// subprograms with any block.
+void IsgFlow::add_units(std::size_t text, FirstBlock first_block) {
   const ProgramText& lines = texts_[text];
   Unit unit{.text = text};
+  bool has_begun = first_block == FirstBlock::before_text;
   bool in_comment = false;
   for (std::size_t line = 0; line < lines.size() && !has_begun; ++line) {
     const std::string_view content = lines.line(line);
-    in_comment = isg_comment_behind(content, in_comment);
+    if (bounds_isg_comment(content)) in_comment = begins_isg_comment(content);
     const std::string name = isg_subprogram_of(content);
     if (begins_isg_program(content) || !name.empty()) {
       unit.end = line;
@@ -88,7 +90,7 @@ void IsgFlow::know(std::string_view lines) {
 void IsgFlow::take_line_in_front(std::string_view line) {
   line_ = line;
   head_ = isg_head_of(line_);
-  in_comment_ = isg_comment_behind(line_, in_comment_);
+  if (bounds_isg_comment(line_)) in_comment_ = begins_isg_comment(line_);
   if (in_comment_ || !is_isg_variable_at(line_, head_.behind)) return;
   ExpressionReader expression = expression_at(head_.behind);
   const std::string name = place_at(expression);
@@ -128,7 +130,7 @@ bool IsgFlow::execute_line(std::string& flat) {
   take_line();
   if (!count_line()) return false;
   const bool was_comment = in_comment_;
-  in_comment_ = isg_comment_behind(line_, in_comment_);
+  if (bounds_isg_comment(line_)) in_comment_ = begins_isg_comment(line_);
   if (was_comment || in_comment_) return pass_line(flat);
   if (is_left_out(line_)) return true;
   if (head_.to_skip && (head_.is_target || !head_.label.empty()))

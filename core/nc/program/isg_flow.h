@@ -31,8 +31,7 @@ namespace trc::program {
 //   - Where two operators stand side by side whose order nobody says, brackets are asked for.
 class IsgFlow : public Flow, private Variables {
  public:
-  // `has_begun`: blocks of the program stand in front of the text.
-  IsgFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text, bool has_begun);
+  IsgFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text, FirstBlock first_block);
 
   void know(std::string_view lines) override;
 
@@ -101,7 +100,7 @@ class IsgFlow : public Flow, private Variables {
   void keep_variables(std::size_t levels) override { locals_.resize(levels); }
 
   // isg_flow.cpp: programs and the order of their lines.
-  void add_units(std::size_t text, bool has_begun);
+  void add_units(std::size_t text, FirstBlock first_block);
   [[nodiscard]] static bool ends_tape(const ProgramText& text, std::size_t line);
   [[nodiscard]] static std::string name_of_second(std::string_view line);
   void take_line_in_front(std::string_view line);
@@ -132,8 +131,10 @@ class IsgFlow : public Flow, private Variables {
   bool loop(Structure structure, const Outline& outline, ExpressionReader& expression);
   bool jump_if(ExpressionReader& expression);
   bool choose(std::string& flat, ExpressionReader& expression);
-  bool count(std::string& flat, bool begins);
-  bool leave_or_go_on(std::string& flat, bool leaves);
+  // `structure`: counting, or its end.
+  bool count(std::string& flat, Structure structure);
+  enum class Exit : std::uint8_t { of_loop, of_round };  // $BREAK, $CONTINUE
+  bool leave(std::string& flat, Exit exit);
   std::optional<std::size_t> target_of(ExpressionReader& expression);
   [[nodiscard]] std::optional<std::size_t> partner(
       const std::map<std::size_t, std::size_t>& partners, std::string_view missing);

@@ -103,8 +103,7 @@ bool bounds_isg_comment(std::string_view line) {
   return sign != npos && word_behind_sign(line, sign) == "COMMENT";
 }
 
-bool isg_comment_behind(std::string_view line, bool holds) {
-  if (!bounds_isg_comment(line)) return holds;
+bool begins_isg_comment(std::string_view line) {
   const std::string text = in_upper_case(line.substr(line.find('#')));
   return text.find("BEGIN") != std::string::npos;
 }

@@ -64,8 +64,8 @@ struct IsgCall {
 [[nodiscard]] bool isg_computes(const ProgramSetup& setup, std::string_view line);
 // Whether #COMMENT BEGIN or END stands in the line.
 [[nodiscard]] bool bounds_isg_comment(std::string_view line);
-// Whether a comment block holds behind the line that held in front of it or not.
-[[nodiscard]] bool isg_comment_behind(std::string_view line, bool holds);
+// Of such a line: whether it is BEGIN.
+[[nodiscard]] bool begins_isg_comment(std::string_view line);
 // Of a line that computes nothing: whether lines behind it hang on it, an assignment or a comment.
 [[nodiscard]] bool isg_tells_state(std::string_view line);
 // Whether a text holds no sign with which such a line is written.

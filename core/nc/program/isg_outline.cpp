@@ -47,7 +47,7 @@ const IsgFlow::Outline& IsgFlow::outline_of(const Frame& frame) {
   std::vector<Open> open;
   bool in_comment = false;
   for (std::size_t line = frame.begin; line < frame.end; ++line) {
-    in_comment = isg_comment_behind(text.line(line), in_comment);
+    if (bounds_isg_comment(text.line(line))) in_comment = begins_isg_comment(text.line(line));
     if (in_comment) continue;
     const IsgHead head = isg_head_of(text.line(line));
     if (head.is_target) outline.numbers[head.number].push_back(line);

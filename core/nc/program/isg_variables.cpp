@@ -196,9 +196,7 @@ Value IsgFlow::read(ExpressionReader& expression) {
     }
     return expression.fail(Code::expression_invalid, begin, name);
   }
-  const bool reads = kept_text_.pause();
-  const std::string name = place_at(expression);
-  kept_text_.go_on(reads);
+  const std::string name = kept_text_.read_aside([&] { return place_at(expression); });
   if (expression.failed()) return {};
   const std::size_t equals = behind_blanks(line, expression.at());
   const bool assigns = equals + 1 < line.size() && line[equals] == '=' && line[equals + 1] != '=';
@@ -227,13 +225,13 @@ Value IsgFlow::value_of(ExpressionReader& expression, const std::string& name, s
   const bool* const counted = counter(name);
   const Value* const value = held(name);
   if (value != nullptr && (counted == nullptr || *counted)) {
-    if (counted != nullptr) kept_text_.keep(name, true);
+    if (counted != nullptr) kept_text_.keep(name);
     if (of_machine_.contains(name)) kept_text_.hang_by_the_way();
     return *value;
   }
   if (const double* const number = given(name)) {
     if (isg_outlives_program(name))
-      kept_text_.keep(name, true);
+      kept_text_.keep(name);
     else
       kept_text_.hang_by_the_way();
     if (!is_place_of_axis(name)) return {.number = *number};
@@ -241,7 +239,7 @@ Value IsgFlow::value_of(ExpressionReader& expression, const std::string& name, s
                          name + ", which the motion of the program changes");
   }
   if (isg_outlives_program(name) && kept_text_.may_be_unknown(name)) {
-    kept_text_.keep(name, false);
+    kept_text_.keep_unknown(name);
     return {.number = 1};
   }
   if (name.starts_with("V.G.WZ")) return read_radius(expression, name, begin);

@@ -21,19 +21,28 @@ class KeptText {
     kept_ = std::move(kept);
   }
   void end() { reads_ = false; }
-  // An index, whose variables do not stand in the text. Goes on with what pause() returned.
-  bool pause() { return std::exchange(reads_, false); }
-  void go_on(bool reads) { reads_ = reads; }
+  // What `read` returns: of an index, whose variables do not stand in the text.
+  template <class Read>
+  [[nodiscard]] auto read_aside(const Read& read) {
+    const bool reads = std::exchange(reads_, false);
+    auto value = read();
+    reads_ = reads;
+    return value;
+  }
 
   // Whether its value may be unknown here: the control has it.
   [[nodiscard]] bool may_be_unknown(std::string_view name) const { return reads_ && name == kept_; }
-  // The variable that is read is one that the control holds. `known`: it has a value here too.
-  void keep(const std::string& name, bool known) {
+  // The variable that is read is one that the control holds.
+  void keep(const std::string& name) {
     if (!reads_) return;
     if (name != kept_) return hang_by_the_way();
     counts_ = true;
-    is_known_ &= known;
     name_ = name;
+  }
+  // One that has no value here.
+  void keep_unknown(const std::string& name) {
+    keep(name);
+    if (reads_ && name == kept_) is_known_ = false;
   }
   // What it holds was computed from what is given for the machine, and is not in the output.
   void hang_by_the_way() { hangs_by_the_way_ |= reads_; }

@@ -243,9 +243,7 @@ std::optional<double> LinuxcncFlow::content_of(const Target& target) const {
 Value LinuxcncFlow::read(ExpressionReader& expression) {
   suppose();
   const std::size_t begin = expression.at();
-  const bool reads = kept_text_.pause();
-  const Target target = target_at(expression);
-  kept_text_.go_on(reads);
+  const Target target = kept_text_.read_aside([&] { return target_at(expression); });
   if (expression.failed()) return {};
   const Value value = value_of(expression, target, begin);
   std::string text;
@@ -262,13 +260,13 @@ Value LinuxcncFlow::value_of(ExpressionReader& expression, const Target& target,
   const std::optional<double> content = content_of(target);
   if (content) {
     if (is_of_machine(target))
-      kept_text_.keep(name, true);
+      kept_text_.keep(name);
     else if (locals_.back().of_machine.contains(name) || is_given_state(target))
       kept_text_.hang_by_the_way();
     return {.number = *content};
   }
   if (is_everyones && kept_text_.may_be_unknown(name)) {
-    kept_text_.keep(name, false);
+    kept_text_.keep_unknown(name);
     return {.number = 1};
   }
   std::string detail = name;

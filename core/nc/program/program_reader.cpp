@@ -294,8 +294,9 @@ bool ProgramReader::begin_to_execute(std::vector<LinePointer>& lines) {
   lines_of_text_ = first_line - 1 + text.size();
   for (std::size_t line = start; line < text.size(); ++line)
     if (!check_order_of_files(text.line(line), text.number(line))) return false;
-  flow_ = program::make_flow(setup_, diagnostics_.calls(), std::move(text), start,
-                             interpreter_.blocks_read() > 0);
+  const auto first_block = interpreter_.blocks_read() > 0 ? program::FirstBlock::before_text
+                                                          : program::FirstBlock::in_text;
+  flow_ = program::make_flow(setup_, diagnostics_.calls(), std::move(text), start, first_block);
   flow_->know(told);
   return true;
 }
@@ -336,11 +337,13 @@ program::ModalState ProgramReader::modes() const {
 
 // All that one line has become is told by its place.
 bool ProgramReader::read_flat_lines(std::vector<LinePointer>& lines) {
-  return read_flat_lines(flow_->settings(), true, lines) && read_flat_lines(flat_, false, lines);
+  return read_flat_lines(flow_->settings(), FlatText::settings, lines) &&
+         read_flat_lines(flat_, FlatText::rest, lines);
 }
 
-bool ProgramReader::read_flat_lines(std::string_view flat, bool sets_variables,
+bool ProgramReader::read_flat_lines(std::string_view flat, FlatText kind,
                                     std::vector<LinePointer>& lines) {
+  const bool sets_variables = kind == FlatText::settings;
   for (std::size_t begin = 0; begin < flat.size();) {
     const std::size_t end = std::min(flat.find_first_of("\r\n", begin), flat.size());
     const std::size_t next =

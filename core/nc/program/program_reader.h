@@ -83,7 +83,9 @@ class ProgramReader {
   bool begin_to_execute(std::vector<LinePointer>& lines);
   [[nodiscard]] program::ModalState modes() const;
   bool read_flat_lines(std::vector<LinePointer>& lines);
-  bool read_flat_lines(std::string_view flat, bool sets_variables, std::vector<LinePointer>& lines);
+  // What a line has become: assignments in front of the rest.
+  enum class FlatText : std::uint8_t { settings, rest };
+  bool read_flat_lines(std::string_view flat, FlatText kind, std::vector<LinePointer>& lines);
   bool take_refusals();
   [[nodiscard]] Diagnostic with_place(Diagnostic found) const;
 

@@ -62,12 +62,8 @@ void SaidWords::forget() {
   moves_ = incremental_ = moves_frame_ = has_length_ = true;
 }
 
-void SaidWords::take(std::string_view line, bool calls_the_machine) {
+void SaidWords::take(std::string_view line) {
   const LineWords words = words_of(line);
-  if (calls_the_machine) {
-    forget();
-    return;
-  }
   if (words.is_text || words.has('G', {4, 10})) return;
   // What D and F are in a cycle that mills by itself, and S in a limit, is not in force behind it.
   const bool is_cycle = words.has('G', {12, 13, 35, 36, 37, 47, 70, 71, 72, 150});

@@ -11,9 +11,9 @@ namespace trc::program {
 // the words in force, and on which axes a place was programmed.
 class SaidWords {
  public:
-  // A line whose values are plain. `calls_the_machine`: what it calls may say anything.
-  void take(std::string_view line, bool calls_the_machine);
-  // Lines that nobody has kept may have said anything.
+  // A line whose values are plain.
+  void take(std::string_view line);
+  // Lines that nobody has kept, and what is called on the machine, may have said anything.
   void forget();
 
   // Of T, D, F, H, M and S: the last value; nothing: it is not known.

@@ -40,7 +40,7 @@ bool SinumerikFlow::follow_structure(std::string& flat, Structure structure) {
       break;
     case counting:
     case end_counting:
-      return count(flat, structure == counting);
+      return count(flat, structure);
     case condition: {
       const bool holds = expression.holds(expression.expression());
       if (expression.failed()) return refuse(expression.fault());
@@ -104,7 +104,8 @@ bool SinumerikFlow::branch(std::string& flat, ExpressionReader& expression) {
 
 // FOR name = first TO last. Where `last` is another one at the end of a round than it was at the
 // beginning, what the control does is not known.
-bool SinumerikFlow::count(std::string& flat, bool begins) {
+bool SinumerikFlow::count(std::string& flat, Structure structure) {
+  const bool begins = structure == Structure::counting;
   const Outline& outline = outline_of(frame());
   const auto other = begins ? partner(outline.feet, "ENDFOR") : partner(outline.heads, "FOR");
   if (!other) return false;
@@ -271,7 +272,7 @@ bool SinumerikFlow::pass_jump(ExpressionReader& expression) {
 }
 
 // REPEATB label, REPEAT label (up to ENDLABEL, else up to here), REPEAT label label, P=times.
-bool SinumerikFlow::repeat(std::string& flat, std::size_t at, bool is_block) {
+bool SinumerikFlow::repeat(std::string& flat, std::size_t at, Repeated repeated) {
   ExpressionReader expression = expression_at(at);
   std::vector<std::string> labels;
   expression.pass_blanks();
@@ -303,7 +304,7 @@ bool SinumerikFlow::repeat(std::string& flat, std::size_t at, bool is_block) {
                   : first        ? labels.back()
                                  : labels.front());
   std::size_t end = *last + 1;
-  if (!is_block && labels.size() == 1) {
+  if (repeated == Repeated::section && labels.size() == 1) {
     const auto& all = outline_of(frame()).labels;
     const auto ends = all.find("ENDLABEL");
     const bool is_before = *first < here;

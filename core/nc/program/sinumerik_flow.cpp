@@ -289,7 +289,8 @@ bool SinumerikFlow::execute_statement(std::string& flat, std::string_view word,
       return refuse(Code::nc_unsupported, begin, "RET with a target");
     return return_from(flat);
   }
-  if (word.starts_with("REPEAT")) return repeat(flat, behind, word == "REPEATB");
+  if (word.starts_with("REPEAT"))
+    return repeat(flat, behind, word == "REPEATB" ? Repeated::block : Repeated::section);
   expression.go_to(begin);
   return jump(expression) && finish_statement(flat, expression.at());
 }

@@ -124,14 +124,16 @@ class SinumerikFlow : public Flow, private Variables {
   // sinumerik_control.cpp: branches, loops and jumps.
   bool follow_structure(std::string& flat, Structure structure);
   bool branch(std::string& flat, ExpressionReader& expression);
-  bool count(std::string& flat, bool begins);
+  // `structure`: counting, or its end.
+  bool count(std::string& flat, Structure structure);
   bool until(std::string& flat, ExpressionReader& expression);
   [[nodiscard]] std::optional<std::size_t> partner(
       const std::map<std::size_t, std::size_t>& partners, std::string_view missing);
   bool choose_case(ExpressionReader& expression, std::string& flat);
   bool jump(ExpressionReader& expression);
   bool pass_jump(ExpressionReader& expression);
-  bool repeat(std::string& flat, std::size_t at, bool is_block);
+  enum class Repeated : std::uint8_t { block, section };  // REPEATB, REPEAT
+  bool repeat(std::string& flat, std::size_t at, Repeated repeated);
   [[nodiscard]] static std::optional<Direction> direction_of(std::string_view word);
   [[nodiscard]] std::string target_at(ExpressionReader& expression);
   [[nodiscard]] std::optional<std::size_t> line_of(const std::string& target, Direction direction);

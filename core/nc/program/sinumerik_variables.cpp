@@ -211,16 +211,16 @@ Value SinumerikFlow::value_of(const Place& place, ExpressionReader& expression, 
   const bool* const counted = counter(name);
   const auto known = parameters_.find(place.parameter);
   if (known != parameters_.end() && (counted == nullptr || *counted)) {
-    if (counted != nullptr) kept_text_.keep(name, true);
+    if (counted != nullptr) kept_text_.keep(name);
     return {.number = known->second};
   }
   const double* const value = known == parameters_.end() ? given(name) : nullptr;
   if (value != nullptr) {
-    kept_text_.keep(name, true);
+    kept_text_.keep(name);
     return {.number = *value};
   }
   if (kept_text_.may_be_unknown(name)) {
-    kept_text_.keep(name, false);
+    kept_text_.keep_unknown(name);
     return {.number = 1};
   }
   return without_value(expression, Code::variable_unset, begin,
@@ -256,9 +256,7 @@ Value SinumerikFlow::read(ExpressionReader& expression) {
     if (value == nullptr) return without_value(expression, Code::variable_unset, begin, whole);
     return {.number = *value};
   }
-  const bool reads = kept_text_.pause();
-  const auto place = place_at(expression);
-  kept_text_.go_on(reads);
+  const auto place = kept_text_.read_aside([&] { return place_at(expression); });
   return expression.failed() ? Value{} : content_of(*place, expression, begin);
 }
 
@@ -283,7 +281,7 @@ Value SinumerikFlow::read_system_variable(ExpressionReader& expression) {
   }
   // What the control itself counts and measures.
   if (name.starts_with("$A") && kept_text_.may_be_unknown(name)) {
-    kept_text_.keep(name, false);
+    kept_text_.keep_unknown(name);
     kept_text_.take(begin, end, name);
     return {.number = 1};
   }

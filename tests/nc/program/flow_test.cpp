@@ -26,7 +26,8 @@ class Execution {
  public:
   explicit Execution(std::string text, ProgramSetup setup = of_fanuc())
       : setup_(std::move(setup)),
-        flow_(make_flow(setup_, calls_, ProgramText("", std::move(text)), 0, false)) {}
+        flow_(make_flow(setup_, calls_, ProgramText("", std::move(text)), 0, FirstBlock::in_text)) {
+  }
 
   [[nodiscard]] Flow& flow() { return *flow_; }
   // What the next line becomes.
