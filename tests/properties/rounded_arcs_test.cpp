@@ -232,7 +232,7 @@ TEST(WrongCentres, AreRefused) {
         check.last_digit = unit.digit;
         const CircleResult result = arc_about(
             center, {.start = made.on_arc(0), .end = made.on_arc(1), .clockwise = made.sweep < 0},
-            check, true, {});
+            check, ArcUse::with_equidistant, {});
         const auto* fault = std::get_if<CircleFault>(&result);
         ASSERT_NE(fault, nullptr) << "seed " << seed << ", radii " << start << ' ' << end;
         EXPECT_EQ(fault->code, Code::circle_center_misfit);

@@ -168,7 +168,10 @@ bool apply_trc(Reading& reading, const ProgramLine& line, const BlockWords& bloc
   if (has(masking) &&
       !reading.state.set_masking(block.of(masking).is(141) ? Masking::on : Masking::off, source))
     return false;
-  if (block.masks && at(0) && !leave_out_bottlenecks(reading, *block.masks, source)) return false;
+  if (block.masks && at(0) &&
+      !(*block.masks ? leave_out_bottlenecks(reading, source)
+                     : treat_bottlenecks_by_setup(reading, source)))
+    return false;
   if (has(feed_adaptation) &&
       !reading.state.set_feed_adaptation(block.of(feed_adaptation).is(11) ? FeedAdaptation::on
                                          : block.of(feed_adaptation).is(by_name::feed_at_inside)
@@ -291,11 +294,18 @@ bool apply_block(Reading& reading, ProgramLine& line, BlockWords& block) {
   return reading.state.end(line.source);
 }
 
-bool leave_out_bottlenecks(Reading& reading, bool on, const Source& source) {
+bool leave_out_bottlenecks(Reading& reading, const Source& source) {
+  TrcOptions options = reading.state.mode().options;
+  options.remove_masked_blocks = true;
+  return reading.state.set_masking(Masking::on, source) &&
+         reading.state.set_options(options, source);
+}
+
+bool treat_bottlenecks_by_setup(Reading& reading, const Source& source) {
   const TrcMode& initial = reading.state.setup().mode;
   TrcOptions options = reading.state.mode().options;
-  options.remove_masked_blocks = on || initial.options.remove_masked_blocks;
-  return reading.state.set_masking(on ? Masking::on : initial.masking, source) &&
+  options.remove_masked_blocks = initial.options.remove_masked_blocks;
+  return reading.state.set_masking(initial.masking, source) &&
          reading.state.set_options(options, source);
 }
 

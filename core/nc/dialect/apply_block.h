@@ -11,9 +11,10 @@ namespace trc {
 // passed on, motion, the end of the program.
 bool apply_block(Reading& reading, ProgramLine& line, BlockWords& block);
 
-// CDON of Sinumerik, M120 of Heidenhain: G141 with REMOVE_MASKED_BLOCKS. Without them the setup
-// decides.
-bool leave_out_bottlenecks(Reading& reading, bool on, const Source& source);
+// CDON of Sinumerik, M120 of Heidenhain: G141 with REMOVE_MASKED_BLOCKS.
+bool leave_out_bottlenecks(Reading& reading, const Source& source);
+// Without them the setup decides.
+bool treat_bottlenecks_by_setup(Reading& reading, const Source& source);
 
 // The words of `request` are those of the line; the rest is in force.
 bool move(Reading& reading, ProgramLine& line, MoveRequest& request);

@@ -57,9 +57,14 @@ void end_modes_before(Reading& reading, BlockWords& block) {
   if (block.has(cycle_end) && reading.dialect.name == DialectName::linuxcnc)
     reading.motion_given = false;
   const bool begins_tangents = block.arc.begins_tangents;
-  reading.gcode.tangent_arcs.take(block.has(motion), begins_tangents, reading.trc_active());
-  reading.gcode.through_arcs.take(block.has(motion) || begins_tangents, block.arc.is_through,
-                                  reading.trc_active());
+  // What begins while TRC is active is written as other words.
+  const GcodeModes::NamedArcs begun{.in_force = true, .are_written = reading.trc_active()};
+  GcodeModes::NamedArcs& tangents = reading.gcode.tangent_arcs;
+  GcodeModes::NamedArcs& through = reading.gcode.through_arcs;
+  if (block.has(motion)) tangents.in_force = false;
+  if (block.has(motion) || begins_tangents) through.in_force = false;
+  if (begins_tangents) tangents = begun;
+  if (block.arc.is_through) through = begun;
   const auto& between = block.arc.through;
   block.arc.is_through |= reading.gcode.through_arcs.in_force &&
                           std::any_of(between.begin(), between.end(),

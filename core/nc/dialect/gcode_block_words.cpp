@@ -283,7 +283,10 @@ bool refuse_word(Reading& reading, const ProgramLine& line, const GcodeWord& wor
 }
 
 bool read_gcode_words(Reading& reading, ProgramLine& line, BlockWords& block) {
-  GcodeReader reader(line.text, reading.dialect.name == DialectName::linuxcnc);
+  const auto blanks = reading.dialect.name == DialectName::linuxcnc
+                          ? GcodeReader::Blanks::in_numbers
+                          : GcodeReader::Blanks::between_words;
+  GcodeReader reader(line.text, blanks);
   std::size_t faults = 0;
   for (;;) {
     const GcodeWord word = reader.next();

@@ -168,12 +168,6 @@ struct GcodeModes {
     bool in_force = false;
     bool are_written = false;  // their word is in the output no longer
 
-    // What a line does to them. `writes`: what begins there is written as other words.
-    void take(bool ends, bool begins, bool writes) {
-      in_force = begins || (in_force && !ends);
-      if (begins) are_written = writes;
-    }
-
     template <class Archive>
     void serialize(Archive& archive) {
       archive(in_force, are_written);

@@ -225,7 +225,9 @@ bool read_address(Reading& reading, const Word& word, ProgramLine& line, BlockWo
 }  // namespace
 
 bool read_isg_words(Reading& reading, ProgramLine& line, BlockWords& block) {
-  WordReader reader(line.text, reading.state.setup().demands_utf8());
+  const auto comment_bytes = reading.state.setup().demands_utf8() ? WordReader::CommentBytes::utf8
+                                                                  : WordReader::CommentBytes::any;
+  WordReader reader(line.text, comment_bytes);
   for (;;) {
     const Word word = reader.next();
     switch (word.kind) {

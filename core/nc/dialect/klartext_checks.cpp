@@ -228,10 +228,9 @@ bool check_words_together(Reading& reading, const ProgramLine& line, const Klart
   return check_klartext_form(reading, line, block) && check_words_of_form(reading, line, block);
 }
 
-bool check_corner_before(Reading& reading, const ProgramLine& line, const KlartextBlock& block,
-                         bool selects) {
+bool check_corner_before(Reading& reading, const ProgramLine& line, const KlartextBlock& block) {
   WordPlace& open = reading.klartext_modes.open_corner;
-  if (selects && open.source.line > 0)
+  if (block.selects() && open.source.line > 0)
     return reading.refuse_at(open, Code::nc_unsupported,
                              "RND or CHF in front of the motion that selects TRC");
   const bool corner = block.is_corner();

@@ -12,7 +12,6 @@ bool check_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block);
 bool check_words_together(Reading& reading, const ProgramLine& line, const KlartextBlock& block);
 
 // As for the dialects of G code: the approach is another line than the one that RND rounds into.
-bool check_corner_before(Reading& reading, const ProgramLine& line, const KlartextBlock& block,
-                         bool selects);
+bool check_corner_before(Reading& reading, const ProgramLine& line, const KlartextBlock& block);
 
 }  // namespace trc

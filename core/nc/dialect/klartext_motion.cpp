@@ -57,12 +57,14 @@ bool apply_klartext_modes(Reading& reading, ProgramLine& line, KlartextBlock& bl
   if (block.adapts_feed && !reading.state.set_feed_adaptation(*block.adapts_feed, line.source))
     return false;
   const bool ends = block.side == Side::off || block.is(KlartextStatement::departure);
-  const auto mask = [&](bool on) { return leave_out_bottlenecks(reading, on, line.source); };
-  if (block.masks && !mask(*block.masks)) return false;
+  if (block.masks && !(*block.masks ? leave_out_bottlenecks(reading, line.source)
+                                    : treat_bottlenecks_by_setup(reading, line.source)))
+    return false;
   if (block.is_lead() || !block.side) return true;
   if (*block.side != Side::off)
     return select_in_klartext(reading, line, *block.side, block.side_begin);
-  return reading.state.deselect(line.source) && (!ends || block.masks || mask(false));
+  return reading.state.deselect(line.source) &&
+         (!ends || block.masks || treat_bottlenecks_by_setup(reading, line.source));
 }
 
 // APPR and DEP (D-129).
@@ -105,8 +107,8 @@ bool lead_in_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block)
   if (!approaches) {
     if (block.rapid) request.kind = MotionKind::rapid;
     reading.klartext_modes.rapid = block.rapid;
-    return reading.state.depart_by(lead, request) &&
-           leave_out_bottlenecks(reading, false, line.source);
+    return reading.state.depart_by(lead, request, Climb::behind_the_lead) &&
+           treat_bottlenecks_by_setup(reading, line.source);
   }
   // LCT has its feed all the way, the others from where the lead begins on (D-86).
   const bool says_feed = block.feed || block.open_feed || block.called_feed;
@@ -288,7 +290,7 @@ bool apply_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block) {
   const bool selects = block.selects();
   const bool corner = block.is_corner();
   const bool beside_corner = corner || reading.klartext_modes.open_corner.source.line > 0;
-  if (beside_corner && !check_corner_before(reading, line, block, selects)) return false;
+  if (beside_corner && !check_corner_before(reading, line, block)) return false;
   if (!apply_klartext_modes(reading, line, block) ||
       !check_adapted_feed(reading, line, block, selects))
     return false;

@@ -265,7 +265,8 @@ bool depart_softly(Reading& reading, ProgramLine& line, BlockWords& block) {
   step.end[axes.second] = end[axes.second];
   if (reading.gcode.soft.in_space) step.end[axes.third] = *quick;
   line.is_motion = true;
-  if (!reading.state.depart_by(lead, step, reading.gcode.soft.in_space)) return false;
+  const Climb climb = reading.gcode.soft.in_space ? Climb::along_the_lead : Climb::behind_the_lead;
+  if (!reading.state.depart_by(lead, step, climb)) return false;
   const auto travel = [&](const std::array<std::optional<double>, 3>& to) {
     const Position& here = reading.state.position();
     bool moves = false;

@@ -42,7 +42,7 @@ double width_about(const Point& programmed_center, const Arc& arc) {
 }
 
 CircleResult arc_about(const Point& center, const CircleEnds& ends, const CircleCheck& check,
-                       bool compensated, const Tolerances& tolerances) {
+                       ArcUse use, const Tolerances& tolerances) {
   const double start_radius = (ends.start - center).norm();
   if (start_radius <= tolerances.same_point)
     return CircleFault{.code = Code::circle_radius_zero, .values = {{"radius", start_radius}}};
@@ -84,7 +84,7 @@ CircleResult arc_about(const Point& center, const CircleEnds& ends, const Circle
                                     {"end_radius", end_radius},
                                     {"largest_difference", limit}}};
     // The control runs a spiral here, which is not the circle about either centre.
-    if (compensated && difference > tolerances.on_contour)
+    if (use == ArcUse::with_equidistant && difference > tolerances.on_contour)
       return CircleFault{.code = Code::arc_radii_differ,
                          .values = {{"start_radius", start_radius}, {"end_radius", end_radius}}};
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <variant>
 #include <vector>
 
@@ -42,6 +43,8 @@ struct CircleFault {
   std::vector<DiagnosticValue> values{};
 };
 
+enum class ArcUse : std::uint8_t { as_programmed, with_equidistant };
+
 using CircleResult = std::variant<Arc, CircleFault>;
 
 // The worth of the last digit of a program that counts in this unit, mm.
@@ -67,13 +70,13 @@ using CircleResult = std::variant<Arc, CircleFault>;
 // that is no cut. From there on only the side decides: an end ahead of the start
 // gives a short arc, one behind it an almost full circle, as written.
 //
-// `compensated`: the arc gets an equidistant. Then radii that G164 lets differ by
-// more than `on_contour` are refused (90018), since no circle fits them. Where width_about() is
+// Where the arc gets an equidistant, radii that G164 lets differ by more than
+// `on_contour` are refused (90018), since no circle fits them. Where width_about() is
 // what rounding makes of an arc, no misfit of either kind is refused.
 //
 // Errors: 20035, 20036, 21758, 90018.
 [[nodiscard]] CircleResult arc_about(const Point& center, const CircleEnds& ends,
-                                     const CircleCheck& check, bool compensated,
+                                     const CircleCheck& check, ArcUse use,
                                      const Tolerances& tolerances);
 
 // The arc of a radius word: at most 180 degrees when positive, more when negative.

@@ -107,7 +107,7 @@ bool ProgramState::cut_corner_before(const MoveRequest& request, Segment& path, 
                       ? "a rounding or a chamfer where the contour turns back"
                       : "a rounding or a chamfer the motions have no room for");
   path = takes_all_behind ? corner->between : corner->after;
-  corner_.put_in(*corner, takes_all_behind, tolerances_.same_point);
+  corner_.put_in(*corner, tolerances_.same_point);
   corner_.release(blocks_);
   return true;
 }
@@ -175,7 +175,7 @@ void ProgramState::travel_across(const MoveRequest& request) {
   if (!request.end[third] || *request.end[third] == position_[third]) return;
   Position end = position_;
   end[third] = *request.end[third];
-  append_passive(request, end, standing_tracking(), false);
+  append_passive(request, end, standing_tracking());
 }
 
 // To the height from which the lead goes down, or to its plane.
@@ -277,7 +277,8 @@ bool ProgramState::goes_on_from_arc(const Segment& contour) {
                 "an arc to the contour that does not run on into its first block");
 }
 
-bool ProgramState::depart_by(const Lead& lead, const MoveRequest& request, bool climbs) {
+bool ProgramState::depart_by(const Lead& lead, const MoveRequest& request, Climb climb) {
+  const bool climbs = climb == Climb::along_the_lead;
   if (corner_.waits() && !corner_.is_open()) return refuse_held_corner();
   corner_.release(blocks_);
   if (!mode_.active() || in_plane_blocks_ <= (has_approach_ ? 1U : 0U))

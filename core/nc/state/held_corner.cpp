@@ -4,7 +4,7 @@
 
 namespace trc {
 
-void HeldCorner::put_in(const CutCorner& corner, bool takes_all_behind, double same_point) {
+void HeldCorner::put_in(const CutCorner& corner, double same_point) {
   MotionBlock& motion = before();
   if (length_of(corner.before) <= same_point) {
     motion.path = corner.between;
@@ -12,7 +12,7 @@ void HeldCorner::put_in(const CutCorner& corner, bool takes_all_behind, double s
     return;
   }
   motion.path = corner.before;
-  if (takes_all_behind) return;
+  if (length_of(corner.after) <= same_point) return;
   MotionBlock between = motion;
   between.path = corner.between;
   ++between.source.part;

@@ -40,8 +40,9 @@ class HeldCorner {
     blocks_.push_back(std::move(motion));
   }
 
-  // Into the motion, and behind it the corner itself, unless the motion behind has become that.
-  void put_in(const CutCorner& corner, bool takes_all_behind, double same_point);
+  // Into the motion, and behind it the corner itself, unless it takes all of the motion behind:
+  // that has become the corner then.
+  void put_in(const CutCorner& corner, double same_point);
   void release(std::vector<Block>& to);
   [[nodiscard]] std::vector<Block>& blocks() { return blocks_; }
   [[nodiscard]] const std::vector<Block>& blocks() const { return blocks_; }

@@ -29,6 +29,9 @@ struct Lead {
   }
 };
 
+// When the third axis travels as a lead leaves the contour.
+enum class Climb : std::uint8_t { behind_the_lead, along_the_lead };
+
 // How the third axis comes to the plane of the contour with a smooth approach of Sinumerik.
 struct Infeed {
   double height = 0;            // mm: coordinate up to which the tool comes as it came there

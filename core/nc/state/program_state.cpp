@@ -245,8 +245,7 @@ bool ProgramState::move_straight(const MoveRequest& request, const Position& end
   }
   // The tool would go along the contour itself (D-156).
   if (assumed) return refuse_assumed_start(request.source, *assumed);
-  const bool tracking_moves = std::ranges::any_of(tracking, &AxisTravel::moves);
-  append_passive(request, end, std::move(tracking), tracking_moves);
+  append_passive(request, end, std::move(tracking));
   return true;
 }
 
@@ -335,9 +334,10 @@ template void ProgramState::append_motion<Arc>(const MoveRequest&, const Arc&, c
                                                TrackingTravel&&, std::vector<Block>&);
 
 void ProgramState::append_passive(const MoveRequest& request, const Position& end,
-                                  TrackingTravel tracking, bool tracking_moves) {
+                                  TrackingTravel tracking) {
   const std::size_t third = axes_of(mode_.plane).third;
   const AxisTravel normal{.from = position_[third], .to = end[third]};
+  const bool tracking_moves = std::ranges::any_of(tracking, &AxisTravel::moves);
   sink().emplace_back(PassiveBlock{.source = request.source,
                                    .normal = normal,
                                    .feed = request.feed,

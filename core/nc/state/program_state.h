@@ -194,9 +194,8 @@ class ProgramState {
   // is no room.
   bool approach_by(const Lead& lead, const MoveRequest& request, const MoveRequest& way,
                    const std::optional<Infeed>& infeed = {});
-  // DEP, G148: leaves the contour and deselects; of LCT `end` of the request is where to. `climbs`:
-  // the third axis travels along the lead, not behind it.
-  bool depart_by(const Lead& lead, const MoveRequest& request, bool climbs = false);
+  // DEP, G148: leaves the contour and deselects; of LCT `end` of the request is where to.
+  bool depart_by(const Lead& lead, const MoveRequest& request, Climb climb);
   // Technology text, dwell …: comes out in its place, never interpreted.
   bool pass(const Source& source, std::string text);
   // Program end (M30, M02, end of text or of the stream): D-27. Only the first
@@ -330,6 +329,9 @@ class ProgramState {
   // programmed_circle.cpp
   [[nodiscard]] std::optional<Refusal> circle(const MoveRequest& request, const Position& end,
                                               ProgrammedCircle& programmed) const;
+  [[nodiscard]] ArcUse use_of_arcs() const {
+    return mode_.active() ? ArcUse::with_equidistant : ArcUse::as_programmed;
+  }
   // Of its centre and its radius exactly one is there, in the plane.
   [[nodiscard]] std::optional<Refusal> check_circle_words(const MoveRequest& request) const;
   [[nodiscard]] Point center_of(const MoveRequest& request, const Point& start,
@@ -356,8 +358,7 @@ class ProgramState {
   template <class Shape>
   void append_motion(const MoveRequest& request, const Shape& path, const Position& end,
                      TrackingTravel&& tracking, std::vector<Block>& to);
-  void append_passive(const MoveRequest& request, const Position& end, TrackingTravel tracking,
-                      bool tracking_moves);
+  void append_passive(const MoveRequest& request, const Position& end, TrackingTravel tracking);
   [[nodiscard]] Point last_equidistant_point() const;
 
   ProgramSetup setup_;

@@ -58,7 +58,7 @@ Refusal ProgramState::misfit(CircleFault&& fault, const MoveRequest& request,
                                                                               : LengthUnit::mm});
   if (!center || klartext) return refusal;
   const CircleResult other = arc_about(center_of(request, ends.start, !absolute_center_), ends,
-                                       circle_, mode_.active(), tolerances_);
+                                       circle_, use_of_arcs(), tolerances_);
   if (std::holds_alternative<Arc>(other))
     refusal.detail += absolute_center_ ? ", which fits where they count from the start"
                                        : ", which fits where they are absolute";
@@ -83,7 +83,7 @@ std::optional<Refusal> ProgramState::circle(const MoveRequest& request, const Po
   }
   CircleResult result = request.radius
                             ? arc_of_radius(*request.radius, ends, circle_, tolerances_)
-                            : arc_about(center, ends, circle_, mode_.active(), tolerances_);
+                            : arc_about(center, ends, circle_, use_of_arcs(), tolerances_);
   if (CircleFault* fault = std::get_if<CircleFault>(&result))
     return misfit(std::move(*fault), request, ends);
   programmed.arc = std::get<Arc>(result);

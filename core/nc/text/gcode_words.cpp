@@ -159,7 +159,7 @@ std::size_t GcodeReader::blanks_behind_sign() const {
 
 // How many bytes from `at_` on are the number; 0: none.
 std::size_t GcodeReader::read_value(GcodeWord& word) const {
-  if (!blanks_in_numbers_) {
+  if (blanks_ == Blanks::between_words) {
     const std::size_t blanks = blanks_behind_sign();
     const std::size_t length = read_number(line_.substr(at_ + blanks), word.value, word.whole);
     if (blanks > 0 && peek() == '-') word.value = -word.value;

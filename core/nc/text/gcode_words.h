@@ -25,9 +25,10 @@ struct GcodeWord {
 
 class GcodeReader {
  public:
-  // `blanks_in_numbers`: X1 0 is X10, as for LinuxCNC, to which blanks are nothing.
-  explicit GcodeReader(std::string_view line, bool blanks_in_numbers = false)
-      : line_(line), blanks_in_numbers_(blanks_in_numbers) {}
+  // Where blanks may stand: for LinuxCNC they are nothing, X1 0 is X10.
+  enum class Blanks : std::uint8_t { between_words, in_numbers };
+  explicit GcodeReader(std::string_view line, Blanks blanks = Blanks::between_words)
+      : line_(line), blanks_(blanks) {}
 
   [[nodiscard]] GcodeWord next();
   // Says what is wrong after a word of kind `fault`; the next word may be asked for all the same.
@@ -48,7 +49,7 @@ class GcodeReader {
   [[nodiscard]] GcodeWord fail(Code code, std::size_t begin, std::size_t end, std::string detail);
 
   std::string_view line_;
-  bool blanks_in_numbers_;
+  Blanks blanks_;
   std::size_t at_ = 0;
   TextFault fault_{};
 };

@@ -222,7 +222,8 @@ Word WordReader::comment() {
   while (in_parentheses && peek() == ')') ++at_;
   const std::size_t bad =
       first_byte_that_is_no_text({begin, static_cast<std::size_t>(at_ - begin)});
-  if (demands_utf8_ && bad != std::string_view::npos) return no_text(begin, bad);
+  if (comment_bytes_ == CommentBytes::utf8 && bad != std::string_view::npos)
+    return no_text(begin, bad);
   return {.kind = WordKind::comment, .begin = place_of(begin), .end = place_of(at_)};
 }
 

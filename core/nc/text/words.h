@@ -50,12 +50,12 @@ struct TextFault {
 // Y=4 + 5.
 class WordReader {
  public:
-  // `demands_utf8`: of comments.
-  explicit WordReader(std::string_view line, bool demands_utf8 = true)
+  enum class CommentBytes : std::uint8_t { utf8, any };
+  explicit WordReader(std::string_view line, CommentBytes comment_bytes = CommentBytes::utf8)
       : line_(line),
         at_(line.data()),
         end_(line.data() + line.size()),
-        demands_utf8_(demands_utf8) {}
+        comment_bytes_(comment_bytes) {}
 
   [[nodiscard]] Word next();
   // Says what is wrong after a word of kind `fault`.
@@ -89,7 +89,7 @@ class WordReader {
   std::string_view line_;
   const char* at_;
   const char* end_;
-  bool demands_utf8_;
+  CommentBytes comment_bytes_;
   TextFault fault_{};
 };
 

@@ -79,7 +79,7 @@ bool NcWriter::copy_motion(const WaitingLine& own, const CompensatedBlock& block
   if (line.klartext) {
     const Point pole(line.klartext->pole_x, line.klartext->pole_y);
     if (line.klartext->needs_pole && state_.pole_written) write_pole(pole, block.plane, out);
-    enter_klartext(line, true);
+    enter_klartext(line, LineForm::copied);
     state_.pole_written &= !line.klartext->needs_pole;
   }
   copied_index_ = line.source.index;

@@ -220,7 +220,7 @@ MotionWriter::ArcForm MotionWriter::form_of(const Arc& arc, const ArcNumbers& nu
   if ((center - start).norm() <= tolerances.same_point) return ArcForm::line;
   if (is_full_circle(arc)) return ArcForm::arc;
   const CircleEnds ends{.start = start, .end = end, .clockwise = arc.sweep < 0};
-  const CircleResult result = arc_about(center, ends, check, false, tolerances);
+  const CircleResult result = arc_about(center, ends, check, ArcUse::as_programmed, tolerances);
   const Arc* read = std::get_if<Arc>(&result);
   if (read != nullptr && is_same_arc(*read, arc, last_decimal(state.unit))) {
     // Controls that do not shift a centre compare the radii (G164).

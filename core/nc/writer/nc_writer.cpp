@@ -131,13 +131,15 @@ void NcWriter::write_without_motion(const WaitingLine& own, std::string& out) {
       next_number_ = number;
   }
   enter_modes(own);
-  if (line.klartext) enter_klartext(line, !line.has_trc_words && !line.is_motion);
+  const bool copied = !line.has_trc_words && !line.is_motion;
+  if (line.klartext) enter_klartext(line, copied ? LineForm::copied : LineForm::rewritten);
   if (own.line->has(WordRole::feed)) enter_feed(line);
   if (own.line->has(WordRole::motion) && !line.is_motion) state_.motion = line.motion;
 }
 
 // What a reader of the output knows behind the line.
-void NcWriter::enter_klartext(const ProgramLine& line, bool copied) {
+void NcWriter::enter_klartext(const ProgramLine& line, LineForm form) {
+  const bool copied = form == LineForm::copied;
   const KlartextLine& says = *line.klartext;
   if (says.sets_polar_radius) state_.other_radius = !copied;
   if (line.is_motion) state_.other_tangent = !copied;
@@ -218,7 +220,7 @@ void NcWriter::write_piece(const CompensatedBlock& block, const Segment& piece,
       !(state_.has_pole && motions_.reaches(arc->center.x(), state_.pole.x(), state_.unit) &&
         motions_.reaches(arc->center.y(), state_.pole.y(), state_.unit)))
     write_pole(arc->center, block.plane, out);
-  if (own_ != nullptr && own_->line->klartext) enter_klartext(*own_->line, false);
+  if (own_ != nullptr && own_->line->klartext) enter_klartext(*own_->line, LineForm::rewritten);
   if (klartext_) state_.other_tangent = true;
   begin_words();
   if (own_ != nullptr && (own_->line->roles & roles_in_front) != 0) {

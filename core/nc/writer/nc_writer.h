@@ -118,7 +118,8 @@ class NcWriter {
   // What Klartext takes for granted: pole, polar radius, the tangent of the motion before.
   [[nodiscard]] bool has_what_it_counts_on(const ProgramLine& line,
                                            const CompensatedBlock& block) const;
-  void enter_klartext(const ProgramLine& line, bool copied);
+  enum class LineForm : std::uint8_t { copied, rewritten };
+  void enter_klartext(const ProgramLine& line, LineForm form);
   void write_pole_handed_on(const ProgramLine& line, std::string& out);
   void write_pole(const Point& pole, Plane plane, std::string& out);
 

@@ -32,9 +32,8 @@ double value_of(const CircleResult& result, std::string_view name) {
 }
 
 CircleResult about(const Point& center, const Point& start, const Point& end, bool clockwise,
-                   const CircleCheck& check = initial, bool compensated = false) {
-  return arc_about(center, {.start = start, .end = end, .clockwise = clockwise}, check, compensated,
-                   {});
+                   const CircleCheck& check = initial, ArcUse use = ArcUse::as_programmed) {
+  return arc_about(center, {.start = start, .end = end, .clockwise = clockwise}, check, use, {});
 }
 
 CircleResult of_radius(double radius, const Point& start, const Point& end, bool clockwise) {
@@ -199,9 +198,12 @@ TEST(CircleWithoutCorrection, RefusesRadiiThatDifferTooMuch) {
 
 TEST(CircleWithoutCorrection, ASpiralHasNoEquidistant) {
   const CircleCheck g164{.correct_center = false};
-  EXPECT_EQ(code_of(about({0, 0}, {50, 0}, {0, 50.05}, false, g164, true)), Code::arc_radii_differ);
-  EXPECT_EQ(code_of(about({0, 0}, {50, 0}, {0, 50.05}, false, g164, false)), Code{});
-  EXPECT_EQ(code_of(about({0, 0}, {50, 0}, {0, 50.00005}, false, g164, true)), Code{});
+  EXPECT_EQ(code_of(about({0, 0}, {50, 0}, {0, 50.05}, false, g164, ArcUse::with_equidistant)),
+            Code::arc_radii_differ);
+  EXPECT_EQ(code_of(about({0, 0}, {50, 0}, {0, 50.05}, false, g164, ArcUse::as_programmed)),
+            Code{});
+  EXPECT_EQ(code_of(about({0, 0}, {50, 0}, {0, 50.00005}, false, g164, ArcUse::with_equidistant)),
+            Code{});
 }
 
 TEST(CircleOfARadius, IsTheShorterArcWhenPositiveAndTheLongerWhenNegative) {

@@ -155,7 +155,7 @@ TEST(ArcForm, WhatIsAnArcIsReadAsTheSameArc) {
     for (const bool correct : {true, false}) {
       const CircleResult result =
           arc_about(center, {.start = start, .end = end, .clockwise = sweep < 0},
-                    {.correct_center = correct}, false, Tolerances{});
+                    {.correct_center = correct}, ArcUse::as_programmed, Tolerances{});
       const Arc* read = std::get_if<Arc>(&result);
       ASSERT_NE(read, nullptr) << text << " seed 7, step " << i;
       ASSERT_NEAR(read->sweep, sweep, std::max(1.1e-3, 0.011 * std::abs(sweep)))
