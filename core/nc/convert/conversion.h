@@ -12,12 +12,12 @@ namespace trc {
 // A program in the words of another dialect.
 struct ConvertedProgram {
   std::string text{};
-  // A word that keeps it from being converted, with the first of its lines of the given text.
+  // A word that cannot be converted, with the first of its lines in the given text.
   struct Fault {
     std::string word{};
     std::uint32_t line = 0;
   };
-  // At most 50, in the order of their lines; empty: there is a text.
+  // At most 50, in the order of their lines; empty: the conversion has succeeded.
   std::vector<Fault> faults{};
 };
 

@@ -13,7 +13,7 @@
 
 namespace trc {
 
-// Why another plane than G17 is a fault there.
+// Why a plane other than G17 is a fault in Klartext.
 inline constexpr std::string_view plane_of_klartext = ", a plane: Klartext has it with TOOL CALL";
 
 // G17, G18 or G19.
@@ -21,14 +21,14 @@ inline constexpr std::string_view plane_of_klartext = ", a plane: Klartext has i
   return plane == Plane::xy ? "G17" : plane == Plane::zx ? "G18" : "G19";
 }
 
-// What a line of a plain program says besides its motion.
+// The words of a line of a plain program besides its motion.
 struct PlainWords {
   std::vector<std::string> functions{};  // M
   std::string speed{};                   // S, its number
   std::optional<std::int64_t> tool{};
   std::optional<std::int64_t> next_tool{};  // T2 M6 T3: made ready behind the change
   bool loads_tool = false;
-  // Of the length of a tool: G43, the number behind its H or behind the D of ISG; D1 of SINUMERIK;
+  // The length of a tool: G43, the number after its H or after the D of ISG; D1 of SINUMERIK;
   // G49.
   bool begins_length = false;
   std::optional<std::int64_t> length{};
@@ -50,9 +50,9 @@ class PlainWordsReader {
 
   // T of a program without M6 changes the tool (D-40, D-56).
   void look_for_tool_changes(const std::vector<LinePointer>& lines);
-  // All words are read, also behind one that cannot be said. Returns whether all can.
+  // Reads all words, also after one that cannot be converted. Returns whether all can be.
   bool read(const ProgramLine& line, PlainWords& words);
-  // False.
+  // Returns false.
   bool fail(const ProgramLine& line, std::string word);
   [[nodiscard]] std::vector<ConvertedProgram::Fault>& faults() { return faults_; }
 

@@ -7,19 +7,19 @@
 
 namespace trc {
 
-// All that the words of a block say, in this order: modes, tool and radius, compensation, what is
-// passed on, motion, the end of the program.
+// Applies the words of a block in this order: modes, tool and radius, compensation, words that
+// pass, motion, the end of the program.
 bool apply_block(Reading& reading, ProgramLine& line, BlockWords& block);
 
 // CDON of Sinumerik, M120 of Heidenhain: G141 with REMOVE_MASKED_BLOCKS.
 bool leave_out_bottlenecks(Reading& reading, const Source& source);
-// Without them the setup decides.
+// Bottlenecks are treated as the setup says: CDOF, M120 off.
 bool treat_bottlenecks_by_setup(Reading& reading, const Source& source);
 
-// The words of `request` are those of the line; the rest is in force.
+// `request` holds the words of the line; the modes in force complete it.
 bool move(Reading& reading, ProgramLine& line, MoveRequest& request);
 
-// The words of one role as one text, in their order.
+// Passes on the words of one role as one text, in their order.
 bool pass_words(Reading& reading, const ProgramLine& line, WordRole role);
 
 }  // namespace trc

@@ -16,15 +16,15 @@ struct SkipSign {
   [[nodiscard]] bool is_there() const { return end > 0; }
 };
 
-// Stops, spindle and coolant alone stand behind it: the switch does not matter.
+// Only stops, spindle and coolant follow it, so the switch does not matter.
 [[nodiscard]] bool is_beside_the_path(std::string_view line, const SkipSign& sign,
                                       DialectName dialect);
 // `X40 /M8` of Fanuc: what stands behind the sign is left out, not the words in front of it.
 [[nodiscard]] SkipSign skip_sign_within(std::string_view line, DialectName dialect);
 [[nodiscard]] SkipSign skip_sign_of(std::string_view line, DialectName dialect);
 
-// What the setup has decided about the line, as BlockSkip says it. `refuse`: nothing, or the line
-// has no sign, or one that stays, since what stands behind it is beside the path (D-59).
+// What the setup decides about the line, as a BlockSkip. `refuse`: nothing is decided, the line has
+// no sign, or the sign stays because what follows does not affect the path (D-59).
 [[nodiscard]] BlockSkip decided_about(std::string_view line, const ProgramSetup& setup,
                                       SkipSign& sign);
 

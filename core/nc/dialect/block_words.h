@@ -45,7 +45,7 @@ struct BlockWords {
     const GFunction* function = nullptr;
     std::uint32_t begin = 0;
 
-    // Whatever stands behind its point.
+    // Whatever its decimals are.
     [[nodiscard]] bool is(int number) const {
       return function != nullptr && function->number == number;
     }
@@ -70,7 +70,7 @@ struct BlockWords {
     functions[static_cast<std::size_t>(function.group)] = {.function = &function, .begin = begin};
   }
   void clear(GGroup group) { functions[static_cast<std::size_t>(group)] = {}; }
-  // X Y Z of the line.
+  // The main axes X Y Z that the line names.
   [[nodiscard]] AxisBits named_axes() const {
     AxisBits named = 0;
     for (std::size_t main = 0; main < move.end.size(); ++main)
@@ -82,7 +82,7 @@ struct BlockWords {
   // G40
   [[nodiscard]] bool deselects() const { return of(GGroup::side).is(40); }
 
-  // Which tool the line names, and what it says of the radius.
+  // The tool that the line names, and its words about the radius.
   struct Tools {
     // $TC_DP6[t,d]= of Sinumerik, V.G.WZ[t].R of ISG: its row_of_edge() and its radius, mm.
     struct EdgeRadius {
@@ -104,7 +104,7 @@ struct BlockWords {
     std::optional<Value> allowance{};       // OFFN
     std::vector<EdgeRadius> edge_radii{};
   };
-  // What the words make of coordinates.
+  // Words that change what coordinates mean.
   struct Coordinates {
     // In tenths; of a line with several of them `functions` has one: G15 G50, G69 G50.1.
     std::vector<std::int16_t> ends{};
@@ -113,7 +113,7 @@ struct BlockWords {
     bool changes_length = false;  // G43, G44, G49
     bool sets_position = false;   // G92: the axis words say where the machine stands
   };
-  // # commands and other words that ISG alone has.
+  // # commands and other words of ISG only.
   struct Isg {
     std::optional<TrcOptions> options{};  // #TRC
     std::optional<double> tangfeed{};     // #TANGFEED
@@ -193,7 +193,7 @@ struct BlockWords {
   SoftLead soft{};
   std::uint32_t words = 0;  // without N and comments
   bool to_skip = false;     // `/` in front
-  // The line is copied as it stands; the axes of `forget` go where only the control knows.
+  // The line is copied as it stands; where it leads the axes of `forget` only the control knows.
   bool copied = false;
   AxisBits forget = 0;
   std::optional<std::uint32_t> unfollowed_word{};  // CT, TURN=, AP=, RP=, ,A, X=R1

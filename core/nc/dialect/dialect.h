@@ -13,7 +13,7 @@
 
 namespace trc {
 
-// What a dialect has of its own: the reader asks this table where the dialects differ.
+// The properties of a dialect: the reader asks this table where dialects differ.
 struct Dialect {
   DialectName name = DialectName::isg;
   std::string_view spelling{};                     // on the command line and in messages
@@ -23,7 +23,7 @@ struct Dialect {
   Selection selection = Selection::indirect;       // how the tool reaches the contour
   Transition transition = Transition::linear;      // at outside corners
   FeedAdaptation feed_adaptation = FeedAdaptation::off;
-  // How a line moves before the program has said it; nothing: a contour there is refused (900019).
+  // The motion function before the program gives one; nothing: a contour there is refused (900019).
   std::optional<MotionKind> motion{};
   // Numbers are written with a decimal point: without it some controls count increments.
   bool writes_points = false;
@@ -34,7 +34,7 @@ struct Dialect {
   // An arc may lead to the contour.
   bool arcs_to_the_contour = false;
 
-  // Puts in force what holds at the start of a program (D-62).
+  // Sets the modes that hold at the start of a program (D-62).
   void begin(TrcMode& mode) const;
   // Null when there is no such function.
   [[nodiscard]] const GFunction* function(double number) const;
@@ -50,8 +50,8 @@ struct Dialect {
 [[nodiscard]] std::span<const GFunction> linuxcnc_functions();
 [[nodiscard]] std::span<const GFunction> sinumerik_functions();
 
-// Which dialect a line looks like that makes no sense under ISG, or makes a dangerous one: for the
-// message, never for reading it.
+// The dialect that a line seems to be written in, where it makes no sense under ISG or a dangerous
+// one. Used in messages only, never to read the line.
 [[nodiscard]] std::optional<DialectName> looks_like(std::string_view line);
 // A block of the programs that Heidenhain writes in G functions, which are not read: it ends with
 // an asterisk.

@@ -5,7 +5,7 @@
 
 namespace trc {
 
-// Each further turn is a block of its own, in front of the arc that the other words say.
+// Makes each further turn a block of its own, in front of the arc that the other words describe.
 bool move_in_full_turns(Reading& reading, ProgramLine& line, const BlockWords& block);
 
 }  // namespace trc

@@ -61,7 +61,7 @@ struct GFunction {
 // All functions known, in ascending order, those that are refused included.
 [[nodiscard]] std::span<const GFunction> g_function_table();
 
-// What a group is called in words; for functions that are refused: how.
+// The name of a group in messages; for refused functions: what they do.
 [[nodiscard]] std::string_view name_of(GGroup group);
 
 // Null when there is no such function.

@@ -7,7 +7,7 @@
 
 namespace trc {
 
-// A name that nobody knows here and that has nothing to do with the path.
+// Whether the line names something unknown that does not affect the path.
 [[nodiscard]] bool names_what_passes(const Reading& reading, std::string_view line,
                                      std::uint32_t begin);
 
@@ -16,7 +16,7 @@ namespace trc {
                                   std::uint32_t begin);
 
 // `; Y20` behind other words: for many controls `;` ends the block, and what follows is the next
-// one (D-53). Of words that move or switch nothing, as in `; D10`, people make comments.
+// one (D-53). Words that neither move nor switch anything, as in `; D10`, count as a comment.
 [[nodiscard]] bool reads_as_block(std::string_view comment);
 
 }  // namespace trc

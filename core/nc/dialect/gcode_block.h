@@ -5,7 +5,7 @@
 
 namespace trc {
 
-// What the words mean together, before any of it takes effect.
+// Works out what the words mean together, before any of them takes effect.
 bool complete_gcode_block(Reading& reading, ProgramLine& line, BlockWords& block);
 
 // The work offset in force, selected once more, changes nothing (D-111). What else moves

@@ -8,15 +8,15 @@
 
 namespace trc {
 
-// At the place of the word; `meaning` says why.
+// Refuses the word, at its place; `meaning` says why.
 bool refuse_word(Reading& reading, const ProgramLine& line, const GcodeWord& word, Code code,
                  std::string_view meaning = {});
 
-// All words are read, also behind one that is refused, so that every obstacle is told: up to as
-// many as are told at all, since each byte of a long line may be one.
+// Reads all words, also after one that is refused, so that every obstacle is reported. Stops at the
+// largest number of reports, since each byte of a long line may be an obstacle.
 bool read_gcode_words(Reading& reading, ProgramLine& line, BlockWords& block);
 
-// One word takes its place in `block`.
+// Enters one word into `block`.
 bool read_gcode_word(Reading& reading, const GcodeWord& word, ProgramLine& line, BlockWords& block);
 
 }  // namespace trc

@@ -9,8 +9,8 @@ namespace trc {
 // chamfer. Elsewhere they measure, or have no R.
 bool take_fagor_words(Reading& reading, ProgramLine& line, BlockWords& block);
 
-// RNDM= rounds every corner. What the control would round in the output too must not be modal
-// there, so that it begins and ends within the contour.
+// RNDM= rounds every corner. It must not stay modal in the output, or the control would round there
+// again; so it has to begin and end within the contour.
 bool take_modal_rounding(Reading& reading, ProgramLine& line, BlockWords& block);
 
 // FRC= and FRCM=, the feed of a rounding or a chamfer, which becomes a block of its own. FRCM=

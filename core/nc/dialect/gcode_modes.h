@@ -71,10 +71,10 @@ struct UnfollowedMode {
   }
 };
 
-// What a program of a dialect of plain letters and numbers has in force besides. Each part has what
-// one part of the reader asks for.
+// Further modes of the dialects of plain letters and numbers. Each member belongs to one part of
+// the reader.
 struct GcodeModes {
-  // Which tool the program has named.
+  // The tool that the program has named.
   struct Tools {
     std::int64_t next = 0;  // T
     std::int64_t in_spindle = 0;
@@ -86,11 +86,11 @@ struct GcodeModes {
     WordPlace edge_place{};                 // of the last D word; with a new tool none
     double edge = 1;                        // of the tool, Sinumerik: D; 0: none
     bool edge_is_of_next = false;           // D stands beside the last T word
-    std::int64_t changed_row = 0;           // whose data changed since it was called; 0: none
-    std::optional<std::int64_t> missing{};  // of the last D word, which the table has not
+    std::int64_t changed_row = 0;           // the row whose data changed since its call; 0: none
+    std::optional<std::int64_t> missing{};  // of the last D word: not in the table
     std::string name{};                     // of T="…"
     std::string only_name{};
-    // The one register that stands for the radius of the setup, where it has no tools.
+    // Without a tool table: the one register that stands for the radius of the setup.
     std::optional<std::int64_t> only_register{};
     std::optional<std::int64_t> only_in_spindle{};  // of FANUC without D words
 
@@ -112,8 +112,8 @@ struct GcodeModes {
       archive(number, comes_out, place);
     }
   };
-  // What may be skipped: the line that says a tool, the data of tools, or how the contour is
-  // reached and its corners are rounded; 0: none does.
+  // Lines behind `/`, which may be skipped, that give a tool, tool data, or how the contour is
+  // reached and its corners are rounded; 0: none.
   struct Skipped {
     std::uint32_t tool = 0;
     std::uint32_t tool_data = 0;
@@ -128,7 +128,7 @@ struct GcodeModes {
       archive(tool, tool_data, approach, next_tool, feed, dimension, motion);
     }
   };
-  // What coordinates mean.
+  // The meaning of coordinates.
   struct Coordinates {
     std::vector<UnfollowedMode> unfollowed{};
     std::uint8_t turned = 0;  // bits of unfollowed.cpp: they are rotated or mirrored
@@ -196,7 +196,7 @@ struct GcodeModes {
       archive(direction, in_space, approach);
     }
   };
-  // Calls of what only the machine has, which may have changed the tool.
+  // Calls of texts that only the machine has, which may have changed the tool.
   struct Calls {
     std::string last{};
     WordPlace place{};
@@ -217,7 +217,7 @@ struct GcodeModes {
               radius_doubtful, awaited_by_tool, unknown, modal_cycle);
     }
   };
-  // Words that have been seen anywhere.
+  // Words seen anywhere in the program so far.
   struct Seen {
     bool points = false;   // a coordinate with a decimal point
     bool lathe = false;    // a word that only lathes have

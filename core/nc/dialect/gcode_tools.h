@@ -8,7 +8,7 @@
 
 namespace trc {
 
-// What G41 and G42 need, and D words.
+// Checks what G41, G42 and D words need.
 bool check_gcode_selection(Reading& reading, ProgramLine& line, BlockWords& block);
 
 // The radius of the setup stands for the one register that the program selects with, where it has
@@ -16,7 +16,7 @@ bool check_gcode_selection(Reading& reading, ProgramLine& line, BlockWords& bloc
 bool take_only_register(Reading& reading, const ProgramLine& line, BlockWords& block,
                         std::int64_t number);
 
-// Of the tool that M6 has put there, wear included, mm.
+// The diameter of the tool that M6 has put into the spindle, wear included, mm.
 [[nodiscard]] std::optional<double> spindle_diameter(const Reading& reading);
 
 }  // namespace trc

@@ -20,7 +20,7 @@ bool refuse_klartext(Reading& reading, const ProgramLine& line, std::size_t begi
 // A block that is not plain (klartext_plain.h).
 bool read_klartext(Reading& reading, ProgramLine& line);
 
-// What the words of the block say takes effect, unless something is wrong with them.
+// Applies the words of the block, unless it is not `readable`.
 bool take_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block, bool readable);
 
 }  // namespace trc

@@ -18,8 +18,8 @@ namespace trc {
 // out there. The text may be cut anywhere, also inside a word, a line end or a
 // UTF-8 character: lines, blocks and diagnostics are the same.
 //
-// What cannot be carried safely is an error with line, column and remedy. After
-// an error nothing more is read, but for further faults of reading (ReaderLimits::most_faults).
+// What cannot be handled safely is an error with line, column and remedy. After an error nothing
+// more is read, except to find further faults of reading (ReaderLimits::most_faults).
 //
 // Of ISG:
 //
@@ -41,8 +41,8 @@ namespace trc {
 //   - F is a feed per minute under G94 only; under G93, G95 and G194 it passes as
 //     technology and blocks have no feed. TRC cannot be active under G93, nor G11
 //     under any of them.
-//   - Behind M02, M30 and between #COMMENT BEGIN and END lines are text only; G41
-//     and G42 behind the end are refused (900015), as nothing resolves them.
+//   - Behind M02, M30 and between #COMMENT BEGIN and END lines are text only; G41 and G42 after the
+//     end are refused (900015), since nothing would resolve them.
 class Interpreter {
  public:
   Interpreter(const ReaderLimits& limits, ProgramState& state, Diagnostics& diagnostics)
@@ -51,11 +51,11 @@ class Interpreter {
   // Appends to `lines` every line that is complete. Returns whether the stream
   // goes on.
   bool feed(std::string_view text, std::vector<LinePointer>& lines);
-  // End of the text: reads a last line without line end and ends the program in
-  // `state`, unless M02 or M30 has done so. `why_empty`: what there is where there is no block.
+  // End of the text: reads a last line without line end and ends the program in `state`, unless M02
+  // or M30 has done so. `why_empty`: what to say of a text without any block.
   bool finish(std::vector<LinePointer>& lines, std::string_view why_empty = {});
 
-  // A line of the flat program that a program which computes has become.
+  // A line of the flat program made from a program that computes.
   struct FlatLine {
     std::string_view text{};
     std::string_view line_end{};
@@ -66,19 +66,19 @@ class Interpreter {
     bool machine_follows = false;    // a macro of the machine, behind the motion of the line
     std::optional<KlartextEffects> call_leaves{};  // behind the label that it calls
   };
-  // Reads it as `feed` does a whole line.
+  // Reads the line as `feed` reads a whole line.
   bool read(const FlatLine& line, std::vector<LinePointer>& lines);
-  // Tells what stands against the program, with all faults of reading found so far. False.
+  // Reports the error, with all faults of reading found so far. Returns false.
   bool stop(Diagnostic error);
-  // Takes what stands against the program for a fault of reading, told with those found before it
-  // and behind it. Returns whether reading goes on.
+  // Records the error as a fault of reading, reported together with those found before and after
+  // it. Returns whether reading goes on.
   bool note(Diagnostic error);
 
   // Blocks read so far, the index of the next one (Source::index).
   [[nodiscard]] std::uint64_t blocks_read() const { return reading_.blocks_read; }
   // Physical lines read so far.
   [[nodiscard]] std::uint64_t lines_read() const { return reading_.lines_read; }
-  // What holds behind the lines read.
+  // The modes in force after the lines read.
   [[nodiscard]] LengthUnit unit_in_force() const { return reading_.unit; }
   [[nodiscard]] bool is_incremental() const { return reading_.incremental; }
   [[nodiscard]] MotionKind motion_in_force() const { return reading_.motion; }
@@ -86,10 +86,10 @@ class Interpreter {
   [[nodiscard]] std::optional<double> radius_in_force() const {
     return reading_.state.tool().radius();
   }
-  // Of the tool that M6 has put there, wear included, mm.
+  // The diameter of the tool that M6 has put into the spindle, wear included, mm.
   [[nodiscard]] std::optional<double> spindle_diameter() const;
   [[nodiscard]] bool is_in_contour() const { return reading_.state.contour_open(); }
-  // Behind M02 or M30.
+  // Whether M02 or M30 has been read.
   [[nodiscard]] bool has_ended() const { return reading_.ended; }
 
   // Takes a line that is no longer needed, so that its memory serves a later one.
@@ -104,7 +104,7 @@ class Interpreter {
   bool take_line(std::string_view text, std::string_view line_end, std::vector<LinePointer>& lines);
   bool take_block(std::string_view text, std::string_view line_end, std::uint32_t lines_of_it,
                   std::vector<LinePointer>& lines);
-  // Of Klartext: partial_ is a comment that has turned out to end in front of its last line.
+  // Klartext: partial_ is a comment that turns out to end before its last line.
   bool take_comment_before(std::string_view last_line, std::vector<LinePointer>& lines);
   ProgramLine& append_line(std::string_view text, std::string_view line_end,
                            std::vector<LinePointer>& lines);

@@ -5,14 +5,14 @@
 
 namespace trc {
 
-// Each word takes its place in `block`.
+// Enters each word into `block`.
 bool read_isg_words(Reading& reading, ProgramLine& line, BlockWords& block);
 
-// What the words of a block must be together: which need another, which stand
-// alone, and where axis letters are no positions.
+// Checks the words of a block together: which need another word, which must stand alone, and where
+// axis letters are no positions.
 bool check_isg_block(Reading& reading, ProgramLine& line, BlockWords& block);
 
-// Not feed per minute: the number is technology like any other.
+// Checks F. If it is no feed per minute, its number is technology like any other.
 bool check_feed(Reading& reading, ProgramLine& line, const BlockWords& block);
 
 }  // namespace trc

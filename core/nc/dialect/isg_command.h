@@ -6,7 +6,7 @@
 
 namespace trc {
 
-// #TRC, #TANGFEED, #COMMENT and what else begins with #.
+// Reads #TRC, #TANGFEED, #COMMENT and any other command that begins with #.
 bool read_command(Reading& reading, const Word& word, ProgramLine& line, BlockWords& block);
 
 // Between #COMMENT BEGIN and #COMMENT END. Whether such blocks nest depends on

@@ -5,8 +5,8 @@
 
 namespace trc {
 
-// In a line of their own, outside of contours: how they count with other words of a line, and what
-// G40 … G42 have to do with them, has to be read nowhere then.
+// They are accepted only in a line of their own, outside of contours. So no rule is needed for how
+// they combine with other words of a line or with G40 … G42.
 bool check_kept_modes(Reading& reading, ProgramLine& line, const BlockWords& block);
 
 // M70 of LinuxCNC keeps what is in force, M72 brings it back, M71 forgets it (D-113).

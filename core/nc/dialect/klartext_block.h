@@ -16,14 +16,14 @@ namespace trc {
 // Where RL or RR stands in a block of Klartext that is not read; npos: nowhere.
 [[nodiscard]] std::size_t place_of_klartext_side(std::string_view block);
 
-// Whether a line is numbered as blocks are, or says what blocks say: a comment that seems to go on
-// has ended before it (D-61).
+// Whether a line has a block number or begins as blocks do: then a comment that seemed to go on has
+// ended before it (D-61).
 [[nodiscard]] bool begins_klartext_block(std::string_view line);
 
-// A block in capitals, with single blanks, without what stands in quotes and behind `;`.
+// The block in capitals, with single blanks, without quoted texts and without what follows `;`.
 [[nodiscard]] std::string statement_of(std::string_view text);
-// Of such a statement, LBL 1, LBL "A" or CALL LBL 1 REP 3, in the block where it begins: 1, or "A
-// as it is written.
+// The label of such a statement that begins at `begin`, as LBL 1, LBL "A" or CALL LBL 1 REP 3: 1,
+// or "A as it is written.
 [[nodiscard]] std::string label_of(std::string_view text, std::size_t begin,
                                    std::string_view statement);
 // Whether RL or RR stands in such a statement, also behind other letters without a blank.
@@ -32,7 +32,7 @@ namespace trc {
 [[nodiscard]] bool has_glued_r0(std::string_view statement);
 [[nodiscard]] bool begins_with_word(std::string_view statement, std::string_view word);
 
-// What a block of Klartext that may move begins with.
+// The statement that a block of Klartext that may move begins with.
 enum class KlartextStatement : std::uint8_t {
   none,  // M words alone
   straight,
@@ -49,7 +49,7 @@ enum class KlartextStatement : std::uint8_t {
   departure,
 };
 
-// What keeps a block from being followed, or out of a contour, and the word that says so.
+// Why a block is not followed, or not allowed in a contour, and the word that causes it.
 struct KlartextObstacle {
   enum class Why : std::uint8_t {
     variable,
@@ -60,7 +60,7 @@ struct KlartextObstacle {
     open_corners,
     tip_is_led,  // M128, M144
     feed_per_turn,
-    // These are said of the block, not of one word:
+    // These concern the whole block, not one word:
     across_the_plane,  // an arc or a pole
     may_be_skipped,
     changed_radius,
@@ -77,7 +77,7 @@ struct KlartextObstacle {
   std::uint32_t end = 0;
 };
 
-// What the words of a block that may move say, before any of it takes effect.
+// The words of a block that may move, before any of them takes effect.
 struct KlartextBlock {
   struct Value {
     double value = 0;
@@ -89,7 +89,7 @@ struct KlartextBlock {
   [[nodiscard]] bool has_variable() const {
     return unfollowed && unfollowed->why == KlartextObstacle::Why::variable;
   }
-  // Keeps the block as a whole from being followed.
+  // Marks the whole block as not followed.
   void leave_unfollowed(KlartextObstacle::Why why) {
     unfollowed = {.why = why, .begin = begin, .end = begin};
   }
@@ -142,13 +142,13 @@ struct KlartextBlock {
   Lead lead{};
   bool polar_lead = false;
   bool to_skip = false;
-  // Of M words and what stands behind them.
+  // From M words and the words that belong to them.
   bool ignores_words = false;   // M118, M128 …: what follows is theirs
   bool ignores_places = false;  // M118: X Y Z too, its limits
   bool calls_cycle = false;     // M99, M89
   bool machine_place = false;   // M91, M92
   bool feed_per_turn = false;
-  // A feed that is passed on as it stands: FQ1, FU, FZ.
+  // The place of a feed that is passed on as it stands: FQ1, FU, FZ.
   std::optional<std::uint32_t> open_feed{};
   // The axes whose place is a parameter, and whether something else is one.
   std::array<bool, 3> by_parameter{};
@@ -159,11 +159,11 @@ struct KlartextBlock {
   AxisBits leaves_on = 0;                       // an arc across the plane, which moves these
   // A parameter, M91 …: the block is copied while TRC is off.
   std::optional<KlartextObstacle> unfollowed{};
-  // M97 and others, which no block of a contour may have, nor the one with RL.
+  // M97 and others, which are not allowed in a contour nor beside RL.
   std::optional<KlartextObstacle> not_in_contour{};
 };
 
-// An arc that has its centre or its radius, not one that is tangential.
+// An arc with a centre or a radius, as opposed to a tangential arc.
 [[nodiscard]] inline bool is_arc_of(KlartextStatement statement) {
   using enum KlartextStatement;
   return statement == circle || statement == radius_arc || statement == polar_circle;

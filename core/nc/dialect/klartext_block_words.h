@@ -5,7 +5,7 @@
 
 namespace trc {
 
-// Behind the number; all words are read, also behind one that is refused.
+// Reads all words after the block number, also after one that is refused.
 bool read_klartext_words(Reading& reading, ProgramLine& line, KlartextBlock& block);
 
 }  // namespace trc

@@ -6,7 +6,7 @@
 
 namespace trc {
 
-// M words.
+// Reads an M word.
 bool read_klartext_function(Reading& reading, const KlartextWord& word, ProgramLine& line,
                             KlartextBlock& block);
 

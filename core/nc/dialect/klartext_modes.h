@@ -13,21 +13,21 @@
 
 namespace trc {
 
-// How many contours had been selected where a label stands, and at its LBL 0.
+// The number of contours selected before a label, and before its LBL 0.
 struct ContoursOfLabel {
   std::uint64_t before = 0;
   std::optional<std::uint64_t> behind{};
   std::uint32_t steps = 0;  // of KlartextModes::section, in front of it
   KlartextEffects leaves{.unsure = KlartextMode::anything};  // known behind its LBL 0
 
-  // `now`: where no LBL 0 has come yet.
+  // `now`: the present number, used where no LBL 0 has come yet.
   [[nodiscard]] bool has_contour(std::uint64_t now) const { return behind.value_or(now) != before; }
   template <class Archive>
   void serialize(Archive& archive) {
     archive(before, behind, steps, leaves);
   }
 };
-// What a program in Klartext has in force besides.
+// Further modes of a program in Klartext.
 struct KlartextModes {
   std::optional<Point> pole{};           // CC, mm, in the plane
   AxisBits pole_across = 0;              // of a CC across the plane: its axes
@@ -39,18 +39,18 @@ struct KlartextModes {
   bool feed_of_control = false;          // in force, with a value that only the control knows: FQ5
   bool feed_per_turn = false;            // M136
   bool modal_cycle = false;              // M89
-  std::uint32_t unfollowed = 0;  // by what coordinates are scaled or led: bits of KlartextLead
+  std::uint32_t unfollowed = 0;  // scales coordinates or guides the tool: bits of KlartextLead
   // Of TOOL CALL.
   std::optional<std::int64_t> tool{};
   double radius_delta = 0;   // DR, mm
   std::string open_delta{};  // DR+Q5 of a parameter whose value is not known
-  // Q parameters that the program has given a number since the last label or call.
+  // Q parameters that the program has set to a number since the last label or call.
   std::map<std::string, double, std::less<>> parameters{};
   std::string tool_name{};  // in quotes, or a parameter
   WordPlace tool_place{};
   std::string only_tool_name{};
-  // How many contours have been selected, and which labels were called before they stood
-  // anywhere.
+  // How many contours have been selected, and which labels were called before their LBL was
+  // read.
   std::uint64_t contours = 0;
   std::map<std::string, ContoursOfLabel> labels{};
   std::map<std::string, std::uint32_t> calls{};
@@ -66,7 +66,7 @@ struct KlartextModes {
   std::uint32_t cycle_section = 0;
   WordPlace open_corner{};     // RND, CHF whose next motion is still to come
   bool behind_corner = false;  // no motion has come since RND or CHF
-  // How many contours had been selected where CC stood last, outside of them: it is in the output.
+  // Contours selected before the last CC outside of contours: that CC is in the output.
   std::optional<std::uint64_t> pole_said{};
 
   template <class Archive>

@@ -6,10 +6,10 @@
 
 namespace trc {
 
-// All that the words of a block say: modes, tool side, pole, motion, the end of the program.
+// Applies the words of a block: modes, tool side, pole, motion, the end of the program.
 bool apply_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block);
 
-// Moves, and keeps where the motion has led.
+// Moves, and keeps the direction at the end of the motion.
 bool move_in_klartext(Reading& reading, ProgramLine& line, MoveRequest& request);
 
 }  // namespace trc

@@ -6,7 +6,7 @@
 
 namespace trc {
 
-// Whether the program goes on behind the block; nothing where it is not plain.
+// Whether the program goes on after the block; nothing where the block is not plain.
 std::optional<bool> take_plain_klartext(Reading& reading, ProgramLine& line);
 
 }  // namespace trc

@@ -9,10 +9,10 @@ namespace trc {
 
 inline constexpr double radians_per_degree = std::numbers::pi / 180;
 
-// CC: the pole, also where it is told from where the tool stands (D-131).
+// CC: takes the pole, also where it is relative to the position of the tool (D-131).
 bool take_klartext_pole(Reading& reading, ProgramLine& line, KlartextBlock& block);
 
-// Where PR and PA lead from `start`, in the plane, mm.
+// Finds the end point of PR and PA from `start`, in the plane, mm.
 bool find_polar_end(Reading& reading, ProgramLine& line, KlartextBlock& block, const Point& start,
                     Point& end);
 

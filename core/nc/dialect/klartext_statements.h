@@ -9,20 +9,20 @@
 
 namespace trc {
 
-// The statement as it stands, with the place where it begins.
+// Copies the statement as it stands. `begin`: where it begins.
 bool copy_klartext(Reading& reading, ProgramLine& line, std::size_t begin, WordRole role);
 
-// These hold from here on, and count for the labels that are open.
+// Puts the effects in force and adds them to the labels that are open.
 void take_klartext_effects(Reading& reading, const KlartextEffects& effects);
 
-// What the line calls, or what calls it, may count on the pole.
+// The text that the line calls, or that calls it, may rely on the pole.
 void hand_on_klartext_pole(const Reading& reading, ProgramLine& line);
 
-// Behind the line these axes stand where only the control knows: pole and tangent go with them.
+// After the line the position on these axes is unknown; so are then the pole and the tangent.
 void forget_klartext_position(Reading& reading, ProgramLine& line,
                               const std::array<bool, 3>& axes = {true, true, true});
 
-// Everything that is no contour.
+// Reads all statements that are not part of a contour.
 bool read_klartext_statement(Reading& reading, ProgramLine& line, std::size_t begin);
 
 }  // namespace trc

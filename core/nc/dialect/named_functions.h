@@ -2,16 +2,16 @@
 
 #include "core/nc/dialect/g_function.h"
 
-// Names and calls of Sinumerik, and functions that nobody knows, count among the G functions. Each
-// has a number here that no control has for a G function.
+// Names and calls of Sinumerik, and unknown functions, are treated as G functions. Each has a
+// number here that no control uses for a G function.
 
 namespace trc::by_name {
 
-// What moves where only the machine knows, whichever axes the line names.
+// A motion that only the machine knows, whichever axes the line names.
 inline constexpr std::int16_t only_machine_knows = 1007;
 
-// ATRANS and the like. TRANS, ROT and MIRROR also end what has been said of the frame before,
-// SCALE too.
+// ATRANS and the like. TRANS, ROT, MIRROR and SCALE also end the frame programmed
+// before.
 inline constexpr GFunction frame{.number = 1000, .group = GGroup::frame, .meaning = "a frame"};
 inline constexpr GFunction absolute_frame{
     .number = 1009, .group = GGroup::frame, .meaning = "a frame"};

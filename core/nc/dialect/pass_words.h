@@ -7,8 +7,8 @@
 
 namespace trc {
 
-// What speaks against a word of ProgramSetup::pass_words: that it is known and may say something
-// about the path, or is none. Empty: nothing.
+// Why a word may not be in ProgramSetup::pass_words: it is known and may affect the path, or it is
+// no word at all. Empty: it may.
 [[nodiscard]] std::string fault_of_pass_word(std::string_view word, DialectName dialect);
 
 // The function or name that begins at a byte of the line, in capitals; its number without zeros in

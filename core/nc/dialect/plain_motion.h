@@ -11,14 +11,14 @@
 
 namespace trc {
 
-// The way most lines of a program are read: those that say a motion and nothing else. Such a line
-// has an N word, G00 to G03, X Y Z, I J K, R and F with plain numbers, each at most once, in any
-// order, at least one of them a coordinate.
+// Reads most lines of a program: those with a motion and nothing else. Such a line has an N word,
+// G00 to G03, X Y Z, I J K, R and F with plain numbers, each at most once, in any order, at least
+// one of them a coordinate.
 class PlainMotion {
  public:
-  // Reads the line in one pass, if it is plain: then `words`, empty so far, are those that
-  // WordReader finds. False for any other line, right or wrong: then they mean nothing. Whether the
-  // motion is possible is not asked.
+  // Reads the line in one pass, if it is plain: then `words`, which must be empty, get those that
+  // WordReader finds. False for any other line, right or wrong; `words` are undefined then. Does
+  // not check whether the motion is possible.
   [[nodiscard]] bool read(std::string_view line, std::vector<WordRange>& words);
 
   [[nodiscard]] bool has_function() const { return has(function); }

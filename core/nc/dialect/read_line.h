@@ -4,8 +4,8 @@
 
 namespace trc {
 
-// Reads a whole line, its words and what they say, and tells the state what it means.
-// Returns whether reading goes on.
+// Reads a whole line and its words, and tells the state what they mean. Returns whether reading
+// goes on.
 bool read_line(Reading& reading, ProgramLine& line);
 
 }  // namespace trc

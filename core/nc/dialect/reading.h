@@ -21,17 +21,17 @@ namespace trc {
 
 struct ReaderLimits {
   std::size_t longest_line = 64 * 1024;  // bytes, continued lines together; 900006 beyond
-  // So many different faults of reading are told together, at the end of the text at the latest:
-  // nothing comes out behind the first one.
+  // The number of different faults of reading reported together, at the end of the text at the
+  // latest. No output follows the first one.
   std::size_t most_faults = 1;
 };
 
-// What holds for the line that is read: what the program has said so far of how its words count,
-// and the faults found in it. The functions that read the words of each dialect share it, and tell
-// `state` what the words mean. Where they return a bool and say nothing else of it, it is whether
-// reading goes on.
+// The state of reading: the modes that decide how the words of the next line count, and the
+// faults found so far. The functions that read the words of each dialect share it, and tell
+// `state` what the words mean. A bool that they return without further comment is whether reading
+// goes on.
 struct Reading {
-  // A fault of reading. The first of its kind; the others only count.
+  // A fault of reading: the first of its kind, with the number of further ones.
   struct Fault {
     Code code{};
     Source source{};
@@ -40,7 +40,7 @@ struct Reading {
     Slip slip{};
     std::uint64_t lines = 1;
     std::uint32_t last_line = 0;
-    // Of a program that computes, whose state is never saved while it is executed.
+    // Only for programs that compute, whose state is never saved while they are executed.
     std::vector<CallPlace> calls{};
     std::vector<DiagnosticValue> values{};
 
@@ -53,23 +53,23 @@ struct Reading {
   Reading(const ReaderLimits& limits_of_text, ProgramState& state_of_program,
           Diagnostics& diagnostics_of_program);
 
-  // Tells what cannot be read, at its place within the line. False.
+  // Reports what cannot be read, at its place in the line. Returns false.
   bool refuse(const ProgramLine& line, const TextFault& given);
   bool refuse(const ProgramLine& line, const Word& word, Code code, std::string detail = {});
   bool refuse_at(const WordPlace& place, Code code, std::string detail);
-  // Faults of one kind, word and reason alike, are one with the number of its lines.
+  // Faults with the same word and reason are one fault with the number of its lines.
   bool collect(Diagnostic fault);
   // At the end of the text.
   bool report_faults();
   [[nodiscard]] std::vector<Diagnostic> told_faults() const;
 
-  // Diagnostics of the state name the column too, where the block is one line.
+  // Gives diagnostics of the state their column, where the block is one line.
   void place(const ProgramLine& line, std::uint32_t begin);
   [[nodiscard]] WordPlace place_of_word(const ProgramLine& line, std::uint32_t begin) const;
-  // Lengths count so from this line on.
+  // The unit of lengths from this line on.
   void count_in(const ProgramLine& line, LengthUnit lengths);
   [[nodiscard]] double length_unit() const { return mm_of(unit); }
-  // Under G70 of Sinumerik feeds stay in mm.
+  // One unit of feed, mm/min. Under G70 of Sinumerik feeds stay in mm.
   [[nodiscard]] double feed_unit(LengthUnit lengths) const {
     return feed_in_mm ? 1 : mm_of(lengths);
   }
@@ -116,7 +116,7 @@ struct Reading {
   std::uint32_t comment_block = 0;  // line of #COMMENT BEGIN; 0: not in one
   bool ended = false;               // behind M02 or M30
   bool in_subprogram = false;       // of a %L in front of the program
-  // No line so far was a block: what does not read as one may stand in front of the tape.
+  // No line so far was a block: lines that cannot be read may stand in front of the tape.
   bool in_front_of_tape = false;
 
   // Modes in force.
@@ -127,17 +127,17 @@ struct Reading {
   bool feed_in_mm = false;  // whatever lengths count in
   std::int16_t feed_mode = 94;
   double feed = 0;  // mm/min
-  // A subprogram has been called, and the program has not said anew which motion holds and how
-  // dimensions count.
+  // A subprogram has been called since the program last gave the motion function, or the kind of
+  // dimensions.
   bool called_motion = false;
   bool called_dimension = false;
   GcodeModes gcode{};
   KlartextModes klartext_modes{};
 
-  // A line of a motion and nothing else means what its words say.
+  // A line with a motion and nothing else means what its words say.
   bool reads_plain_lines = true;
   bool isg_word_seen = false;  // one that no other dialect has
-  // Of the line that is read, where a program that computes has become it.
+  // About the line that is read, where it comes from a program that computes.
   bool sets_variables = false;
   bool calls_the_machine = false;
   bool machine_follows = false;
@@ -150,13 +150,13 @@ struct Reading {
  private:
   [[nodiscard]] bool is_within_slip(const Diagnostic& found) const;
   void guard_against_other_dialects(const ProgramLine& line, Diagnostic& fault) const;
-  // 0 behind the first of the lines that the block has.
+  // 0 after the first line of a block of several lines.
   [[nodiscard]] std::uint32_t column_in(const ProgramLine& line, std::uint32_t begin) const {
     const bool one_line = line.source.line == lines_read;
     const bool in_first_line = one_line || line.text.find_first_of("\r\n") >= begin;
     return in_first_line && knows_columns ? column_of(begin) : 0;
   }
-  // 1-based, of a byte of the first line as it was given.
+  // 1-based column of a byte in the first line as it was given.
   [[nodiscard]] std::uint32_t column_of(std::size_t begin) const {
     const std::size_t removed = begin < cut.begin ? 0 : cut.end - cut.begin;
     return static_cast<std::uint32_t>(begin + removed + 1);

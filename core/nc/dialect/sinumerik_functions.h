@@ -7,7 +7,7 @@
 
 namespace trc {
 
-// Notes that the word stands for the function.
+// Records that the word stands for the function.
 bool read_as(const GFunction& function, const NamedWord& word, ProgramLine& line,
              BlockWords& block);
 

@@ -9,7 +9,7 @@ namespace trc {
 // DISR=, DISCL=, FAD= and DISRP=.
 bool read_soft_word(Reading& reading, const NamedWord& word, ProgramLine& line, BlockWords& block);
 
-// Whether the block leads to a contour or from it, or is copied as what it is without TRC.
+// Decides whether the block leads to or from a contour, or is copied as a block without TRC.
 bool take_soft_lead(Reading& reading, ProgramLine& line, BlockWords& block);
 
 // The motions from P0 to P4, each a block of its own.

@@ -6,10 +6,10 @@
 
 namespace trc {
 
-// Names that the reader of Sinumerik knows, in capitals: of all others a program that computes
-// thinks as of variables and subprograms.
+// Names that the reader of Sinumerik knows, in capitals. A program that computes takes all others
+// for variables and subprograms.
 
-// What becomes of a name that stands alone.
+// The meaning of a name that stands alone.
 enum class SinumerikMeaning : std::uint8_t {
   technology,
   frame,       // TRANS, ROT, …
@@ -24,7 +24,7 @@ enum class SinumerikMeaning : std::uint8_t {
   turning,
 };
 
-// Empty: the name is none of the table. CIP, NORM and the like say more than it has.
+// Nothing: the name is not in the table. CIP, NORM and the like need more than the table holds.
 [[nodiscard]] std::optional<SinumerikMeaning> meaning_of_sinumerik_name(std::string_view name);
 // IF, DEF, GOTOF and the like.
 [[nodiscard]] bool is_sinumerik_statement(std::string_view name);
@@ -35,23 +35,23 @@ enum class SinumerikMeaning : std::uint8_t {
 [[nodiscard]] bool is_sinumerik_call(std::string_view name);
 // CYCLE81(…), POCKET3(…): what they move only the control knows.
 [[nodiscard]] bool is_sinumerik_cycle(std::string_view name);
-// MSG(…): says nothing about where the path runs.
+// MSG(…): does not affect the path.
 [[nodiscard]] bool is_passing_sinumerik_call(std::string_view name);
 // L6, the change of tools as Siemens delivers it: only the machine has its text (D-64).
 inline constexpr std::string_view standard_tool_change = "L6";
 
 // CR=, RND=, …
 [[nodiscard]] bool is_sinumerik_word(std::string_view name);
-// ADIS=, SPOS=, …: says nothing about where the path runs.
+// ADIS=, SPOS=, …: does not affect the path.
 [[nodiscard]] bool is_passing_sinumerik_word(std::string_view name);
 // FRC=, FRCM=: the feed of roundings and chamfers.
 [[nodiscard]] bool is_sinumerik_corner_word(std::string_view name);
-// $P_UIFR, $P_PFRAME and the like: what coordinates mean.
+// $P_UIFR, $P_PFRAME and the like: change what coordinates mean.
 [[nodiscard]] bool is_sinumerik_frame(std::string_view name);
 // Why a word with a value is refused; empty: it is not.
 [[nodiscard]] std::string_view refusal_of_sinumerik_word(std::string_view name);
 
-// One of these.
+// Whether it is a name, a call or a word as above.
 [[nodiscard]] bool is_sinumerik_word_of_any_kind(std::string_view name);
 
 }  // namespace trc

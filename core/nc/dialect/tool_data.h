@@ -10,13 +10,13 @@
 
 namespace trc {
 
-// "5" of T="5", where no tool of the table has that name: the tool of that number. 0: it is none.
+// The tool of T="5" where no tool of the table has that name: tool 5. 0: it is no number.
 [[nodiscard]] std::int64_t number_of_tool_named(std::string_view name, const ToolInForce& tools);
 
 // "MILL" in quotes.
 [[nodiscard]] std::string quoted(const std::string& name);
 
-// With the name of the table that it is a slip of, if there is one.
+// The name, with the similar name of the table that was probably meant, if there is one.
 [[nodiscard]] std::string name_not_in_table(const Reading& reading, const std::string& name);
 
 // $TC_DP6[1,1]=5: the radius of edge 1 of tool 1; $TC_DP15 is its wear (D-75).

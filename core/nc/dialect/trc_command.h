@@ -9,7 +9,7 @@
 
 namespace trc {
 
-// One keyword of `#TRC [ … ]`, for the documentation that a server gives of itself.
+// One keyword of `#TRC [ … ]`, as a server documents it.
 struct TrcKeyword {
   std::string_view name{};
   double smallest = 0;

@@ -5,21 +5,21 @@
 
 #include "core/nc/program/expression.h"
 
-// What functions of expressions yield, and when numbers count as equal.
+// The functions of expressions, and when numbers count as equal.
 
 namespace trc::program {
 
 inline constexpr double degree = std::numbers::pi / 180;
-// Beyond that a double does not hold every whole number.
+// Beyond it a double cannot hold every whole number.
 inline constexpr double largest_exact = 9e15;
 
-// What Fanuc takes for one number (D-48).
+// Whether Fanuc takes both for the same number (D-48).
 [[nodiscard]] bool is_near(double left, double right);
-// What Sinumerik takes for one number: relative equality.
+// Whether Sinumerik takes both for the same number: relative equality.
 [[nodiscard]] bool is_relatively_near(double left, double right);
 
-// A function of one number; of what has several arguments 0. Empty: outside of what it takes.
-// `decimals`: how many ROUND keeps.
+// The value of a function of one number; 0 for functions of several. Empty: the argument is out of
+// its range. `decimals`: how many ROUND keeps.
 [[nodiscard]] std::optional<double> applied(Function function, double argument, DialectName dialect,
                                             int decimals);
 

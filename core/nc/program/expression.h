@@ -11,8 +11,8 @@
 
 namespace trc::program {
 
-// What a variable holds. A vacant one, which only Fanuc knows, counts as 0 in arithmetic. Texts are
-// of Sinumerik and of ISG.
+// The content of a variable. A vacant one, which only Fanuc knows, counts as 0 in arithmetic. Only
+// Sinumerik and ISG have texts.
 struct Value {
   double number = 0;
   bool vacant = false;
@@ -25,7 +25,7 @@ enum class Operator : std::uint8_t {
   subtract,
   multiply,
   divide,
-  divide_whole,  // of what is left over nothing is kept
+  divide_whole,  // the remainder is dropped
   remainder,
   power,
   equal,
@@ -98,7 +98,7 @@ struct Grammar {
   int highest_level = 0;
   char open = '[';
   char close = ']';
-  // Variables have names, texts stand in quotes, and a word ends where no letter or digit goes on.
+  // Variables have names, texts stand in quotes, and a word ends where no letter or digit follows.
   bool has_names = false;
 };
 
@@ -109,38 +109,38 @@ struct Grammar {
 
 class ExpressionReader;
 
-// Where an expression gets the values of its variables.
+// The source of the values of variables in expressions.
 class Variables {
  public:
   virtual ~Variables() = default;
-  // Reads a variable with the sign or the name it begins with; says what is wrong by
+  // Reads a variable, from the sign or the name that it begins with. Reports faults through
   // ExpressionReader::fail.
   virtual Value read(ExpressionReader& expression) = 0;
   // Whether the variable is known, for EXISTS.
   virtual bool exists(ExpressionReader& expression) = 0;
 };
 
-// Reads and computes the expressions of a line, in one pass. Behind a fault everything reads as 0,
-// and the first fault is what counts.
+// Reads and computes the expressions of a line, in one pass. After a fault everything reads as 0,
+// and only the first fault counts.
 //
 // Angles are degrees. A result that is not finite, a division by zero and an argument outside of
-// what a function takes are faults. What Fanuc compares or rounds to whole numbers counts as equal
-// within 1e-9: it computes in decimal digits (D-48). Sinumerik compares within 1e-12 of the size;
-// a comparison of ISG that hangs on the last digits is a fault (D-54).
+// what a function takes are faults. Numbers that Fanuc compares or rounds to whole ones count as
+// equal within 1e-9: it computes in decimal digits (D-48). Sinumerik compares within 1e-12 of the
+// size; a comparison of ISG that depends on the last digits is a fault (D-54).
 class ExpressionReader {
  public:
   ExpressionReader(const Grammar& grammar, std::string_view line, std::size_t at,
                    Variables& variables)
       : grammar_(grammar), line_(line), at_(at), variables_(variables) {}
 
-  // As far as it goes.
+  // Reads an expression as far as it goes.
   [[nodiscard]] Value expression() { return of_level(1); }
   // A number, a variable, a function or an expression in brackets, with a sign or without.
   [[nodiscard]] Value operand();
   // The number of a variable or the like: whole, not negative.
   [[nodiscard]] std::int64_t whole_operand();
 
-  // ROUND keeps so many decimals: in a word of the program, not in an assignment (Fanuc).
+  // The decimals that ROUND keeps in a word of the program; in an assignment it keeps none (Fanuc).
   void round_to(int decimals) { round_decimals_ = decimals; }
 
   [[nodiscard]] std::size_t at() const { return at_; }
@@ -148,7 +148,7 @@ class ExpressionReader {
   [[nodiscard]] std::string_view line() const { return line_; }
   [[nodiscard]] char peek() const { return at_ < line_.size() ? line_[at_] : '\0'; }
   void pass_blanks();
-  // Passes a word in letters of any case; false, and passes nothing, where another one stands.
+  // Passes the word, whatever its case. False, without passing anything, where another word stands.
   bool pass(std::string_view word);
   // The name that stands here, of letters, digits and `_`; empty: none. Passes nothing.
   [[nodiscard]] std::string_view name() const;
@@ -157,7 +157,7 @@ class ExpressionReader {
 
   [[nodiscard]] bool failed() const { return failed_; }
   [[nodiscard]] const TextFault& fault() const { return fault_; }
-  // Of a value that nothing is wrong with but where it stands: 0.
+  // Records the fault, unless there is one already, ends the line and returns 0.
   Value fail(Code code, std::size_t begin, std::string detail);
 
  private:

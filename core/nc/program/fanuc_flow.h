@@ -20,15 +20,15 @@ namespace trc::program {
 // Whether the line has a variable, an expression, a jump, a loop or a call.
 [[nodiscard]] bool fanuc_computes(std::string_view line);
 
-// Custom macros of Fanuc, with what Haas has besides.
+// Custom macros of Fanuc, with the extensions of Haas.
 //
-//   - The main program may stand behind what it calls: the program begins in the line of its O.
-//   What
-//     no call was followed to comes out behind its end, as it stands.
+//   - The main program may stand after the programs that it calls: it begins in the line
+//     of its O. Programs that no followed call reaches come out after its end, as they
+//     stand.
 //   - #1 … #33 belong to the main program and to each G65 call; M98 and M97 share those of their
 //     caller. #100 … #499 begin vacant. #500 … #999 outlast the machine's power: one that the
 //     program has not set is known from the setup alone, as everything from #1000 on.
-//   - A word whose variable is vacant is as if it were not there.
+//   - A word whose variable is vacant is ignored.
 //   - GOTO looks for its N behind it first, then from the beginning, in its own O program.
 //   - M98 P31001 is O31001, or O1001 three times where there is no such program.
 //   - M99 P goes on in the caller (Fanuc) or in the subprogram itself (Haas): where both have the
@@ -41,12 +41,12 @@ class FanucFlow : public GcodeFlow {
   [[nodiscard]] Step execute_next(std::string& flat) override;
   [[nodiscard]] bool execute_line(std::string& flat) override;
   void keep_variables(std::size_t levels) override { locals_.resize(levels); }
-  // Programs with a name count from here on.
+  // Programs with a name get numbers from here on.
   static constexpr std::int64_t first_named = 1'000'000'000'000;
   // #0 is not used; nothing: vacant.
   struct Locals : std::array<std::optional<double>, 34> {
     bool are_lost = false;               // the machine may have set any of them
-    std::set<std::size_t> of_machine{};  // hang on what is given for the machine
+    std::set<std::size_t> of_machine{};  // depend on values given for the machine
   };
   // An O program, or the one without number that a text begins with.
   struct Unit {
@@ -62,8 +62,8 @@ class FanucFlow : public GcodeFlow {
     std::map<std::size_t, std::size_t> heads{};                 // by their feet
   };
 
-  // fanuc_flow.cpp: programs and the order of their lines.
-  // Of O1001 and O<NAME>; -1: the line begins no program.
+  // fanuc_flow.cpp: programs and the order of their lines. The number for O1001 or O<NAME>; -1: the
+  // line begins no program.
   std::int64_t number_of_program(const ProgramHead& head);
   std::int64_t number_of_named(std::string_view name);
   [[nodiscard]] std::string name_of(std::int64_t number) const;
@@ -86,7 +86,7 @@ class FanucFlow : public GcodeFlow {
   bool branch(std::string& flat, ExpressionReader& expression);
   enum class LoopHead : std::uint8_t { with_condition, endless };  // WHILE [ ] DO, DO
   bool loop(std::string& flat, ExpressionReader& expression, LoopHead head);
-  // To the line behind the ELSE or ENDIF that belongs to the line.
+  // Goes to the line after the ELSE or ENDIF that belongs to the current line.
   bool go_behind_foot(const char* missing);
   bool end_loop(std::string& flat, ExpressionReader& expression);
   bool jump(ExpressionReader& expression);
@@ -96,9 +96,9 @@ class FanucFlow : public GcodeFlow {
   // fanuc_words.cpp: lines of words, and calls.
   bool execute_words(std::string& flat);
   bool call(std::string& flat, ComputedWord& word);
-  // M98 <NAME>; nothing: the line is none.
+  // M98 <NAME>; nothing: the line is no such call.
   [[nodiscard]] std::optional<bool> call_by_name(std::string& flat);
-  // DPRNT and BPRNT of variables; nothing: the line is none.
+  // DPRNT and BPRNT of variables; nothing: the line is no such output.
   [[nodiscard]] std::optional<bool> print(std::string& flat);
   bool call_own_lines(std::string& flat, const ProgramCall& call);
   bool call_macro(std::string& flat, const ComputedWord& word);
@@ -111,14 +111,14 @@ class FanucFlow : public GcodeFlow {
   [[nodiscard]] bool repeats_from(std::size_t line, std::int64_t number) const;
   bool enter_unit(std::string& flat, const Unit& unit, std::uint64_t times, Locals* locals);
   [[nodiscard]] std::optional<Unit> unit_of(std::int64_t number, std::size_t begin);
-  // A macro that the program has not, and that the machine has: O8000 to O9999, or as declared.
+  // Whether the macro is not in the program but on the machine: O8000 to O9999, or as declared.
   [[nodiscard]] bool is_of_the_machine(std::int64_t number) const;
   bool call_modally(std::string& flat);
   // M98: a subprogram sees the local variables of its caller; G65, G66: a macro has its own.
   enum class Called : std::uint8_t { subprogram, macro };
   bool pass_call(std::int64_t number, Called called);
   void forget_what_the_machine_may_set(std::int64_t number);
-  // Lines that set what the program has set, for a macro of the machine that is called behind them.
+  // Write lines that set what the program has set, for a macro of the machine that is called next.
   void write_value(std::string& flat, std::int64_t number, const std::optional<double>& content);
   void write_values(std::string& flat, Called called);
   void write_lasting_values(std::string& flat);
@@ -129,11 +129,11 @@ class FanucFlow : public GcodeFlow {
   bool set(std::int64_t number, const Value& value, std::size_t begin);
   [[nodiscard]] Value value_of(ExpressionReader& expression, std::int64_t number,
                                std::size_t begin);
-  // Whether they outlast the power of the machine.
+  // Whether the variable outlasts the power of the machine.
   [[nodiscard]] static bool is_kept(std::int64_t number) { return number >= 500 && number < 1000; }
-  // "#10100", with what two controls have there.
+  // "#10100", with its meaning where two controls differ.
   [[nodiscard]] static std::string told_variable(std::int64_t number);
-  // Of what trc follows itself: its value, and whether the program has changed it.
+  // A system variable that trc follows: its value, and whether the program has changed it.
   struct Followed {
     bool is_followed = false;
     bool is_changed = false;
@@ -161,7 +161,7 @@ class FanucFlow : public GcodeFlow {
   std::vector<bool> entered_{};  // by unit
   std::vector<Locals> locals_{1};
   std::map<std::int64_t, std::optional<double>> common_{};
-  std::set<std::int64_t> unwritten_{};  // of these, set since they were last written
+  std::set<std::int64_t> unwritten_{};  // common variables set since they were last written
   // G66
   struct ModalCall {
     std::int64_t number = 0;
@@ -172,7 +172,7 @@ class FanucFlow : public GcodeFlow {
   };
   std::optional<ModalCall> modal_call_{};
   SaidWords said_{};
-  // What holds where a loop by M99 P begins.
+  // The variables where a loop by M99 P begins.
   struct Variables {
     Locals locals{};
     std::map<std::int64_t, std::optional<double>> common{};

@@ -9,7 +9,7 @@
 
 #include "core/nc/program/program_text.h"
 
-// Which programs a text of Fanuc holds, and which of them call which.
+// The programs in a text of Fanuc, and which of them call each other.
 
 namespace trc::program {
 
@@ -22,21 +22,21 @@ struct ProgramHead {
   std::size_t behind = 0;
 
   [[nodiscard]] bool is_there() const { return !name.empty(); }
-  // As people write it: O0100, O<PART1>.
+  // The head as people write it: O0100, O<PART1>.
   [[nodiscard]] std::string told() const;
 };
 [[nodiscard]] ProgramHead program_head_of(std::string_view line);
 
-// Whether the line is worth a look for it, which all lines are asked.
+// A quick test, made for every line, whether it may begin a program.
 [[nodiscard]] bool may_begin_program(std::string_view line);
 // The line with blanks in place of the O, so that its columns stay.
 [[nodiscard]] std::string without_head(std::string_view line, const ProgramHead& head);
 
-// What a line, or several, calls by M98, G65 and G66, by the name of its head.
+// The programs that lines call by M98, G65 and G66, by the name of their head.
 struct ProgramCalls {
   std::set<std::string> names{};
   std::set<std::string> milled{};  // by G150 of Haas, which stays a call of the machine
-  bool is_computed = false;        // one hangs on a value: it may be any
+  bool is_computed = false;        // one depends on a value: it may be any
 
   [[nodiscard]] bool say(const std::string& name) const {
     return names.contains(name) || milled.contains(name);
@@ -56,18 +56,18 @@ struct ProgramOfText {
 };
 [[nodiscard]] std::vector<ProgramOfText> programs_of(const ProgramText& text);
 
-// Memory is punched in the order of the numbers, a subprogram may stand in front of what calls it.
+// Controls store programs by number, so a subprogram may stand in front of its caller.
 struct MainProgram {
   std::size_t line = 0;     // of its O
   bool is_first = true;     // of the text
   std::string first{};      // of the text, as it is told, where that is another one
-  std::string ambiguous{};  // why it is not known; empty: it is
+  std::string ambiguous{};  // why the main program is not known; empty: it is
 };
 // `begun`: the first program, where its O stands in front of the text.
 [[nodiscard]] MainProgram main_program_of(const ProgramText& text, const ProgramHead& begun);
 
-// Whether the line says what main programs begin with or end with: a tool, a work offset, a unit, a
-// reference point, M02, M30.
+// Whether the line has a word that main programs begin or end with: a tool, a work offset, a unit,
+// a reference point, M02, M30.
 [[nodiscard]] bool tells_main_program(std::string_view line);
 
 }  // namespace trc::program

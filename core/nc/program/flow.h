@@ -25,20 +25,20 @@
 
 namespace trc::program {
 
-// Calls within calls; what a control allows is less.
+// Depth of nested calls; controls allow fewer.
 inline constexpr std::size_t deepest_call = 32;
 
-// What holds behind the lines that were executed, which a program may ask for.
+// The modes after the lines executed so far, which a program may read.
 struct ModalState {
   MotionKind motion = MotionKind::rapid;
   Plane plane = Plane::xy;
   bool incremental = false;
   LengthUnit unit = LengthUnit::mm;
   std::optional<double> tool_radius{};  // mm; none: nobody has given it
-  // Of the tool that M6 has put into the spindle, mm, where the setup or the program gives it.
+  // Diameter of the tool that M6 has put into the spindle, mm, where setup or program give it.
   std::optional<double> spindle_diameter{};
   bool contour_open = false;
-  // Of X, Y and Z, in the unit that holds; nothing where it is not known, nor in a contour.
+  // Of X, Y and Z, in the unit in force; nothing where the position is not known, and in a contour.
   std::array<std::optional<double>, 3> place{};
 };
 
@@ -46,8 +46,8 @@ struct ModalState {
 // of it, which have come out already.
 enum class FirstBlock : std::uint8_t { in_text, before_text };
 
-// Executes a program that computes, a line at a time: follows its jumps, loops and calls, and says
-// what each line becomes in the flat program.
+// Executes a program that computes, a line at a time: follows its jumps, loops and calls, and makes
+// the lines of the flat program.
 class Flow {
  public:
   enum class Step : std::uint8_t { goes_on, ended, refused };
@@ -57,45 +57,45 @@ class Flow {
   Flow(const Flow&) = delete;
   Flow& operator=(const Flow&) = delete;
 
-  // Executes the next line and appends the lines that it becomes, with their ends. Behind an end
-  // nothing more may be asked for, behind a refusal nothing but look_ahead().
+  // Executes the next line and appends the lines that it becomes, with their ends. After `ended` no
+  // further call is allowed, after `refused` only look_ahead().
   [[nodiscard]] Step step(std::string& flat);
-  // Behind a refusal: from now on step() looks at what lies ahead, a line at a time, for whatever
-  // else stands against the program, so that all of it is told in one run. Jumps lead nowhere,
-  // what is called is looked at in its turn, and a value that is not known is taken for 1.
+  // After a refusal: from now on step() only examines the lines ahead, one at a time, for further
+  // faults, so that one run reports them all. Jumps are not followed, called subprograms are
+  // examined in turn, and an unknown value is taken for 1.
   void look_ahead();
 
-  // Lines that the reader has passed on in front of the text.
+  // Takes lines that the reader has passed on in front of the text.
   virtual void know(std::string_view /*lines*/) {}
-  // Before each step.
+  // Sets the modes in force; called before each step.
   void hold(const ModalState& modes) { modes_ = modes; }
 
-  // The last of the lines that it has become calls what the machine alone has: it passes.
+  // The last line that it has become calls a text that only the machine has: the call passes.
   [[nodiscard]] bool calls_the_machine() const { return calls_the_machine_; }
-  // Behind the motion of that line the machine executes what it alone has: G66.
+  // After the motion of that line the machine executes a text that only it has: G66.
   [[nodiscard]] bool machine_follows() const { return machine_follows_; }
-  // Of the line executed last, where it calls a label that stays in the program.
+  // The effects of the line executed last, where it calls a label that stays in the program.
   [[nodiscard]] const std::optional<KlartextEffects>& call_leaves() const { return call_leaves_; }
   // Lines that set variables for a call of the machine, in front of what the line has become: they
   // are copied as they stand.
   [[nodiscard]] const std::string& settings() const { return settings_; }
-  // What the line executed last has become is that line itself.
+  // Whether the line executed last came out as it was written.
   [[nodiscard]] bool is_as_written() const { return is_as_written_; }
-  // Of the line that was executed last: its line in the program, of a given subprogram that of the
-  // call; and what calls it.
+  // Line in the program of the line executed last; for a line of a given subprogram that of its
+  // call; and the chain of calls.
   [[nodiscard]] std::uint32_t line_in_program() const;
   // The N word of that line, or Source::no_number.
   [[nodiscard]] std::int64_t number_in_program() const;
   [[nodiscard]] CallPlaces::Chain chain() const { return frames_.back().chain; }
   [[nodiscard]] std::uint32_t line_within() const;
   [[nodiscard]] std::uint64_t executed_lines() const { return executed_; }
-  // What stands against it, without its place in the program: one at most where it is executed.
+  // The errors of the last step, without place; at most one while lines are executed.
   [[nodiscard]] const std::vector<Diagnostic>& refusals() const { return refusals_; }
-  // What has to be looked at in it, without its place in the program.
+  // The warnings of the last step, without place.
   [[nodiscard]] const std::vector<Diagnostic>& warnings() const { return warnings_; }
 
  protected:
-  // What is being executed: the main program, or a call.
+  // A program being executed: the main program, or a call.
   struct Frame {
     std::size_t text = 0;
     std::size_t begin = 0;  // lines of the subprogram
@@ -112,53 +112,53 @@ class Flow {
   [[nodiscard]] virtual Step execute_next(std::string& flat) = 0;
   // Takes the line at frame().next and does what it says; false where it is refused.
   [[nodiscard]] virtual bool execute_line(std::string& flat) = 0;
-  // So many levels of variables are known from now on: the main program has the first.
+  // Keeps this many levels of variables; the main program has the first.
   virtual void keep_variables(std::size_t levels) = 0;
   [[nodiscard]] bool looks_ahead() const { return looks_ahead_; }
-  // Where lines are looked at: what is called, and not executed, may have set variables.
+  // While lines are only examined: a call that is not executed may have set variables.
   void forget_values();
-  // Where lines lie ahead they are passed over, whatever holds: a subprogram that is defined here.
+  // While lines are only examined, passes over those before `line`: a subprogram is defined here.
   void pass_over(std::size_t line) { passed_over_ = line; }
-  // Whether the line of that text was executed, or looked at.
+  // Whether the line of that text was executed or examined.
   [[nodiscard]] bool was_seen(const Frame& frame, std::size_t line) const;
 
   [[nodiscard]] Frame& frame() { return frames_.back(); }
   [[nodiscard]] const ProgramText& text_of(const Frame& frame) const { return texts_[frame.text]; }
   [[nodiscard]] std::string_view line_end() const;
 
-  // Of the line that is executed: whether the setup leaves it out, and whether it says that lines
-  // behind `/` are executed.
+  // For the line being executed: whether the setup leaves it out, and whether a line behind `/` may
+  // be skipped.
   [[nodiscard]] bool is_left_out(std::string_view line) const;
   [[nodiscard]] bool may_be_skipped(bool behind_slash) const {
     return behind_slash && setup_.block_skip != BlockSkip::execute;
   }
-  // Counts the line that is executed. False beyond what the setup allows.
+  // Counts the line being executed. False beyond the limit of the setup.
   bool count_line();
-  // False beyond what is allowed.
+  // Enters a call. False beyond the deepest one allowed.
   bool enter(Frame callee);
   // Always false. `begin`: byte of the line.
   bool refuse(Code code, std::size_t begin, std::string detail);
   bool refuse(const TextFault& fault) { return refuse(fault.code, fault.begin, fault.detail); }
-  // Of a variable without a value: fails, or supposes one where lines are looked at.
+  // For a variable without a value: fails, or supposes a value while lines are only examined.
   Value without_value(ExpressionReader& expression, Code code, std::size_t begin,
                       std::string detail);
   // A variable has been assigned what kept_text_ has read.
   void note_counter(const std::string& name);
-  // Of a variable that the control counts: whether its value is known. Null: the program knows what
-  // it has set.
+  // For a variable that the control counts: whether its value is known. Null: the program itself
+  // has set it.
   [[nodiscard]] const bool* counter(const std::string& name) const;
-  // Once of each: the variable outlives the program, and the number that it is set to hangs on what
-  // is given for the machine (D-88).
+  // Warns once for each variable that outlives the program and is set to a number that depends on
+  // values given for the machine (D-88).
   void warn_of_given(std::size_t begin, const std::string& name);
-  // A variable is read: where lines are looked at it need not have the value it would have.
+  // A variable is read: while lines are only examined, its value may be a supposed one.
   void suppose() { supposes_ = true; }
-  // Whether what was refused hangs on values that the program would have had.
+  // Whether a refusal may only follow from supposed values.
   [[nodiscard]] bool may_be_a_consequence(Code code) const;
 
-  // The first line of the program from `begin` on that has a function, of two; `end`: none has.
+  // The first line of the program from `begin` on with one of two functions; `end`: none.
   [[nodiscard]] std::size_t first_with(char letter, int first, int second, std::size_t begin,
                                        std::size_t end) const;
-  // Always false: nothing leads to that line of the program, whose contour would be lost.
+  // Always false: that line is never reached, and its contour would be lost.
   bool refuse_contour_behind_end(std::size_t line);
 
   // The value the setup gives a variable, by its name in capitals without `#`, `<`, `>`; null:
@@ -180,7 +180,7 @@ class Flow {
   bool ended_ = false;
 
  private:
-  // What lies ahead: from the next line of the innermost frame to its end.
+  // Lines to be examined: from the next line of the innermost frame to its end.
   struct Stretch {
     std::vector<Frame> frames{};
     bool knows_values = false;  // the frames of the refusal, whose variables are known

@@ -12,8 +12,8 @@
 
 namespace trc::program {
 
-// What Fanuc and LinuxCNC have in common: a line of letters whose values may be computed, and what
-// it becomes.
+// The common part of Fanuc and LinuxCNC: lines of letters whose values may be computed, and the
+// lines they become.
 class GcodeFlow : public Flow, protected Variables {
  protected:
   GcodeFlow(const ProgramSetup& setup, CallPlaces& calls, const Grammar& grammar)
@@ -27,11 +27,11 @@ class GcodeFlow : public Flow, protected Variables {
 
   // Reads the words of the line, with their values.
   bool scan_words();
-  // Comments with the values of what they print, which only LinuxCNC has.
+  // Comments with the values that they print; only LinuxCNC has them.
   [[nodiscard]] virtual std::string with_values(std::string_view comments) {
     return std::string(comments);
   }
-  // Reads what begins with `#` among words, which only LinuxCNC has; false where it is refused.
+  // Reads an assignment among words, which only LinuxCNC has; false where it is refused.
   virtual bool scan_assignment(std::size_t& at);
   [[nodiscard]] ComputedWord* word_of(char letter);
   // The value of the P or L of a call, whole and not negative.
@@ -40,29 +40,29 @@ class GcodeFlow : public Flow, protected Variables {
   // Whether the line has a word that is left in it.
   [[nodiscard]] bool has_words_left() const;
 
-  // M98, M97: which program, and how often.
+  // M98, M97: the program called, and how often.
   struct ProgramCall {
     std::int64_t number = 0;
     std::uint64_t times = 1;
     bool says_times = false;
     std::size_t begin = 0;  // byte of the line
   };
-  // Takes the words of a call out of the line and writes what else stands in it, which comes first.
-  // Nothing where it is refused.
+  // Takes the words of a call out of the line and writes the rest of the line, which is executed
+  // first. Nothing where it is refused.
   [[nodiscard]] std::optional<ProgramCall> take_call(ComputedWord& word, std::string& flat);
 
   bool write_line(std::string& flat);
   void write_as_it_is(std::string& flat);
-  // The comment behind which the lines of a subprogram stand, with those of the call.
+  // Writes the comment that introduces the lines of a subprogram, with the comments of the call.
   void write_call(std::string& flat, std::string_view name);
-  // The N word of the line, then this.
+  // Writes the N word of the line, then `text`.
   void write_behind_number(std::string& flat, std::string_view text);
-  // Of a statement nothing is left but its comments; refused where something else stands behind.
+  // Keeps only the comments of a statement; refused where anything else follows it.
   bool finish_statement(std::string& flat, std::size_t at);
-  // Of what stands behind the program nothing is left but the end of the tape.
+  // Ends the program; of the lines after it only the end of the tape is kept.
   bool end_program(std::string& flat);
 
-  // Of the line that is being executed.
+  // State of the line being executed.
   std::string_view line_{};
   LineHead head_{};
   std::vector<ComputedWord> words_{};
@@ -73,17 +73,17 @@ class GcodeFlow : public Flow, protected Variables {
  private:
   bool scan_value(ComputedWord& word, std::size_t& at);
   void round_whole_words();
-  // Of a word whose value is supposed: a tool that there is.
+  // For a word with a supposed value: takes a tool that exists.
   void suppose_tool(ComputedWord& word) const;
   [[nodiscard]] PointStyle style_of(char letter) const;
-  // Whether places of the line, which has been read, need no more decimals than the output has.
+  // Whether positions in the line, which has been read, need no more decimals than the output has.
   [[nodiscard]] bool rounds_places() const;
   [[nodiscard]] int decimals_of(char letter) const;
 
   const Grammar& grammar_;
 };
 
-// Whether the tape ends or begins there.
+// Whether the tape begins or ends in the line.
 [[nodiscard]] bool is_percent(std::string_view line);
 
 }  // namespace trc::program

@@ -38,18 +38,18 @@ struct LineHead {
 };
 [[nodiscard]] LineHead head_of(std::string_view line);
 
-// The end of what was read up to `at`, without the blanks behind it.
+// The end of the text read up to `at`, without the blanks in front of `at`.
 [[nodiscard]] inline std::size_t end_without_blanks(std::string_view line, std::size_t begin,
                                                     std::size_t at) {
   return begin + without_blanks_behind(line.substr(begin, at - begin)).size();
 }
-// Behind the comment that begins there; 0: it has no end.
+// The position after the comment that begins at `at`; 0: it has no end.
 [[nodiscard]] std::size_t behind_comment(std::string_view line, std::size_t at);
 // Whether nothing but comments stands from `at` on.
 [[nodiscard]] bool is_over(std::string_view line, std::size_t at);
 // The comments from `at` on, a blank between.
 [[nodiscard]] std::string comments_of(std::string_view line, std::size_t at);
-// Whether a word in letters stands there, of any case.
+// Whether the word stands there, whatever its case.
 [[nodiscard]] bool has_word_at(std::string_view line, std::size_t at, std::string_view word);
 // Whether the letter stands in the line with one of the two numbers, whatever decimals that has,
 // outside of comments.
@@ -60,7 +60,7 @@ enum class PointStyle : std::uint8_t {
   with_point,  // 30.
 };
 
-// So many decimals a computed value has where nothing takes more off: it is 5e-9 away at most.
+// Decimals of a computed value where nothing demands fewer: its error is at most 5e-9.
 inline constexpr int decimals_of_values = 8;
 // The shortest decimal number that reads back to the value, with at most so many decimals.
 void append_value(std::string& out, double value, PointStyle style,

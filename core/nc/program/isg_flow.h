@@ -15,20 +15,20 @@
 
 namespace trc::program {
 
-// V.S. and V.E., which other programs and the control read.
+// Whether it is V.S. or V.E., which other programs and the control read.
 [[nodiscard]] bool isg_outlives_program(std::string_view name);
 
 // The language of ISG.
 //
 //   - P parameters, V.P. and V.CYC. variables belong to the whole run, V.L. to the main program and
-//     to each call; what is called knows those of its caller. V.S. and V.E. outlast it: their
-//     assignments come out, with their values. V.A. and V.G. are the machine's, but for the tool
-//     radii that the setup and the program give.
+//     to each call; called programs know those of their caller. V.S. and V.E. outlast the run:
+//     their assignments come out, with their values. V.A. and V.G. are the machine's, but for the
+//     tool radii that the setup and the program give.
 //   - Subprograms stand in front of the program, behind %L NAME, or are texts of the setup, which
 //     may have their own; they share all modes with their caller.
-//   - A call of what is not there passes (D-47, D-67). It may ask for what the program has set:
-//     that comes out in front of it, at the latest. Behind it the values are not known.
-//   - Where two operators stand side by side whose order nobody says, brackets are asked for.
+//   - A call of a subprogram that is not there passes (D-47, D-67). It may read what the program
+//     has set, so these values come out before it at the latest. After it they are not known.
+//   - Where the order of two adjacent operators is not documented, brackets are required.
 class IsgFlow : public Flow, private Variables {
  public:
   IsgFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text, FirstBlock first_block);
@@ -61,7 +61,7 @@ class IsgFlow : public Flow, private Variables {
     repetition,
     until,
   };
-  // What stands against a statement, or one around it.
+  // A fault of a statement, or of one around it.
   struct Misplaced {
     std::size_t line = 0;
     Code code = Code::block_structure;
@@ -213,16 +213,16 @@ class IsgFlow : public Flow, private Variables {
   std::set<std::string, std::less<>> of_machine_{};  // hang on what is given for the machine
   std::set<std::string, std::less<>> unwritten_{};   // set since they were last written
   std::map<std::string, std::string, std::less<>> spellings_{};  // of V. names, without indices
-  // The program calls what is not there: V. variables come out where they are set, and P
-  // parameters in front of such a call.
+  // The program calls subprograms that are not there: V. variables come out where they are set, and
+  // P parameters before such a call.
   bool writes_variables_ = false;
   std::string lost_to_{};
-  // What $FOR counts to and by, by the depth of calls and its line.
+  // The last value and the step of $FOR, by depth of calls and line.
   std::map<std::pair<std::size_t, std::size_t>, std::pair<double, double>> counts_{};
   bool in_comment_ = false;      // between #COMMENT BEGIN and END
   bool in_declaration_ = false;  // between #VAR and #ENDVAR
 
-  // Of the line that is being executed.
+  // State of the line being executed.
   std::string joined_{};    // of a line that goes on behind `\`
   bool is_joined_ = false;  // the line that is executed, of several
   std::string_view line_{};

@@ -21,7 +21,7 @@ struct IsgHead {
 };
 [[nodiscard]] IsgHead isg_head_of(std::string_view line);
 
-// Behind the comment that begins at `at`, which nests; 0: it has no end.
+// The position after the comment that begins at `at`, which may nest; 0: it has no end.
 [[nodiscard]] std::size_t behind_isg_comment(std::string_view line, std::size_t at);
 // Where the command ends that begins with the `#` at `at`, without blanks behind it.
 [[nodiscard]] std::size_t end_of_isg_command(std::string_view line, std::size_t at);
@@ -33,9 +33,9 @@ struct IsgHead {
 // Whether a parameter (P1, PP1, P[P1]) or a variable (V.P.NAME) begins there.
 [[nodiscard]] bool is_isg_parameter_at(std::string_view line, std::size_t at);
 [[nodiscard]] bool is_isg_variable_at(std::string_view line, std::size_t at);
-// Whether what stands there has to be computed: a variable, a bracket or a function, with a sign or
-// without.
-// Whether a variable stands in S[M3 REV=P1].
+// Whether the value there has to be computed: a variable, a bracket or a
+// function, with a sign or without. Whether a variable stands in S[M3
+// REV=P1].
 [[nodiscard]] bool computes_spindle(std::string_view words);
 [[nodiscard]] bool is_isg_expression_at(std::string_view line, std::size_t at);
 
@@ -57,21 +57,21 @@ struct IsgCall {
 [[nodiscard]] std::size_t isg_call_behind_words(std::string_view line, std::size_t at);
 // The text of the setup that a call names, by the name of its file; null: none.
 [[nodiscard]] const std::string* given_subprogram(const ProgramSetup& setup, std::string_view name);
-// Without what stands behind its last point, in capitals, without folder.
+// The name in capitals, without folder and without its ending.
 [[nodiscard]] std::string plain_file_name(std::string_view name);
 
 // Whether the line has a variable, an expression, a control statement or a call that is followed.
 [[nodiscard]] bool isg_computes(const ProgramSetup& setup, std::string_view line);
 // Whether #COMMENT BEGIN or END stands in the line.
 [[nodiscard]] bool bounds_isg_comment(std::string_view line);
-// Of such a line: whether it is BEGIN.
+// For such a line: whether it is BEGIN.
 [[nodiscard]] bool begins_isg_comment(std::string_view line);
-// Of a line that computes nothing: whether lines behind it hang on it, an assignment or a comment.
+// For a line that computes nothing: whether later lines depend on it (assignment, comment).
 [[nodiscard]] bool isg_tells_state(std::string_view line);
-// Whether a text holds no sign with which such a line is written.
+// Whether a text has none of the signs that such lines are written with.
 [[nodiscard]] bool is_plain_isg(std::string_view text);
 
-// Whether a value goes on with it, or has brackets that nothing has opened.
+// Whether a value goes on with this sign, or closes a bracket that was not opened.
 [[nodiscard]] inline bool is_isg_operator(char sign) {
   return sign != '\0' && std::string_view("+-*<>=&|^!]").find(sign) != std::string_view::npos;
 }

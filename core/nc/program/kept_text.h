@@ -8,20 +8,20 @@
 
 namespace trc::program {
 
-// What an assignment hangs on, while its value is read. A variable that outlives the program and is
-// set from what the control holds in itself is a counter: its assignment stays in the flat program,
-// so that the control computes it anew in each run. It stands there by its name, other variables,
-// which the flat program has not, as their values (D-88).
+// Records what an assignment depends on, while its value is read. A variable that outlives the
+// program and is set from its own old value is a counter: its assignment stays in the flat program,
+// so that the control computes it anew in each run. The counter stands there by its name, other
+// variables, which the flat program lacks, by their values (D-88).
 class KeptText {
  public:
-  // `kept`: the variable that is set, where it outlives the program, else empty.
+  // `kept`: the variable that is set if it outlives the program, else empty.
   void begin(std::string kept) {
     *this = {};
     reads_ = true;
     kept_ = std::move(kept);
   }
   void end() { reads_ = false; }
-  // What `read` returns: of an index, whose variables do not stand in the text.
+  // Returns the result of `read`, which reads an index: its variables are not part of the text.
   template <class Read>
   [[nodiscard]] auto read_aside(const Read& read) {
     const bool reads = std::exchange(reads_, false);
@@ -30,7 +30,7 @@ class KeptText {
     return value;
   }
 
-  // Whether its value may be unknown here: the control has it.
+  // Whether the value of the variable may be unknown here, because the control has it.
   [[nodiscard]] bool may_be_unknown(std::string_view name) const { return reads_ && name == kept_; }
   // The variable that is read is one that the control holds.
   void keep(const std::string& name) {
@@ -39,12 +39,12 @@ class KeptText {
     counts_ = true;
     name_ = name;
   }
-  // One that has no value here.
+  // For a variable that has no value here.
   void keep_unknown(const std::string& name) {
     keep(name);
     if (reads_ && name == kept_) is_known_ = false;
   }
-  // What it holds was computed from what is given for the machine, and is not in the output.
+  // The variable was computed from values given for the machine, and is not in the output.
   void hang_by_the_way() { hangs_by_the_way_ |= reads_; }
   // A variable has been read, from `begin` of the line to `end`.
   void take(std::size_t begin, std::size_t end, std::string value) {

@@ -10,8 +10,8 @@
 
 namespace trc::program {
 
-// Of Heidenhain: labels that are called, LBL 1 … LBL 0, and stretches that are repeated, CALL LBL 1
-// REP 3. Where a contour is in one of them, or one is called within a contour, all of them are
+// Heidenhain: labels that are called, LBL 1 … LBL 0, and program sections that are repeated, CALL
+// LBL 1 REP 3. Where one of them has a contour, or is called within a contour, all of them are
 // written out; else the program comes out as it is (D-82).
 class KlartextFlow : public Flow {
  public:
@@ -23,7 +23,7 @@ class KlartextFlow : public Flow {
   void keep_variables(std::size_t) override {}
 
  private:
-  // Takes a line into the outline; how the program comes out is known behind the last one.
+  // Takes the lines into the outline; how the program comes out is known after the last one.
   void read_outline();
   void take_effects_of_call();
   void write_as_written(std::string& flat);
@@ -37,7 +37,7 @@ class KlartextFlow : public Flow {
   bool leaves_out_ = false;  // there: a label that has been written out
 };
 
-// CALL LBL.
+// Whether the line is a CALL LBL.
 [[nodiscard]] bool klartext_computes(std::string_view line);
 
 }  // namespace trc::program

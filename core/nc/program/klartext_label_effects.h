@@ -8,10 +8,10 @@
 
 namespace trc::program {
 
-// What the labels of a program leave in force that RL and RR hang on, where they are called from
-// elsewhere (D-160). It takes the lines one by one; each is looked at once, however often the label
-// is called. Where labels call themselves, or one another deeper than `deepest_call`, nobody can
-// follow them: KlartextMode::anything.
+// The effects of labels, when called from elsewhere, on the modes that RL and RR depend on (D-160).
+// It takes the lines one by one; each is looked at once, however often the label is called. Where
+// labels call themselves, or one another deeper than `deepest_call`, they cannot be followed:
+// KlartextMode::anything.
 class LabelEffects {
  public:
   static constexpr std::size_t no_label = static_cast<std::size_t>(-1);
@@ -19,19 +19,19 @@ class LabelEffects {
   void begin_label(std::size_t label);
   void add(const KlartextEffects& effects);
   void add_call(std::size_t label);
-  // `label`: no_label where a parameter says it.
+  // `label`: no_label where a parameter names it.
   void add_jump(std::size_t label);
-  // Some lines of the section are executed or not, or again.
+  // Some lines of the section may be executed, skipped or repeated.
   void add_choice() { sections_.back().has_choice = true; }
-  // LBL 0, or the end of the program, which no call comes past.
+  // LBL 0, or the end of the program: no call goes beyond it.
   void end_section();
 
-  // Behind the last line. The label has to begin somewhere.
+  // To be called after the last line, for a label that exists.
   [[nodiscard]] KlartextEffects of(std::size_t label);
   [[nodiscard]] bool has(std::size_t label) const {
     return label < labels_.size() && labels_[label].section != nowhere;
   }
-  // Of a label that a parameter says.
+  // The effects of a label that a parameter names.
   [[nodiscard]] KlartextEffects of_any() const { return of_any_; }
 
  private:
@@ -41,7 +41,7 @@ class LabelEffects {
     std::size_t section = nowhere;
     std::size_t step = 0;  // the first one behind it
   };
-  // What a line does.
+  // The effect of a line.
   struct Step {
     enum class Kind : std::uint8_t { effects, call, jump };
     Kind kind = Kind::effects;

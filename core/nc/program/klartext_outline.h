@@ -12,23 +12,23 @@
 
 namespace trc::program {
 
-// A line of Klartext, as far as it has to do with labels.
+// The part of a line of Klartext that concerns labels.
 struct LabelStatement {
   enum class Kind : std::uint8_t { none, label, call, program_end };
   Kind kind = Kind::none;
   std::size_t begin = 0;  // of the statement
   std::string label{};
   bool repeats = false;
-  std::optional<std::uint64_t> repetitions{};  // none: they hang on a parameter
+  std::optional<std::uint64_t> repetitions{};  // none: a parameter gives them
 };
 
-// `words`: what statement_of() makes of the line from behind its number on.
+// `words`: the result of statement_of() for the line after its number.
 [[nodiscard]] LabelStatement label_statement_in(std::string_view line, std::string_view words);
 [[nodiscard]] LabelStatement label_statement_in(std::string_view line);
 
-// Which labels a program in Klartext has, what they reach, and where contours stand in it. It takes
-// the lines one by one; what hangs on all of them is found once, in time that grows with their
-// number alone, however the labels call each other.
+// The labels of a program in Klartext, what they reach, and where contours stand in it. It takes
+// the lines one by one; whatever depends on all of them is found once, in time proportional to
+// their number, however the labels call each other.
 class KlartextOutline {
  public:
   static constexpr std::size_t nowhere = std::string_view::npos;
@@ -39,21 +39,21 @@ class KlartextOutline {
     std::size_t end = nowhere;  // the line of its LBL 0
     bool is_called = false;     // up to there
     bool is_twice = false;
-    bool has_contour = false;  // RL or RR stands there, or in what is called from there
+    bool has_contour = false;  // RL or RR stands there, or in a label called from there
   };
 
-  // Whether the line is executed, as far as `/` and the setup say.
+  // Whether the line is executed, judging by `/` and the setup.
   enum class Execution : std::uint8_t { certain, perhaps, never };
   void read(std::string_view line, Execution execution);
-  // Behind the last line.
+  // To be called after the last line.
   void finish();
 
-  // A contour is repeated by a call, or has one in it, and no label is a contour of cycles, which
+  // A contour is repeated by a call or contains a call, and no label is a contour of cycles, which
   // the control itself looks up.
   [[nodiscard]] bool repeats_contour() const { return repeats_contour_ && !is_named_by_cycles_; }
-  // Null: no line has it.
+  // Null: the program has no such label.
   [[nodiscard]] const Label* label(const std::string& name) const;
-  // What a call of the label leaves in force; nothing where no line has it, nor is it a parameter.
+  // The effects of calling the label; nothing where `name` is neither a label nor a parameter.
   [[nodiscard]] std::optional<KlartextEffects> effects_of(const std::string& name);
 
  private:
@@ -64,7 +64,7 @@ class KlartextOutline {
     bool repeats = false;
     bool in_contour = false;
   };
-  // Lines up to an LBL 0: each of its labels goes from where it stands to there.
+  // The lines up to an LBL 0: each label in them reaches from its LBL to there.
   struct Section {
     std::vector<std::size_t> labels{};  // in the order of their lines
     std::size_t with_contour = 0;       // so many of them, the first ones
@@ -75,7 +75,7 @@ class KlartextOutline {
   void read_label(const std::string& name);
   void read_effects(std::string_view line, std::string_view words, const LabelStatement& statement,
                     Execution execution);
-  // Behind the labels of the section a contour, or a call of one, stands in that line.
+  // That line, after the labels of the section, has a contour or calls one.
   void take_contour(Section& section, std::size_t line);
   void find_contours_of_labels();
   [[nodiscard]] bool has_contour(std::size_t begin, std::size_t end) const;

@@ -27,7 +27,7 @@ namespace trc::program {
 //
 //   - #1 … #30 and #<name> belong to the main program and to each O call; a call begins with the
 //     numbered ones of its caller, but for its arguments. #31 … #5000 and #<_name> are everyone's.
-//   - What a line assigns holds behind it.
+//   - Assignments in a line take effect after the line.
 //   - A parameter that was never assigned is refused, also a numbered one, which the control takes
 //     for 0 unless its parameter file says otherwise.
 //   - O words of one label belong together within one subprogram.
@@ -65,8 +65,8 @@ class LinuxcncFlow : public GcodeFlow {
   struct Locals {
     std::array<std::optional<double>, 31> numbered{};
     std::map<std::string, double, std::less<>> named{};
-    std::set<std::string, std::less<>> of_machine{};  // hang on what is given for the machine
-    // Left, by the text and the line of `repeat`.
+    std::set<std::string, std::less<>> of_machine{};  // depend on values given for the machine
+    // Repetitions left, by text and line of `repeat`.
     std::map<std::pair<std::size_t, std::size_t>, std::int64_t> repetitions{};
   };
   struct Target {
@@ -89,10 +89,10 @@ class LinuxcncFlow : public GcodeFlow {
 
   static Statement statement_at(std::string_view line, std::size_t& at);
   void add_o_words(std::size_t text);
-  // The label behind the O at `at`, which goes behind it; nothing where it is refused.
+  // The label after the O at `at`; `at` moves past the label. Nothing where it is refused.
   std::optional<std::string> label_at(std::size_t& at);
-  // Those of the label, "100" or "<name>", in the scope: the line behind its `sub`, 0 outside of
-  // all. Null: none.
+  // The O words of the label, "100" or "<name>", in the scope: the line after its `sub`, 0 outside
+  // of all. Null: none.
   [[nodiscard]] const std::vector<OWord>* words_of(std::size_t scope,
                                                    const std::string& label) const;
   // The next O word of the label and the scope behind (or in front of) the current line whose
@@ -124,7 +124,7 @@ class LinuxcncFlow : public GcodeFlow {
   bool return_from_sub(std::size_t at, std::string& flat);
   bool return_from_program(ComputedWord& word, std::string& flat);
 
-  // linuxcnc_messages.cpp: what goes elsewhere.
+  // linuxcnc_messages.cpp: output to screen, files and the machine.
   [[nodiscard]] std::string with_values(std::string_view comments) override;
   void append_message(std::string& out, std::string_view message) const;
   void write_values();
@@ -135,7 +135,7 @@ class LinuxcncFlow : public GcodeFlow {
   [[nodiscard]] Target target_at(ExpressionReader& expression);
   [[nodiscard]] bool is_own(const Target& target) const;
   [[nodiscard]] static bool is_state(const Target& target);
-  // Whether the control keeps it beyond the end of the program.
+  // Whether the control keeps the parameter beyond the end of the program.
   [[nodiscard]] bool outlives_program(const Target& target) const {
     return !is_own(target) && !is_state(target);
   }
@@ -154,7 +154,7 @@ class LinuxcncFlow : public GcodeFlow {
   std::vector<Locals> locals_{1};
   std::map<std::int64_t, double> common_{};
   std::map<std::string, double, std::less<>> globals_{};
-  // Of both, set since they were last written.
+  // Of both kinds: those set since they were last written.
   std::set<std::int64_t> unwritten_numbers_{};
   std::set<std::string> unwritten_names_{};
   std::vector<Assignment> assignments_{};  // of the line

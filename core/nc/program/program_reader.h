@@ -14,12 +14,12 @@
 
 namespace trc {
 
-// Reads NC text, also of programs that compute: the Interpreter behind it sees the flat program.
+// Reads NC text, also of programs that compute: its Interpreter sees the flat program.
 //
 // Text goes straight on to the Interpreter up to the first line that computes (a variable, a jump,
-// a call). From there on it is collected, and executed at the end of the text. Of what stands in
-// front `most_text_before` bytes are kept, so that jumps and calls reach them; of a longer program
-// nothing, and such a jump is refused (900305). Of ISG only what says the values of variables is.
+// a call). From there on it is collected, and executed at the end of the text. Of the text before
+// that line up to `most_text_before` bytes are kept for jumps and calls; of a longer text none, and
+// such a jump is refused (900305). Of ISG only lines that set variables are.
 //
 // A text of Fanuc that begins with an O may begin with a subprogram, whose main program stands
 // behind it. Its lines wait until one of them says that it is a main program (a tool, a work
@@ -31,7 +31,7 @@ class ProgramReader {
   // 900311 beyond.
   static constexpr std::size_t most_computing_text = 16U * 1024U * 1024U;
 
-  // The interrupt is called every now and then while a program is executed.
+  // The interrupt is called from time to time while a program is executed.
   ProgramReader(const ReaderLimits& limits, ProgramState& state, Diagnostics& diagnostics,
                 Checkpoint::Interrupt interrupt = {});
   ~ProgramReader();
@@ -40,7 +40,7 @@ class ProgramReader {
 
   // As of Interpreter.
   bool feed(std::string_view text, std::vector<LinePointer>& lines);
-  // Behind the last text: executes some of a program that computes. Returns whether more of it is
+  // After the last text: executes part of a program that computes. Returns whether more is
   // left.
   bool resolve(std::vector<LinePointer>& lines);
   // As of Interpreter; executes what is left.
@@ -54,7 +54,7 @@ class ProgramReader {
   // 0 as long as nothing is computed.
   [[nodiscard]] std::uint64_t executed_lines() const { return flow_ ? flow_->executed_lines() : 0; }
 
-  // With the text that was collected; not once it is executed.
+  // Saves the collected text too; not allowed once it is executed.
   template <class Archive>
   void serialize(Archive& archive) {
     archive(interpreter_, partial_, before_, lines_before_, before_is_whole_, passes_, computing_,
@@ -83,7 +83,7 @@ class ProgramReader {
   bool begin_to_execute(std::vector<LinePointer>& lines);
   [[nodiscard]] program::ModalState modes() const;
   bool read_flat_lines(std::vector<LinePointer>& lines);
-  // What a line has become: assignments in front of the rest.
+  // The parts of what a line becomes: assignments for the machine, then the rest.
   enum class FlatText : std::uint8_t { settings, rest };
   bool read_flat_lines(std::string_view flat, FlatText kind, std::vector<LinePointer>& lines);
   bool take_refusals();

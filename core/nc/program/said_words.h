@@ -7,20 +7,20 @@
 
 namespace trc::program {
 
-// What the lines of the flat program of Fanuc have said so far of what its system variables hold:
-// the words in force, and on which axes a place was programmed.
+// The words of the flat program of Fanuc that its system variables show: the words in force, and
+// the axes on which a position was programmed.
 class SaidWords {
  public:
   // A line whose values are plain.
   void take(std::string_view line);
-  // Lines that nobody has kept, and what is called on the machine, may have said anything.
+  // Lines that were not kept, and texts of the machine that are called, may hold any words.
   void forget();
 
   // Of T, D, F, H, M and S: the last value; nothing: it is not known.
   [[nodiscard]] std::optional<double> value_of(char letter) const { return of(letter).value; }
-  // Whether a line has said it.
+  // Whether a line has had such a word.
   [[nodiscard]] bool says(char letter) const { return of(letter).is_said; }
-  // Whether a line has led there on X, Y or Z, in coordinates that nothing turns, scales or moves.
+  // Whether a line has programmed X, Y or Z without a rotation, scaling or shift in force.
   [[nodiscard]] bool is_placed(std::size_t axis) const { return placed_.at(axis) && !moves_frame_; }
   [[nodiscard]] bool moves() const { return moves_; }
   // Whether the place of the tool tip differs from that of the spindle.

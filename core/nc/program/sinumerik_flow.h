@@ -23,8 +23,8 @@ namespace trc::program {
 //   - A program, or a subprogram, is a text of its own, or begins with its %_N_NAME_SPF or PROC.
 //   - Jumps, REPEAT and CASE look for labels and block numbers in their own program.
 //   - The control structures have lines of their own.
-//   - A variable that the program does not know passes as the whole value of X, Y or Z: the reader
-//     copies such a line while TRC is off (D-55).
+//   - An unknown variable passes if it is the whole value of X, Y or Z: the reader copies such a
+//     line while TRC is off (D-55).
 class SinumerikFlow : public Flow, private Variables {
  public:
   SinumerikFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text, std::size_t start);
@@ -34,7 +34,7 @@ class SinumerikFlow : public Flow, private Variables {
   [[nodiscard]] bool execute_line(std::string& flat) override;
   void keep_variables(std::size_t levels) override { scopes_.resize(levels); }
   enum class Type : std::uint8_t { boolean, character, integer, real, text };
-  // Where a variable has its value: an R parameter, or an element of one that is declared.
+  // Where a value is stored: in an R parameter, or in an element of a declared variable.
   struct Place {
     std::int64_t parameter = -1;  // of R; -1: none
     std::size_t scope = 0;
@@ -47,7 +47,7 @@ class SinumerikFlow : public Flow, private Variables {
     std::vector<Value> elements{};
     std::optional<Place> stands_for{};  // VAR: the variable of the caller
     bool is_lost = false;               // the machine may have set it
-    bool of_machine = false;            // hangs on what is given for the machine
+    bool of_machine = false;            // depends on values given for the machine
   };
   using Scope = std::map<std::string, Variable, std::less<>>;
   // Of PROC.
@@ -79,7 +79,7 @@ class SinumerikFlow : public Flow, private Variables {
     repetition,
     until,
   };
-  // Those around a line, with the lines that begin them.
+  // The structures around a line, with the lines that begin them.
   using OpenStructures = std::vector<std::pair<Structure, std::size_t>>;
   // Where the lines of a unit lead.
   struct Outline {
@@ -200,7 +200,7 @@ class SinumerikFlow : public Flow, private Variables {
 
   // sinumerik_variables.cpp
   [[nodiscard]] bool is_variable_at(std::size_t at) const;
-  // Of an R parameter, given or not.
+  // Whether it is the name of an R parameter, given or not.
   [[nodiscard]] static bool is_variable_name(std::string_view name);
   [[nodiscard]] static std::int64_t number_of_parameter(std::string_view name);
   [[nodiscard]] std::optional<Place> place_at(ExpressionReader& expression);
@@ -225,20 +225,20 @@ class SinumerikFlow : public Flow, private Variables {
   std::vector<Scope> scopes_{1};
   std::map<std::int64_t, double> parameters_{};  // R
   std::set<std::int64_t> unwritten_{};           // of these, set since they were last written
-  // By the names of what EXTERN declares: places of arguments by reference.
+  // By the names that EXTERN declares: the positions of arguments by reference.
   std::map<std::string, std::set<std::size_t>, std::less<>> externals_{};
-  // Variables of the main program that are given to calls which stay, and their elements that were
-  // set since they were last written.
+  // Variables of the main program that are arguments of calls which stay, and their elements set
+  // since they were last written.
   std::set<std::string, std::less<>> kept_{};
   std::set<std::pair<std::string, std::size_t>> unwritten_elements_{};
   std::size_t start_ = 0;  // the lines in front of it have passed as they stand
-  // What cycles that pass may name in the program: the texts among the values of each.
+  // Texts among the arguments of cycles that pass: they may name parts of the program.
   std::set<std::vector<std::string>> named_by_cycles_{};
   bool modal_call_reads_ = false;  // MCALL of what only the machine has
-  // What FOR counts to, by the depth of calls and its line.
+  // The last value of FOR, by depth of calls and line.
   std::map<std::pair<std::size_t, std::size_t>, double> counts_{};
 
-  // Of the line that is being executed.
+  // State of the line being executed.
   std::string_view line_{};
   NamedHead head_{};
   std::vector<Piece> pieces_{};
@@ -250,7 +250,7 @@ class SinumerikFlow : public Flow, private Variables {
   bool begins_modal_call_ = false;               // MCALL
   std::optional<std::size_t> times_in_front_{};  // the piece of P2 where no call was known yet
   std::string lost_to_{};  // the last of all of these, which may have set any R parameter
-  // Where a variable is assigned a value that has the name of an address.
+  // The place where a variable with the name of an address is assigned a value.
   std::optional<std::size_t> addressed_{};
 };
 

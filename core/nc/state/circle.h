@@ -24,8 +24,8 @@ struct CircleCheck {
   // mm; by how much half the chord may exceed the R word: one digit of a program
   // with three decimals. The arc is a semicircle then.
   double largest_radius_shortfall = 1e-3;
-  // mm, what the last digit of a coordinate is worth: three decimals, of an inch four. What so
-  // little of each does to an arc is no misfit (D-44). 0: all of it is.
+  // mm, what the last digit of a coordinate is worth: three decimals, of an inch four. A misfit
+  // that such rounding of each coordinate explains is accepted (D-44); with 0 none is.
   double last_digit = 1e-3;
 
   bool operator==(const CircleCheck&) const = default;
@@ -52,8 +52,8 @@ using CircleResult = std::variant<Arc, CircleFault>;
   return unit == LengthUnit::inch ? 2.54e-3 : 1e-3;
 }
 
-// What correcting a centre does to an arc, as a length: the width of the narrowest ring about the
-// programmed centre that holds the arc, mm. On a short arc that is far less than the shift.
+// How much correcting a centre changes an arc, as a length: the width of the narrowest ring about
+// the programmed centre that holds the arc, mm. On a short arc that is far less than the shift.
 [[nodiscard]] double width_about(const Point& programmed_center, const Arc& arc);
 
 // Start, end and centre that are off by half of the last digit on both axes make an arc no wider
@@ -65,14 +65,14 @@ using CircleResult = std::variant<Arc, CircleFault>;
 //   (2) start and end are equally far from the centre
 //   (3) 0 < |sweep| <= 2 pi
 //
-// A start and an end closer than `same_point` are one point, and the arc is the
-// full circle: whoever rounds coordinates means that, and an arc shorter than
-// that is no cut. From there on only the side decides: an end ahead of the start
-// gives a short arc, one behind it an almost full circle, as written.
+// A start and an end closer than `same_point` are one point, and the arc is the full circle:
+// rounded coordinates mean that, and a shorter arc cuts nothing. With a larger distance the
+// direction decides: an end ahead of the start gives a short arc, an end behind it an almost full
+// circle, as written.
 //
-// Where the arc gets an equidistant, radii that G164 lets differ by more than
-// `on_contour` are refused (90018), since no circle fits them. Where width_about() is
-// what rounding makes of an arc, no misfit of either kind is refused.
+// Where the arc gets an equidistant, radii that G164 lets differ by more than `on_contour` are
+// refused (90018), since no circle fits them. Where rounding alone explains width_about(), no
+// misfit of either kind is refused.
 //
 // Errors: 20035, 20036, 21758, 90018.
 [[nodiscard]] CircleResult arc_about(const Point& center, const CircleEnds& ends,

@@ -17,7 +17,7 @@ struct CircleWords {
 };
 
 // "I25 J0, X0 Y40 → X40 Y40": the words of a circle that do not fit together, in the unit of the
-// program. Without a centre, which a radius stands for, its ends alone.
+// program. A circle with a radius has no centre: then its ends alone.
 [[nodiscard]] std::string told_circle(const CircleEnds& ends, const std::optional<Point>& center,
                                       const CircleWords& words);
 

@@ -11,11 +11,11 @@ namespace trc {
 // What a program does to the corner behind a motion: ,R ,C of Fanuc, RND= CHF= CHR= of Sinumerik,
 // RND CHF of Heidenhain.
 struct CornerCut {
-  // open: a line of its own may still say it.
+  // open: a later line may still give the form.
   enum class Form : std::uint8_t { round, leg, width, open };
   Form form = Form::round;
   double size = 0;     // mm: the radius, how much either line loses, the length of the chamfer
-  bool modal = false;  // of every corner that there is
+  bool modal = false;  // applies to every corner
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -24,7 +24,7 @@ struct CornerCut {
 };
 
 struct CutCorner {
-  Segment before{};  // a point where the corner takes all of it, as `after` may be
+  Segment before{};  // a point where the corner consumes it all; so may `after` be
   Segment between{};
   Segment after{};
 };
@@ -32,8 +32,8 @@ struct CutCorner {
 // Whether the contour runs back where it came from: no circle touches both motions there.
 [[nodiscard]] bool turns_back(const Segment& before, const Segment& after);
 
-// Nothing where the motions have no room for it, turn back or touch. A chamfer is one between
-// lines: controls differ in what it is beside an arc.
+// Nothing where the motions have no room for it, turn back or touch. Chamfers are made between
+// lines only: controls differ in what a chamfer next to an arc is.
 [[nodiscard]] std::optional<CutCorner> cut_corner(const Segment& before, const Segment& after,
                                                   const CornerCut& cut,
                                                   const Tolerances& tolerances);

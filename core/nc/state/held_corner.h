@@ -9,22 +9,22 @@
 
 namespace trc {
 
-// A motion whose end is to be cut and the blocks behind it, until the next motion in the plane is
-// known. Blocks wait here for the first motion behind a lead too.
+// Holds a motion whose end is to be cut, and the blocks after it, until the next motion in the
+// plane is known. Blocks also wait here for the first motion after a lead.
 class HeldCorner {
  public:
   [[nodiscard]] bool waits() const { return cut_.has_value(); }
-  // In Klartext a line of its own may still say what becomes of the corner.
+  // In Klartext the next line may still say how the corner is cut.
   [[nodiscard]] bool is_open() const { return cut_ && cut_->form == CornerCut::Form::open; }
-  // Where it cannot be cut, that is an error.
+  // If it cannot be cut, that is an error.
   [[nodiscard]] bool is_asked_for() const { return cut_ && !is_open() && !cut_->modal; }
 
-  // Of one that waits:
+  // Only while a corner waits:
   [[nodiscard]] const CornerCut& cut() const { return *cut_; }
   [[nodiscard]] MotionBlock& before() { return *std::get_if<MotionBlock>(&blocks_.front()); }
   // Where the program says it.
   [[nodiscard]] const Source& source() { return source_ ? *source_ : before().source; }
-  // The block that the corner becomes may not stand for the motion behind it.
+  // The block of the corner must then not replace the motion after it.
   [[nodiscard]] bool has_own_line_or_feed() const { return source_ || feed_ != 0; }
 
   // The motion is among the blocks already.
@@ -40,8 +40,8 @@ class HeldCorner {
     blocks_.push_back(std::move(motion));
   }
 
-  // Into the motion, and behind it the corner itself, unless it takes all of the motion behind:
-  // that has become the corner then.
+  // Shortens the motion and adds the corner after it, unless the corner consumes the whole motion
+  // that follows: the caller has made that the corner then.
   void put_in(const CutCorner& corner, double same_point);
   void release(std::vector<Block>& to);
   [[nodiscard]] std::vector<Block>& blocks() { return blocks_; }

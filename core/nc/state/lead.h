@@ -54,17 +54,17 @@ struct ContourEnd {
   [[nodiscard]] double shift() const { return side * reach; }
 };
 
-// What a lead adds to the programmed contour, so that its equidistant is the path that the lead
-// says.
+// What a lead adds to the programmed contour, so that its equidistant becomes the path that the
+// lead describes.
 struct LeadPath {
-  std::optional<Segment> contour{};  // between the point `away` and the contour
-  // Where the lead begins or ends: at the path of the tool.
+  std::optional<Segment> contour{};  // from `away` to the contour or back
+  // Where the lead begins or ends, on the path of the tool centre.
   Point away = Point::Zero();
 };
 
-// `from`, `to`: where the tool stands before and behind the lead, for LCT and where the arc bends
-// to it. Nothing where the lead has no room: LCT from within its circle, CT whose arc is smaller
-// than the tool, a line from the edge of the tool that would be none.
+// `from`, `to`: where the tool stands before and after the lead; used by LCT and by arcs that bend
+// towards it. Nothing where the lead has no room: LCT from inside its circle, CT with an arc
+// smaller than the tool, a line from the edge of the tool that would have no length.
 [[nodiscard]] std::optional<LeadPath> path_to(const ContourEnd& begin, const Lead& lead,
                                               const Point& from, double same_point);
 [[nodiscard]] std::optional<LeadPath> path_from(const ContourEnd& end, const Lead& lead,

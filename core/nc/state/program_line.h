@@ -14,7 +14,7 @@
 
 namespace trc {
 
-// What a word of a line is for whoever writes the line again.
+// The role of a word when its line is written again.
 enum class WordRole : std::uint8_t {
   number,      // N
   motion,      // G00 … G03
@@ -47,7 +47,7 @@ struct WordRange {
   bool operator==(const WordRange&) const = default;
 };
 
-// What a line of Klartext says besides its words, for whoever copies it.
+// What a writer that copies a line of Klartext must know besides its words.
 struct KlartextLine {
   std::uint64_t axes = 0;        // named; bits as AxisSet has them
   std::uint64_t increments = 0;  // of those
@@ -70,7 +70,7 @@ struct KlartextLine {
   }
 };
 
-// Of the archives of core/base/archive.h; defined in core/nc/state/state_archive.h.
+// For the archives of core/base/archive.h; defined in core/nc/state/state_archive.h.
 template <class Archive>
 void serialize_line_end(Archive& archive, std::string_view& line_end);
 
@@ -95,11 +95,11 @@ struct ProgramLine {
   bool is_motion = false;
   bool has_trc_words = false;
   bool ends_program = false;  // M02, M30
-  // Of a line that is copied and may move at the feed in force, that feed, mm/min; 0: none.
+  // For a copied line that may move at the feed in force: that feed, mm/min; 0: none.
   double feed_it_takes = 0;
-  // G92: where the third axis stands behind it, mm, though nothing has moved.
+  // G92: the position of the third axis after the line, mm, though nothing has moved.
   std::optional<double> third_set{};
-  // What it calls only the machine has: that may count on the words that TRC resolves.
+  // It calls a text that only the machine has, which may rely on the words that TRC resolves.
   bool calls_the_machine = false;
 
   // In force at the end of the line.
@@ -112,7 +112,7 @@ struct ProgramLine {
   double feed = 0;  // mm/min; 0: none programmed yet, or not per minute (G93, G95)
   std::optional<KlartextLine> klartext{};
 
-  // Enters which roles there are among the words.
+  // Collects the roles of the words in `roles`.
   void sum_up_roles() {
     roles = 0;
     for (const WordRange& range : words) roles |= bit(range.role);
@@ -129,7 +129,7 @@ struct ProgramLine {
   return !((second >= 'A' && second <= 'Z') || (second >= 'a' && second <= 'z'));
 }
 
-// X1=5, MX = 5: the name in front of the sign, of more than one character. Else nothing.
+// The name of several characters in front of the sign, as in X1=5 and MX = 5; else empty.
 [[nodiscard]] inline std::string_view long_name_of(const ProgramLine& line, const WordRange& word) {
   const std::string_view text = line.word(word);
   std::size_t end = 0;
@@ -149,8 +149,8 @@ struct ProgramLine {
          (is(word.begin + 1, 'P') || is(word.begin + 1, 'R'));
 }
 
-// C=DC(10), C=ACP(350), C=ACN(350) of Sinumerik: a place and the way round to it, which no number
-// says (D-92).
+// C=DC(10), C=ACP(350), C=ACN(350) of Sinumerik: a position and the direction of rotation to it,
+// which a plain number cannot express (D-92).
 [[nodiscard]] bool says_way_round(const ProgramLine& line, const WordRange& word);
 
 // Lines stay where they are on their way from the reader to the writer and back, with the memory

@@ -21,14 +21,14 @@
 
 namespace trc {
 
-// What a mode that blocks were programmed under makes of its radius.
+// How a mode that blocks were programmed under uses its radius.
 struct RadiusUse {
   std::shared_ptr<const TrcMode> mode{};
   RadiusTerms terms{};
   Side side = Side::off;  // as programmed
 };
 
-// Some of X Y Z, a bit each.
+// A set of the axes X Y Z, one bit each.
 using AxisBits = std::uint8_t;
 inline constexpr AxisBits all_axes = 7;
 [[nodiscard]] constexpr AxisBits main_axis_bit(std::size_t axis) {
@@ -78,7 +78,7 @@ struct PendingLead {
   }
 };
 
-// An arc that leads to the contour: which way it ends.
+// An arc that leads to the contour, with its direction at the end.
 struct ArcToContour {
   Source source{};
   Vector tangent = Vector::Zero();
@@ -93,7 +93,7 @@ struct ArcToContour {
 // absolute blocks. NC text and motion messages both end here, so that a program
 // means the same however it arrives.
 //
-// What returns a bool and may refuse returns whether the stream goes on; Diagnostics says why not.
+// Functions that may refuse return whether the stream goes on; if not, Diagnostics says why.
 class ProgramState {
  public:
   ProgramState(const ProgramSetup& setup, const Tolerances& tolerances, Diagnostics& diagnostics,
@@ -131,7 +131,7 @@ class ProgramState {
   bool change_tool_radius(double more, const Source& source);
   bool set_wear(double wear, const Source& source);
   bool set_allowance(double allowance, const Source& source);
-  // OFFN: in addition to that of the setup, which is none of the program's business.
+  // OFFN: adds to the allowance of the setup, which the program does not change.
   bool set_allowance_of_program(double allowance, const Source& source) {
     return set_allowance(setup_.allowance + allowance, source);
   }
@@ -140,8 +140,8 @@ class ProgramState {
     tool_.prepare_tool(number, place);
   }
   bool load_tool(const Source& source);
-  // The program itself gives a tool its radius, mm, which counts from its next call on. A warning
-  // where the setup gives another one (900224).
+  // The program gives a tool its radius, mm, valid from the next call of the tool on. A warning
+  // where the setup gives a different one (900224).
   bool define_tool(std::int64_t number, double radius, const Source& source);
   void define_wear(std::int64_t number, double wear) { tool_.define_wear(number, wear); }
   bool call_tool(const ToolRow& row, const Source& source);
@@ -151,18 +151,18 @@ class ProgramState {
   [[nodiscard]] bool absolute_center() const { return absolute_center_; }
   void set_absolute_center(bool absolute) { absolute_center_ = absolute; }
   void set_circle_correction(bool correct) { circle_.correct_center = correct; }  // G165 / G164
-  // How finely coordinates are written: G70 / G71.
+  // G70 / G71: decides how finely coordinates are written.
   void set_length_unit(LengthUnit unit) { circle_.last_digit = last_digit(unit); }
 
-  // The coordinates mean something else from here on (zero shift, preset): where
-  // the machine stands is not known on the axes given (X Y Z) until each is
-  // programmed absolutely in a straight motion. Such motions are shown as starting
-  // from the old coordinates, so that joints stay shared; what needs to know more,
-  // an arc, G91 or a selection, is refused (900106). While a retract is still to come, one axis of
-  // the plane that is forgotten makes the other one unknown too.
+  // The coordinates mean something else from here on (zero shift, preset): where the machine stands
+  // is not known on the axes given (X Y Z) until each is programmed absolutely in a straight
+  // motion. Such motions are shown as starting from the old coordinates, so that joints stay
+  // shared; motions that need the position (an arc, G91, a selection) are refused (900106). While a
+  // retract is still to come, one axis of the plane that is forgotten makes the other one unknown
+  // too.
   void forget_position(const std::array<bool, 3>& axes, const Source& source);
-  // The machine stands at these coordinates, mm, from here on: G92 of Fanuc and LinuxCNC. Blocks
-  // share their joints, so that an axis of the plane that stood elsewhere is forgotten.
+  // G92 of Fanuc and LinuxCNC: from here on the machine stands at these coordinates, mm. Blocks
+  // share their joints, so an axis of the plane that stood elsewhere becomes unknown.
   void set_position(const std::array<std::optional<double>, 3>& place, const Source& source);
 
   // Appends one block: a MotionBlock, or a PassiveBlock when nothing moves in the
@@ -179,7 +179,7 @@ class ProgramState {
   // The first motion in the plane of a selection needs a tool radius: 900219; one
   // given as 0 gets a warning once (900220).
   bool move(const MoveRequest& request);
-  // Where the contour leads at its end so far; nothing where none has begun.
+  // The direction of the contour at its end so far; nothing where no contour has begun.
   [[nodiscard]] std::optional<Vector> tangent_of_contour() const {
     if (!mode_.active() || in_plane_blocks_ == 0) return {};
     return tangent_at_end(last_path_);
@@ -189,9 +189,9 @@ class ProgramState {
   bool cut_corner_behind(const CornerCut& cut, double feed, const Source& source);
   // APPR of Klartext and G147 of Sinumerik, behind select(): the contour begins at `end` of the
   // request, whose feed is that of the lead. `way`: how the tool goes there from where it stands.
-  // Comes out with the first motion of the contour, which says where the contour leads. Without
-  // `infeed` the third axis travels with the feed of the lead, in front of it. 900003 where there
-  // is no room.
+  // The lead comes out with the first motion of the contour, which gives the direction of the
+  // contour. Without `infeed` the third axis travels with the feed of the lead, in front of it.
+  // 900003 where there is no room.
   bool approach_by(const Lead& lead, const MoveRequest& request, const MoveRequest& way,
                    const std::optional<Infeed>& infeed = {});
   // DEP, G148: leaves the contour and deselects; of LCT `end` of the request is where to.
@@ -204,33 +204,33 @@ class ProgramState {
 
   [[nodiscard]] const TrcMode& mode() const { return mode_; }
   [[nodiscard]] const ToolInForce& tool() const { return tool_; }
-  // Of each mode given to a block so far, in order; only with ProgramSetup::every_radius.
+  // For each mode of the blocks so far, in order; only with ProgramSetup::every_radius.
   [[nodiscard]] const std::vector<RadiusUse>& radius_uses() const { return radius_uses_; }
   [[nodiscard]] RadiusUse radius_use() const {
     return {shared_mode_, tool_.terms(), programmed_side_};
   }
-  // Whether a motion begins where it does because of the radius (rule 3.6).
+  // Whether the start of some motion depends on the radius (rule 3.6).
   [[nodiscard]] bool moves_by_radius() const { return moves_by_radius_; }
   // The plane that the program has named last.
   [[nodiscard]] Plane programmed_plane() const { return next_plane_.value_or(mode_.plane); }
   // Where the last block ended, mm.
   [[nodiscard]] const Position& position() const { return position_; }
-  // Whether this is a feed, mm/min: 0 is none.
+  // Whether this may be a feed, mm/min; 0 is none.
   [[nodiscard]] bool is_feed(double feed) const {
     return feed > 0 && feed <= tolerances_.largest_feed;
   }
   [[nodiscard]] const ProgramSetup& setup() const { return setup_; }
   // TRC is active, or its retract motion is still to come.
   [[nodiscard]] bool contour_open() const { return mode_.active() || retract_pending_; }
-  // Behind a deselection without motion the tool stands beside the end of the contour, and the
-  // place has been forgotten before it has left: what leaves from there is not known.
+  // After a deselection without motion the tool stands beside the end of the contour. Its position
+  // has become unknown before it has left, so how it leaves is not known.
   [[nodiscard]] bool retract_is_lost() const {
     const PlaneAxes axes = axes_of(mode_.plane);
     return retract_pending_ && !(known_[axes.first] && known_[axes.second]);
   }
-  // Of such a tool the axes (X Y Z) that still stand beside the contour.
+  // The axes (X Y Z) in which such a tool still stands beside the contour.
   [[nodiscard]] const std::array<bool, 3>& beside_contour() const { return beside_contour_; }
-  // A motion that is copied has led them to where they would stand without TRC too.
+  // A copied motion has led these axes to where they would also stand without TRC.
   void have_left_contour(const std::array<bool, 3>& axes) {
     for (std::size_t axis = 0; axis < axes.size(); ++axis) beside_contour_[axis] &= !axes[axis];
   }
@@ -240,10 +240,10 @@ class ProgramState {
   void count_increments_since(const Source& source) { increments_since_ = source; }
   // TRC is selected; the motion that leads to the contour is still to come.
   [[nodiscard]] bool awaits_approach() const { return mode_.active() && in_plane_blocks_ == 0; }
-  // LINUXCNC: that motion is an arc. It becomes one that runs into the contour, as if G05 stood
-  // beside the selection; 900003 unless it ends in the direction of the block behind it (D-110).
+  // LINUXCNC: that motion is an arc. It becomes an arc tangential to the contour, as if G05 stood
+  // beside the selection; 900003 unless it ends in the direction of the next block (D-110).
   bool approach_on_arc(MoveRequest request);
-  // Of the blocks that are not given yet: the Source::index of the first, or the largest number.
+  // The Source::index of the first block not given out yet; without one the largest number.
   [[nodiscard]] std::uint64_t held_from() const {
     if (lead_) return lead_->request.source.index;
     const std::vector<Block>& held = corner_.blocks();
@@ -279,21 +279,21 @@ class ProgramState {
   }
   void share_mode();
   void update_side();
-  // Takes over what has become of the tool, or refuses it.
+  // Takes over the change of the tool, or reports its refusal.
   bool follow_tool(std::optional<Refusal> refusal, const Source& source);
-  // What D-40 and D-43 ask of the first motion of a selection.
+  // Checks D-40 and D-43 at the first motion of a selection.
   bool check_radius(const Source& source);
 
-  // Where the request ends on an axis that it names.
+  // The end of the request on an axis that it names.
   [[nodiscard]] double end_on(std::size_t axis, const MoveRequest& request) const {
     return *request.end[axis] + (request.incremental ? target_[axis] : 0);
   }
-  // Where blocks go: they wait while a corner or a lead does.
+  // Where new blocks go: they wait while a corner or a lead waits.
   [[nodiscard]] std::vector<Block>& sink() {
     return corner_.waits() || lead_ ? corner_.blocks() : blocks_;
   }
   bool refuse_corner(const Source& source);
-  // The corner that waits for the motion behind it: it is told where it stands.
+  // Refuses the corner that waits for the motion after it, at the place of the corner.
   bool refuse_held_corner();
   bool refuse_open_lead();
   // Whether the motion to `end` may have a corner that is cut: at feed, in the plane alone.
@@ -316,7 +316,7 @@ class ProgramState {
   [[nodiscard]] bool all_known() const { return known_[0] && known_[1] && known_[2]; }
   [[nodiscard]] std::string told_increments() const;
   [[nodiscard]] std::optional<Refusal> unknown_start(const MoveRequest& request) const;
-  // An axis that the first motion of a selection names, and whose place nobody has said.
+  // An axis that the first motion of a selection names although its position was never given.
   [[nodiscard]] std::optional<std::size_t> axis_of_assumed_start(const MoveRequest& request) const;
   bool refuse_assumed_start(const Source& source, std::size_t axis);
   bool move_straight(const MoveRequest& request, const Position& end);
@@ -332,7 +332,7 @@ class ProgramState {
   [[nodiscard]] ArcUse use_of_arcs() const {
     return mode_.active() ? ArcUse::with_equidistant : ArcUse::as_programmed;
   }
-  // Of its centre and its radius exactly one is there, in the plane.
+  // Exactly one of centre and radius must be given, in the plane.
   [[nodiscard]] std::optional<Refusal> check_circle_words(const MoveRequest& request) const;
   [[nodiscard]] Point center_of(const MoveRequest& request, const Point& start,
                                 bool absolute) const;
@@ -344,7 +344,7 @@ class ProgramState {
   bool move_tracking(const MoveRequest& request, TrackingTravel& travel);
   bool travel_on_tracking_axes(const MoveRequest& request, TrackingTravel& travel);
   void enter_target(const MoveRequest& request, const Position& end);
-  // Of the next motion of a block, as Source has it.
+  // Source::part of the next motion of a block.
   std::uint8_t part_of(std::uint64_t index) {
     last_part_ = index == last_index_ ? static_cast<std::uint8_t>(last_part_ + 1) : 0;
     last_index_ = index;
@@ -385,7 +385,7 @@ class ProgramState {
   std::array<bool, 3> programmed_{};            // a motion has led there
   std::array<Source, 3> position_forgotten_{};  // by what, of the axes that are not known
   // A deselection under G239 has left the tool beside the programmed point, and no straight motion
-  // in the plane has followed.
+  // in the plane has followed yet.
   bool displaced_ = false;
   bool moves_by_radius_ = false;
   std::vector<RadiusUse> radius_uses_{};

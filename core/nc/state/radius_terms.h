@@ -9,7 +9,7 @@ struct ToolRow {
   ToolRow(double tool_radius = 0, double tool_wear = 0) : radius(tool_radius), wear(tool_wear) {}
 
   double radius;  // mm; negative swaps the side
-  double wear;    // mm, what the tool is larger by
+  double wear;    // mm, by which the tool is larger
 
   bool operator==(const ToolRow&) const = default;
 };
@@ -21,19 +21,19 @@ struct RadiusTerms {
   double allowance = 0;
   double nominal = 0;  // above 0: wear mode, the program is the centre path of such a tool
 
-  // How far the path is beside the program; negative: on the side that was not programmed.
+  // Distance from the program to the path; negative: on the side opposite to the programmed one.
   [[nodiscard]] double beside() const {
     const double size = nominal > 0 || radius >= 0 ? radius : -radius;
     const double sum = size + wear + allowance;
     return nominal > 0 || radius >= 0 ? sum : -sum;
   }
-  // What the tool cuts with, allowance included.
+  // The radius that cuts, allowance included.
   [[nodiscard]] double effective() const { return nominal + beside(); }
 
   bool operator==(const RadiusTerms&) const = default;
 };
 
-// A radius of such terms for a program that says `side`, as it is in force.
+// Enters the radius of these terms into `mode`, for a program that selects `side`.
 void give_radius(const RadiusTerms& terms, Side side, TrcMode& mode);
 
 }  // namespace trc

@@ -19,7 +19,7 @@ struct WordPlace {
   }
 };
 
-// What is reported of something that a program says, before it is known where it stands.
+// What is to be reported about a word, before its place is known.
 struct Refusal {
   Code code = Code::field_invalid;
   std::string detail{};

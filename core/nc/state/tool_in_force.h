@@ -11,20 +11,20 @@
 
 namespace trc {
 
-// Which tool radius holds, and who has given it: the setup, the tool in the spindle or the program
-// (D-40, D-43). Each function returns what is to be reported of it: an error ends the stream.
+// The tool radius in force and its origin: the setup, the tool in the spindle or the program (D-40,
+// D-43). Functions return what is to be reported: an error ends the stream.
 class ToolInForce {
  public:
   explicit ToolInForce(const ProgramSetup& setup);
 
   // mm; negative swaps the side (rule 1.5). At most `largest_tool_radius` in size (900104).
   std::optional<Refusal> set_radius(double radius);
-  // By so much more, mm. 900219 where there is none.
+  // Adds to the radius, mm. 900219 where there is none.
   std::optional<Refusal> change_radius(double more);
   std::optional<Refusal> set_wear(double wear);            // mm
   std::optional<Refusal> set_allowance(double allowance);  // mm
-  // D word; D0 without a row is no tool, and there is no radius. One that the table does not hold
-  // is missed where a radius is needed (D-52); with no table at once: 900013.
+  // D word; D0 without a row is no tool and gives no radius. A tool missing from the table is
+  // reported where a radius is needed (D-52); without a table at once: 900013.
   std::optional<Refusal> set_tool(std::int64_t number, const WordPlace& place);
   // A tool with its sizes, called by the program.
   std::optional<Refusal> call_tool(const ToolRow& row);
@@ -40,11 +40,11 @@ class ToolInForce {
   // another one.
   std::optional<Refusal> define_tool(std::int64_t number, double radius);
 
-  // And the wear of its radius, mm.
+  // The wear of that radius, mm.
   void define_wear(std::int64_t number, double wear) { wears_[number] = wear; }
   // Whether the program has given it.
   [[nodiscard]] bool gives_wear(std::int64_t number) const { return wears_.contains(number); }
-  // mm, of the program, the table or the one tool of the setup.
+  // mm, from the program, the table or the single tool of the setup.
   [[nodiscard]] double wear_of(std::int64_t number) const;
 
   // What the first motion of a selection asks for: that there is a radius (900219) and that its
@@ -55,14 +55,14 @@ class ToolInForce {
   // the tool in the spindle is read anew: G10 may have written into it since (D-163).
   std::optional<Refusal> check_at_first_motion(const Source& selected);
 
-  // The radius that the program may ask for, mm, without wear. None where nobody has given one, or
+  // The radius that the program may read, mm, without wear. None where no radius was given, or
   // where the program is read for several radii.
   [[nodiscard]] std::optional<double> radius() const {
     const bool is_known =
         giver_ != RadiusGiver::nobody && !has_tool_that_waits() && !setup_.every_radius;
     return is_known ? std::optional(terms_.radius) : std::nullopt;
   }
-  // Whether that of the setup stands for this tool, which has none of its own.
+  // Whether this tool has no radius of its own and takes that of the setup.
   [[nodiscard]] bool is_of_setup(std::int64_t number) const {
     return giver_ == RadiusGiver::setup && !setup_.every_radius && !row_of_tool(number);
   }
@@ -70,7 +70,7 @@ class ToolInForce {
   [[nodiscard]] const RadiusTerms& terms() const { return terms_; }
   // The tool of that name in the table; `no_tool_number`: it has none.
   [[nodiscard]] std::int64_t tool_named(std::string_view name) const;
-  // Of the program or of the tool table; `number` as row_of_edge() has it.
+  // From the program or the tool table; `number` is that of row_of_edge().
   [[nodiscard]] std::optional<ToolRow> row_of_tool(std::int64_t number) const;
   // Whether a D word may name it.
   [[nodiscard]] bool has_tool(std::int64_t number) const {
@@ -93,13 +93,13 @@ class ToolInForce {
   enum class RadiusGiver : std::uint8_t { nobody, setup, tool_in_spindle, program };
   static constexpr std::int64_t no_tool = -1;
 
-  // What takes the place of the terms in force, and who gave the radius.
+  // Replaces the terms in force and the origin of the radius.
   std::optional<Refusal> enter_terms(const RadiusTerms& terms, RadiusGiver giver);
-  // The giver stays; a tool not found stays so.
+  // The origin stays; a tool not found stays missing.
   std::optional<Refusal> change_terms(const RadiusTerms& terms);
   std::optional<Refusal> enter_row(const ToolRow& row, RadiusGiver giver);
   std::optional<Refusal> take_tool(std::int64_t number);
-  // No M06 has said so far that a T word only makes ready.
+  // A T word waits, and no M06 so far has shown that T only prepares a tool.
   [[nodiscard]] bool has_tool_that_waits() const { return prepared_ != no_tool && !loads_tools_; }
   [[nodiscard]] std::string missing_radius(const Source& selected) const;
 

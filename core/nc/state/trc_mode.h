@@ -31,8 +31,8 @@ enum class Transition : std::uint8_t { linear, circular };
 // G140 (initial): a contour violation stops. G141: what cannot be cut is masked.
 enum class Masking : std::uint8_t { off, on };
 
-// Where the programmed feed applies: at the tool centre (G10, initial) or at the
-// contact point of tool and contour (G11); or there at inside arcs alone (CFIN, M110).
+// Where the programmed feed applies: at the tool centre (G10, initial), at the contact point of
+// tool and contour (G11), or at the contact point on inside arcs only (CFIN, M110).
 enum class FeedAdaptation : std::uint8_t { off, on, inside };
 
 // SPLIT words: the feed of the parts next to the contour, rule 7.2.
@@ -74,8 +74,8 @@ struct TrcOptions {
 struct TrcMode {
   Plane plane = Plane::xy;
   Side side = Side::off;   // after a negative radius has swapped it
-  double tool_radius = 0;  // mm, never negative; what the path is beside the program (D-43)
-  // Wear mode: the program is the centre path of a tool of this radius, mm; 0: it is the contour.
+  double tool_radius = 0;  // mm, never negative; distance from program to path (D-43)
+  // Wear mode: the program is the centre path of a tool with this radius, mm; 0: the contour.
   double nominal_radius = 0;
   bool below_nominal = false;  // the tool is smaller than that: `side` is swapped for it
   // Counts the selections of the program from 1; 0 while off. Two blocks of one
@@ -101,17 +101,17 @@ struct TrcMode {
   [[nodiscard]] bool removes_loops() const {
     return masking == Masking::on && options.remove_masked_blocks && !below_nominal;
   }
-  // What the tool cuts with where it runs `beside` mm beside the program: all of it, or what it
-  // differs from the nominal radius.
+  // The radius that cuts where the path is `beside` mm away from the program: that distance, or in
+  // wear mode the nominal radius changed by it.
   [[nodiscard]] double cutting_radius(double beside) const {
     if (nominal_radius == 0) return beside;
     return below_nominal ? nominal_radius - beside : nominal_radius + beside;
   }
   [[nodiscard]] double cutting_radius() const { return cutting_radius(tool_radius); }
-  // The side of the contour it cuts on: below the nominal radius the path is moved to the other
-  // one.
+  // The side of the contour that the tool cuts on: below the nominal radius the path has moved to
+  // the other side.
   [[nodiscard]] Side cutting_side() const { return below_nominal ? opposite(side) : side; }
-  // The radius at the part of an arc that was programmed with this one.
+  // The radius on the part of an arc with this programmed radius.
   [[nodiscard]] double part_radius(double programmed, bool centre_on_tool_side) const {
     return centre_on_tool_side ? programmed + nominal_radius : programmed - nominal_radius;
   }

@@ -21,8 +21,8 @@ inline std::uint64_t eight_bytes(const char* at) {
   return bytes;
 }
 
-// Of a line that has fewer than eight bytes, `left` of them from `at` on. Out of the way of all
-// others: the array has the compiler guard the stack.
+// For a line shorter than eight bytes, with `left` bytes from `at` on. A function of its own: its
+// array makes the compiler guard the stack.
 [[nodiscard]] std::uint64_t bytes_of_short_line(const char* at, std::size_t left);
 
 // The bytes of `line` from `at` on, zeros behind its end.
@@ -42,8 +42,8 @@ inline std::uint64_t number_of(std::uint64_t digits) {
   return digits * (10'000 * 0x1'0000'0000 + 1) >> 32;
 }
 
-// The digits at some place of a line, if they are up to seven: eight bytes with the sign that ends
-// them.
+// Up to seven digits at some place of a line: eight bytes that also hold the sign after the
+// digits.
 class ShortDigits {
  public:
   ShortDigits(std::string_view line, const char* at)
@@ -55,9 +55,9 @@ class ShortDigits {
 
   [[nodiscard]] bool are_short() const { return others_ != 0; }
   [[nodiscard]] unsigned count() const { return end_ / 8; }
-  // With zeros in front.
+  // The digits with zeros in front.
   [[nodiscard]] std::uint64_t number() const { return number_of(bytes_ << 8 << (63 - end_)); }
-  // With zeros behind: times `short_scale`.
+  // The digits with zeros behind: a fraction times `short_scale`.
   [[nodiscard]] std::uint64_t fraction() const {
     return number_of(bytes_ & (others_ ^ (others_ - 1)) >> 8);
   }

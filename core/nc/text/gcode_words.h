@@ -25,7 +25,7 @@ struct GcodeWord {
 
 class GcodeReader {
  public:
-  // Where blanks may stand: for LinuxCNC they are nothing, X1 0 is X10.
+  // Where blanks may stand. LinuxCNC ignores them: X1 0 is X10.
   enum class Blanks : std::uint8_t { between_words, in_numbers };
   explicit GcodeReader(std::string_view line, Blanks blanks = Blanks::between_words)
       : line_(line), blanks_(blanks) {}

@@ -3,7 +3,7 @@
 namespace trc {
 
 // One operand of an expression within another: behind a sign, in brackets, an argument, an index.
-// A reader calls itself for each, so a line may hold only so many of them, or its stack runs out.
+// The reader recurses for each, so their depth is bounded: the stack must not run out.
 class Nesting {
  public:
   // Counts in `depth` for as long as it lives.
@@ -14,7 +14,7 @@ class Nesting {
 
   [[nodiscard]] bool is_too_deep() const { return depth_ > deepest; }
 
-  // What a person writes has a handful, and controls take fewer than ten.
+  // People write a handful of levels, and controls allow fewer than ten.
   static constexpr int deepest = 64;
   static constexpr const char* told = "nested too deeply";
 

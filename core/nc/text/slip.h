@@ -17,8 +17,8 @@ struct FoundSlip {
 };
 
 // Whether the word at this byte of a line, which could not be read, is a slip of typing: a decimal
-// comma, the letter O or l where a digit belongs, signs of a word processor. In every dialect the
-// same (D-46); nothing where it may be meant as it stands.
+// comma, the letter O or l where a digit belongs, signs of a word processor. The rules are the same
+// in every dialect (D-46). Nothing where the word may be meant as it stands.
 [[nodiscard]] std::optional<FoundSlip> slip_at(std::string_view line, std::size_t at);
 
 }  // namespace trc

@@ -15,12 +15,12 @@ class TextBuffer {
   [[nodiscard]] bool empty() const { return size_ == 0; }
   [[nodiscard]] std::string_view view() const { return {bytes_.data(), size_}; }
 
-  // Where the text ends now, with room for so many bytes behind.
+  // The end of the text so far, with room for `size` bytes after it.
   [[nodiscard]] char* room(std::size_t size) {
     if (bytes_.size() - size_ < size) bytes_.resize(2 * bytes_.size() + size);
     return bytes_.data() + size_;
   }
-  // The text ends here, in the room.
+  // Sets the end of the text; `end` lies within the room.
   void end_at(const char* end) { size_ = static_cast<std::size_t>(end - bytes_.data()); }
 
   void append(std::string_view text) {
@@ -35,7 +35,7 @@ class TextBuffer {
   }
 
  private:
-  std::vector<char> bytes_;  // more of them than the text has
+  std::vector<char> bytes_;  // may be longer than the text
   std::size_t size_ = 0;
 };
 

@@ -75,7 +75,7 @@ class WordReader {
   [[nodiscard]] bool sum(const std::string& variable, Word& word);
   [[nodiscard]] Word other_sign();
   [[nodiscard]] bool number(double& value, bool& whole);
-  // A view, so that no string is on the way of the words that are right.
+  // Takes a view, so that words without a fault need no string.
   [[nodiscard]] Word fail(Code code, const char* at, std::string_view detail);
   [[nodiscard]] bool goes_on_as_expression();
   [[nodiscard]] Word expression(const char* begin, Word word);
@@ -111,8 +111,8 @@ inline constexpr double largest_whole = 1e15;
 // expression.
 [[nodiscard]] std::size_t behind_spindle_words(std::string_view text);
 
-// Where the first byte stands that no text has: a control character other than
-// a tab or line end, or a byte that is not UTF-8. npos when there is none.
+// The place of the first byte that no text may have: a control character other than tab and line
+// end, or a byte that is not UTF-8. npos when there is none.
 [[nodiscard]] std::size_t first_byte_that_is_no_text(std::string_view text);
 // first_byte_that_is_no_text() for UTF-8 alone.
 [[nodiscard]] std::size_t first_byte_that_is_no_utf8(std::string_view text);

@@ -32,9 +32,9 @@ struct WrittenState {
   // Of Klartext.
   Point pole = Point::Zero();  // CC, mm, in the plane
   bool has_pole = false;
-  bool pole_written = false;   // it is not the one in force in the program
-  bool other_tangent = false;  // the last motion does not lead where that of the program led
-  bool other_radius = false;   // the last PR of the program has not come out
+  bool pole_written = false;   // it differs from the pole in force in the program
+  bool other_tangent = false;  // the last motion ends in another direction than in the program
+  bool other_radius = false;   // the last PR of the program is not in the output
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -47,7 +47,7 @@ struct WrittenState {
 using AxisSet = std::uint64_t;
 [[nodiscard]] constexpr AxisSet axis_bit(std::size_t axis) { return AxisSet{1} << axis; }
 
-// The two parts of an arc of half the sweep each; they share their joint.
+// The two halves of an arc, each with half the sweep; they share their joint.
 [[nodiscard]] std::array<Arc, 2> halves_of(const Arc& arc);
 
 // How numbers and motions are spelled.
@@ -56,10 +56,10 @@ struct Spelling {
   bool klartext = false;  // L X+10 FMAX; CC and C
 };
 
-// Turns motions into words (G01 X30 Y30 …) such that a reader of the text makes
-// the same motion: ends to half a unit of the last decimal, points inside an arc to
-// one and a half units, to five in one of more than 180 degrees. The state is brought up to what
-// such a reader knows.
+// Turns motions into words (G01 X30 Y30 …) such that a reader of the text makes the same
+// motion: ends to half a unit of the last decimal, points inside an arc to one and a half
+// units, or five in an arc of more than 180 degrees. The state is updated to what such a reader
+// knows.
 class MotionWriter {
  public:
   // `tracking_letters`: one letter per tracking axis, `tracking_names` those of more than one
@@ -67,7 +67,7 @@ class MotionWriter {
   MotionWriter(int decimals, std::string tracking_letters, Spelling spelling = {},
                std::vector<std::string> tracking_names = {});
 
-  // The tracking axis of that name, of more than one character; nothing: there is none.
+  // The tracking axis with that name of more than one character; nothing: there is none.
   [[nodiscard]] std::optional<std::size_t> axis_named(std::string_view name) const;
 
   // How an arc can be written from the position the reader is at.
@@ -88,22 +88,22 @@ class MotionWriter {
     std::array<Written, 2> center{};
   };
   [[nodiscard]] ArcNumbers numbers_of(const Arc& arc, Plane plane, const WrittenState& state) const;
-  // The form, from the arc that a reader makes of the numbers. numbers_of gets there by a shorter
+  // The form, judged by the arc that a reader makes of the numbers. numbers_of() takes a shorter
   // way where it can.
   [[nodiscard]] ArcForm form_of(const Arc& arc, const ArcNumbers& numbers, Plane plane,
                                 const WrittenState& state) const;
 
-  // An arc with its numbers: of this arc, from the state it is written in.
+  // An arc with its numbers, as numbers_of() returns them for this arc and the present state.
   struct NumberedArc {
     const Arc& arc;
     const ArcNumbers& numbers;
     Plane plane = Plane::xy;
   };
-  // Where the axes of a motion go, and which of them are named.
+  // The ends of the axes of a motion, and which axes are written.
   struct Axes {
     const Position& end;
     const TrackingTravel& tracking;
-    AxisSet always = 0;  // beside those that move
+    AxisSet always = 0;  // in addition to those that move
     AxisSet never = 0;   // although they move
   };
 
@@ -154,7 +154,7 @@ class MotionWriter {
   [[nodiscard]] int decimals_of(LengthUnit unit) const {
     return unit == LengthUnit::inch ? decimals_ + 1 : decimals_;
   }
-  // Its worth, mm.
+  // One unit of the last decimal, mm.
   [[nodiscard]] double last_decimal(LengthUnit unit) const {
     return unit == LengthUnit::inch ? last_decimal_of_inch_ : last_decimal_of_mm_;
   }
@@ -168,9 +168,9 @@ class MotionWriter {
                            WrittenState& state) const;
 
   [[nodiscard]] char* room_of_motion(TextBuffer& out, const TrackingTravel& tracking) const;
-  // Of a tracking axis.
+  // The unit of a tracking axis.
   [[nodiscard]] LengthUnit unit_of_axis(std::size_t axis, LengthUnit of_lengths) const;
-  // `known`: the numbers of main axes that have been asked for already.
+  // `known`: the numbers of main axes that are known already.
   using KnownNumbers = std::array<const Written*, 3>;
   [[nodiscard]] char* write_axes(char* at, const Axes& axes, const KnownNumbers& known,
                                  WrittenState& state) const;

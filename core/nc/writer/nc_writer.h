@@ -14,8 +14,8 @@
 
 namespace trc {
 
-// The program text with TRC resolved: compensated blocks meet the lines they
-// came from again, through Source::index.
+// Writes the program text with TRC resolved: Source::index brings compensated blocks and the lines
+// that they came from together.
 //
 // A line comes out byte for byte when a reader of the output does with it what
 // the program meant: no TRC words in it, motion uncompensated, and position,
@@ -43,11 +43,11 @@ class NcWriter {
   };
   explicit NcWriter(const Setup& setup);
 
-  // What the program says in a line, before TRC.
+  // The meaning of a line in the program, before TRC.
   struct Meaning {
-    bool gives_block = false;   // one with its Source comes to write(), unless TRC drops it
+    bool gives_block = false;   // write() gets a block with its Source, unless TRC drops it
     Position end{};             // where the program is after the line
-    bool keeps_place = false;   // a radius of 0: the path is that of the program
+    bool keeps_place = false;   // a radius of 0: the path is the program
     std::uint32_t motions = 0;  // in the plane, of the last line that has some
     AxisSet moved{};            // axes across the plane and tracking axes that travel
 
@@ -102,12 +102,12 @@ class NcWriter {
   }
   void write_lines_before(const Source& source, std::string& out);
 
-  // In front of a line that is copied, what it counts on and the output does not have.
+  // Writes, before a copied line, what the line relies on and the output lacks.
   void write_what_it_counts_on(const ProgramLine& line, std::string& out);
   void write_removed_words(std::string& out);
-  // Modes among the words of TRC of the line, which do not come out.
+  // Keeps the modes among the TRC words of the line, which do not come out.
   void keep_removed_words(const ProgramLine& line);
-  // The line without its motion and TRC words; as it is when it has neither.
+  // Writes the line without its motion and TRC words; unchanged if it has neither.
   void write_without_motion(const WaitingLine& own, std::string& out);
   // Copies the line if a reader makes the motion of the block from it.
   bool copy_motion(const WaitingLine& own, const CompensatedBlock& block, std::string& out);
@@ -115,7 +115,7 @@ class NcWriter {
   [[nodiscard]] bool reads_as(const WaitingLine& own, const CompensatedBlock& block,
                               WrittenState& after) const;
 
-  // What Klartext takes for granted: pole, polar radius, the tangent of the motion before.
+  // Whether the output has what a line of Klartext relies on: pole, polar radius, previous tangent.
   [[nodiscard]] bool has_what_it_counts_on(const ProgramLine& line,
                                            const CompensatedBlock& block) const;
   enum class LineForm : std::uint8_t { copied, rewritten };
@@ -137,20 +137,20 @@ class NcWriter {
     last_comment_.clear();
   }
   void append(const ProgramLine& line, const WordRange& word);
-  // The line as it is, but for its number where those are written anew.
+  // Writes the line unchanged, except for its number where lines are renumbered.
   void write_line(const ProgramLine& line, std::string& out);
   void append_number(const ProgramLine& line, const WordRange& word, TextBuffer& words);
-  // In front of a line that is inserted.
+  // Writes the number of an inserted line.
   void append_number_of_inserted();
   [[nodiscard]] std::string take_number();
-  // Which axes of the line have a way round, which stands as the program has it.
+  // The axes of the line with a direction of rotation, whose words stay as the program has them.
   [[nodiscard]] AxisSet axes_with_way_round(const ProgramLine& line) const;
   void append_ways_round(const ProgramLine& line, const TrackingTravel& tracking);
   void append_feed_and_rest(const CompensatedBlock& block);
   void append_feed(double feed);
   void enter_feed(const ProgramLine& line);
   void note_open_feed(const ProgramLine& line);
-  // Whether the block has a feed in whose place the reader of the output has another one.
+  // Whether the block has a feed for which a reader of the output would use another one.
   [[nodiscard]] bool lacks_open_feed(const CompensatedBlock& block) const {
     return !open_feed_.empty() && !open_feed_holds_ && !block.rapid && block.feed == 0;
   }
@@ -182,7 +182,7 @@ class NcWriter {
   // written anew behind a feed that holds for some blocks only.
   std::string open_feed_{};
   bool open_feed_holds_ = false;  // it is the last F word that has come out
-  // A mode of TRC that is in force in the program, and of which the output knows nothing.
+  // A TRC mode that is in force in the program and missing in the output.
   struct RemovedWord {
     char group = ' ';  // a later one of the same group takes its place
     std::string text{};
@@ -199,10 +199,10 @@ class NcWriter {
   std::size_t first_ = 0;
   std::size_t waiting_for_blocks_ = 0;
   std::size_t silent_bytes_ = 0;
-  // The line whose motion was last written anew: what stops behind the motion is
-  // still to come.
+  // The line whose motion was last written anew: its stop words, after the motion, are still to
+  // come.
   std::uint64_t rewritten_index_ = std::numeric_limits<std::uint64_t>::max();
-  // Of the line copied last: what else it gives has come out with it.
+  // Index of the line copied last: its further blocks have come out with it.
   std::uint64_t copied_index_ = std::numeric_limits<std::uint64_t>::max();
   const WaitingLine* own_ = nullptr;  // the line of the block being written, until it has come out
   TextBuffer words_;                  // of the line being written, a blank before each

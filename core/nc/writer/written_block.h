@@ -6,7 +6,7 @@
 #include "core/nc/state/program_line.h"
 #include "core/trc/result/compensated_block.h"
 
-// What of a compensated block NC text tells.
+// The part of a compensated block that NC text can express.
 
 namespace trc {
 
