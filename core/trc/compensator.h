@@ -26,22 +26,22 @@ class Compensator {
   // Takes all of `blocks` (left empty) and appends what has become certain.
   // Returns false once the stream must stop.
   bool feed(std::vector<Block>& blocks, std::vector<CompensatedBlock>& out);
-  // As feed(), but no farther than to the end of the program line (Source::index) in which
-  // something was reported that is pending, and to a selection that leaves in portions. Returns how
-  // many blocks were taken.
+  // As feed(), but stops at the end of a program line (Source::index) with a pending
+  // report, and at a selection that leaves in portions. Returns how many blocks were
+  // taken.
   std::size_t feed_until_report(std::span<Block> blocks, std::vector<CompensatedBlock>& out);
-  // No more blocks: appends all that was held back. `at_end` is the mode the
-  // program ended in: a G40 nothing followed still ends the contour.
+  // No more blocks: appends all that was held back. `at_end` is the mode in which the program
+  // ended: a G40 as its last block still ends the contour.
   bool finish(const TrcMode& at_end, std::vector<CompensatedBlock>& out);
-  // As finish(), but no farther than to a selection that leaves in portions.
+  // As finish(), but stops at a selection that leaves in portions.
   bool finish_until_portion(const TrcMode& at_end, std::vector<CompensatedBlock>& out);
 
-  // Blocks in a portion: the end of a selection under loop removal sets free all of its path, which
-  // leaves in pieces of that size and a few more.
+  // Blocks in a portion: the end of a selection under loop removal releases its whole path, which
+  // leaves in pieces of about this size.
   static constexpr std::size_t portion = 1024;
-  // A portion has come out and more is to follow: release() before anything else.
+  // A portion has come out and more follows: call release() before anything else.
   [[nodiscard]] bool is_releasing() const;
-  // Appends until there is a portion in `out`, or all is out. Returns false once the stream must
+  // Appends until `out` holds a portion, or all is out. Returns false once the stream must
   // stop.
   bool release(std::vector<CompensatedBlock>& out);
 
@@ -51,7 +51,7 @@ class Compensator {
   [[nodiscard]] const Summary& summary() const;
 
  private:
-  // Takes the first block, or as many as go the short way. Returns how many.
+  // Takes the first block, or all blocks that go the short way. Returns how many.
   std::size_t take(std::span<Block> blocks, std::vector<CompensatedBlock>& out);
 
   struct Passes;

@@ -30,11 +30,11 @@
 
 namespace trc {
 
-// What an engine lets blocks take.
+// The ways through the core that an engine allows.
 struct Ways {
-  // The short way in, where at least so many blocks come at once.
+  // Blocks that must come at once for the short way in.
   std::size_t least_in = std::numeric_limits<std::size_t>::max();
-  bool short_out = false;  // of a selection whose loops are removed
+  bool short_out = false;  // for selections whose loops are removed
 };
 [[nodiscard]] inline Ways ways_of(Engine engine) {
   switch (engine) {
@@ -81,23 +81,23 @@ struct Compensator::Passes {
 
   // One block through all passes, or the end of the stream.
   bool step(Input input, std::vector<CompensatedBlock>& out);
-  // Ends the step that was begun, or leaves more of it for the next call.
+  // Finishes the step that was begun, or leaves the rest of it for the next call.
   bool go_on(std::vector<CompensatedBlock>& out);
   // A few blocks of a selection that is leaving.
   bool release(std::vector<CompensatedBlock>& out);
-  // The order of the passes: this list, and then that one.
+  // The order of the passes: find_path, then finish_path.
   bool find_path(Input input);
   bool finish_path(Input input, std::vector<CompensatedBlock>& out);
 
-  // Takes blocks from the front the short way, as far as that goes. Returns how many.
+  // Takes blocks from the front along the short way, as far as possible. Returns how many.
   std::size_t run(std::span<Block> blocks, std::vector<CompensatedBlock>& out);
-  // Whether none of the passes that the short way leaves out is at work on the block.
+  // Whether the passes that the short way skips have nothing to do with the block.
   [[nodiscard]] bool are_idle_for(const PathBlock& block) const;
 
-  // What would do in place of the block that was refused (D-122). Looks for it once.
+  // Adds proposals in place of the refused block (D-122). Looks for them once.
   void help_with_entry();
 
-  // The passes that hold something. Nothing lies between them when a call has ended.
+  // Saves the passes that hold blocks. Nothing lies between passes after a call.
   template <class Archive>
   void serialize(Archive& archive) {
     archive(relevant_blocks, rounded_input, kerf_masking, inside_corner, contour_masking,

@@ -8,7 +8,7 @@
 
 namespace trc::selection {
 
-// Looks for ways that would do in place of a refused one:
+// Looks for ways in place of a refused one:
 //
 //   the line, as long as it has to be      a quarter circle from about the tool side
 //
@@ -17,15 +17,15 @@ namespace trc::selection {
 //           \                                     |               /
 //   ---------E======== contour                    E =====<=======  contour
 //
-// Where loops are removed and there is no way past the begin, the circle takes the place of the
-// leads at the begin, too. Under G238 it is a start point that is free, near to the one programmed.
-// A contour that begins in an inside corner has no way in but that of G238, which is proposed in
-// place of G138 and G139.
-// Each is compensated with the contour that is known, in a Compensator of its own, and its path
-// measured against that: what is refused or comes nearer than the tool radius is not offered. Null:
-// nothing is known of use.
+// Where loops are removed and the begin cannot be passed, the circle also replaces the leads
+// at the begin. Under G238 the proposal is a free start point near the programmed one. A
+// contour that begins in an inside corner can only be entered as under G238, which is
+// proposed in place of G138 and G139. Each proposal is compensated with the known contour,
+// in a Compensator of its own, and its path is measured against it: a proposal that is
+// refused or comes nearer than the tool radius is not offered. Null: there is no useful
+// proposal.
 //
-// Only what was refused costs anything.
+// It takes time only after a refusal.
 [[nodiscard]] std::shared_ptr<const EntryHelp> help_with(const RefusedWay& refused,
                                                          const CompensatorSetup& setup);
 

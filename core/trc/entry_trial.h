@@ -20,8 +20,8 @@ struct EntryWay {
   std::vector<Segment> motions{};
 };
 
-// Tries ways in place of a refused one: each is compensated with the contour that is known, in a
-// Compensator of its own, and its path measured against that.
+// Tries ways in place of a refused one: each is compensated with the known contour, in a
+// Compensator of its own, and its path measured against that contour.
 class EntryTrial {
  public:
   // `refused` must outlive it.
@@ -37,14 +37,14 @@ class EntryTrial {
     setup_.helps_with_entries = false;
   }
 
-  // What ways are tried with.
+  // The contour that ways are tried with.
   [[nodiscard]] std::span<const MotionBlock> contour() const { return contour_; }
-  // From now on without the leads at its end.
+  // From now on the contour is used without the leads at its end.
   void leave_out_leads() { contour_ = walls_; }
 
   // Whether the way is accepted and clear.
   [[nodiscard]] bool does(const EntryWay& way) const;
-  // Whether it is accepted; where it is not, with what would do in its place.
+  // Whether it is accepted; if not, `diagnostics` also get proposals in its place.
   [[nodiscard]] bool is_accepted_with_help(const EntryWay& way, Diagnostics& diagnostics) const;
 
  private:

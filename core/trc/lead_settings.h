@@ -18,7 +18,7 @@ struct LeadSettings {
   std::size_t blocks_in = 0;  // of `counted`
   std::size_t blocks_out = 0;
   double closing_tolerance = 0.01;  // mm
-  // What of a bow tie smaller than this is beyond the crossing is no wall, mm (D-44).
+  // The part beyond the crossing of a bow tie smaller than this is no wall, mm (D-44).
   double input_resolution = Tolerances{}.input_resolution;
 };
 

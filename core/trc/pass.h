@@ -15,17 +15,17 @@ namespace trc {
 //   feed(item, out)  takes one item, appends to `out` all that has become certain
 //   drain(out)       no more items: appends all that was held back
 //
-// feed and drain return false once the stream must stop; Diagnostics then says
-// why. Certain means: no later block can change it any more. Nothing in `out` is
-// ever patched. What a pass holds back stands at its head.
+// feed and drain return false once the stream must stop; Diagnostics then says why. Certain means:
+// no later block can change it any more. Nothing in `out` is ever patched. The comment at the head
+// of each pass says what it holds back.
 template <class P, class In, class Out>
 concept Pass = requires(P pass, In item, std::vector<Out>& out) {
   { pass.feed(std::move(item), out) } -> std::same_as<bool>;
   { pass.drain(out) } -> std::same_as<bool>;
 };
 
-// A pass that may set free a whole selection at once. That leaves in portions, so that it does not
-// lie in the vectors between all passes.
+// A pass that may release a whole selection at once. The selection leaves in portions, so that the
+// vectors between the passes need not hold all of it.
 //
 //   feed(item, out)    as of a Pass; what is fed while a selection is leaving waits behind it
 //   end()              no more items: what was held back begins to leave
@@ -44,8 +44,8 @@ concept ReleasingPass = requires(P pass, const P& view, In item, std::vector<Out
 template <class P, class In, class Out>
 concept AnyPass = Pass<P, In, Out> || ReleasingPass<P, In, Out>;
 
-// A pass that is seldom at work says which blocks mean nothing to it as it stands: it lets them
-// pass as they are, and holds nothing they would have to wait for.
+// A pass that seldom has work tells which blocks it ignores in its present state: it lets them pass
+// unchanged, and holds nothing that they would have to wait for.
 template <class P, class Owner>
 concept IdlePass = requires(const P& view, const Owner& owner) {
   { view.ignores(*owner) } -> std::same_as<bool>;
@@ -83,8 +83,8 @@ requires AnyPass<P, In, Out>
   return goes_on;
 }
 
-// The blocks between two passes of one kind of blocks: each takes them out and puts what it makes
-// of them in their place.
+// The blocks between two passes of one kind of blocks: each pass takes them out and puts its
+// results in their place.
 template <class Owner>
 struct OnTheWay {
   std::vector<Owner> blocks{};
@@ -98,8 +98,8 @@ template <class P, class Owner>
   return advance(pass, way.taken, way.blocks, input, checkpoint);
 }
 
-// What an idle pass ignores stays where it is, as nearly every block does; what happens else is
-// kept out of the way of that.
+// A block that an idle pass ignores stays where it is, as nearly every block does; the other cases
+// are kept out of that fast path.
 template <class P, class Owner>
 requires AnyPass<P, Owner, Owner>
 [[nodiscard]] inline bool advance(P& pass, OnTheWay<Owner>& way, Input input,

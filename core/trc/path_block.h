@@ -13,7 +13,7 @@
 
 namespace trc {
 
-// What a block is to TRC.
+// The role of a block in TRC.
 enum class Role : std::uint8_t {
   passive,        // no motion in the plane; travels alone only while TRC is off
   uncompensated,  // TRC is off, or the selection has no contour (D-28)
@@ -32,8 +32,8 @@ struct Compensation {
   bool operator==(const Compensation&) const = default;
 };
 
-// What the tool would take, whether SUPPRESS_TRC lets it or not: the passes that work on the
-// programmed contour ask for this one (D-17).
+// The shift that the tool would need, even under SUPPRESS_TRC: the passes that work on the
+// programmed contour use this one (D-17).
 [[nodiscard]] inline double shift_of_tool(const TrcMode& mode) {
   return mode.side == Side::left ? mode.tool_radius : -mode.tool_radius;
 }
@@ -58,7 +58,7 @@ struct PathBlock {
   Point offset_start = Point::Zero();
   Point offset_end = Point::Zero();
 
-  // The result; set by Transitions. The cuts are what the corners take off the
+  // The result; set by Transitions. The cuts are the parts that the corners take off the
   // equidistant: mm of a line, rad of an arc; negative where they extend it.
   Segment tool_path{};
   Point tool_start = Point::Zero();
@@ -68,9 +68,9 @@ struct PathBlock {
   double cut_at_end = 0;
   bool splittable = false;  // an approach or retract line that SPLIT may divide
 
-  // Set by Transitions where the corners take more than there is of the block: how wide the slot is
-  // that its neighbours make, or else the largest tool they leave a path beside the block, both
-  // radii beside the programmed contour; 0: not known, or of no use.
+  // Set by Transitions where the corners take more than the whole block: half the width of the slot
+  // between its neighbours, or else the largest tool for which they leave a path at the block, both
+  // as radii beside the programmed contour; 0: not known, or of no use.
   double half_slot = 0;
   double largest_radius = 0;
 
@@ -86,8 +86,8 @@ struct PathBlock {
   };
   std::optional<Rejoin> rejoin{};
 
-  // Set by Offset and Transitions under REMOVE_MASKED_BLOCKS: nothing of it can be travelled, its
-  // equidistant does not exist or does not meet the next one. LoopRemoval leaves it out.
+  // Set by Offset and Transitions under REMOVE_MASKED_BLOCKS: no part of it can be travelled, since
+  // its equidistant does not exist or does not meet the next one. LoopRemoval leaves it out.
   bool unreachable = false;
 
   // Passive blocks programmed after this one, in order. Those after G40 wait for

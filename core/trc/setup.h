@@ -20,7 +20,7 @@ struct Limits {
   std::size_t selection_blocks = 20'000'000;
 };
 
-// Which way blocks in the middle of a contour go. What comes out is the same: for tests.
+// The way of blocks in the middle of a contour. The output is the same; for tests.
 enum class Engine : std::uint8_t {
   automatic,  // the short way where enough of them come at once
   passes,     // each through all passes, also out of loop removal

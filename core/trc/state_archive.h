@@ -20,8 +20,8 @@ void serialize(Archive& archive, PathBlock::Rejoin& rejoin) {
   archive(point, start, cut_before, cut_after);
 }
 
-// By hand: clang 14 takes a nested struct with default values for one that has no default, and with
-// it the archive's way to fill an optional.
+// Written by hand: clang 14 thinks that a nested struct with default values has no default
+// constructor, so that the archive cannot fill an optional of it.
 template <class Archive>
 void serialize_rejoin(Archive& archive, std::optional<PathBlock::Rejoin>& rejoin) {
   bool given = rejoin.has_value();
@@ -45,7 +45,7 @@ void serialize(Archive& archive, PathBlock& block) {
   serialize_rejoin(archive, rejoin);
 }
 
-// What is recovered from the path is not needed again.
+// The inverse path, recovered from the path, is not saved.
 template <class Archive>
 void serialize(Archive& archive, CompensatedBlock& block) {
   auto& [source, origin, plane, rapid, tangential, path, normal, feed, tracking, text, inverse] =

@@ -23,15 +23,15 @@ struct BowTie {
   bool turns_left = false;  // B and C are left turns
 };
 
-// By how much, mm, such blocks may cross at most for a tool.
+// The largest crossing, mm, that counts as a bow tie for a tool.
 [[nodiscard]] inline double largest_bow_tie(double input_resolution, double tool_radius) {
   return std::min(input_resolution, 0.01 * tool_radius);
 }
 
-// A block that is longer is not the short one between two, mm.
+// A longer block is not the short one of a bow tie, mm.
 [[nodiscard]] inline double longest_in_bow_tie(double largest) { return 16 * largest; }
 
-// Nothing where they do not cross, or by more than `largest`.
+// Nothing where they do not cross, or cross by more than `largest`.
 [[nodiscard]] std::optional<BowTie> bow_tie_of(const Segment& before, const Segment& between,
                                                const Segment& after, double largest,
                                                const Tolerances& tolerances);

@@ -25,7 +25,7 @@ struct OffsetCurve {
   bool counter_clockwise = false;
   Circle circle{};
 
-  // Whether the tool leaves anything of the circle (90017).
+  // Whether the tool radius leaves anything of the circle (90017).
   [[nodiscard]] bool exists() const { return !circular || circle.radius > 0; }
 };
 
@@ -47,8 +47,8 @@ struct OffsetCurve {
   return {.anchor = anchor, .tangent = tangent};
 }
 
-// Whether two blocks go nearly straight back at a corner, and what they leave between them: nothing
-// that counts, they end in a tip the tool goes round, or a slit on the side of the tool.
+// Whether two blocks reverse nearly exactly at a corner, and how: in a tip, with nothing that
+// counts between them, which the tool goes round, or with a slit on the side of the tool.
 enum class Reversal { none, tip, slit };
 
 // Two blocks meeting in the programmed point E.
@@ -60,8 +60,8 @@ struct Corner {
   Reversal reversal = Reversal::none;
 
   [[nodiscard]] double tool_radius() const { return std::abs(shift); }
-  // rad, -pi < turn <= pi, counter-clockwise positive. What only asks for its sign, or whether the
-  // path goes straight on or straight back, asks the tangents: an angle is dear.
+  // rad, -pi < turn <= pi, counter-clockwise positive. To find only its sign, or whether the path
+  // goes straight on or straight back, use the tangents: an angle takes long to compute.
   [[nodiscard]] double turn() const { return turn_between(before.tangent, after.tangent); }
   [[nodiscard]] double sine_of_turn() const { return cross(before.tangent, after.tangent); }
   [[nodiscard]] double cosine_of_turn() const { return before.tangent.dot(after.tangent); }
@@ -69,12 +69,12 @@ struct Corner {
 
 enum class CornerKind { tangential, inside, outside };
 
-// What the gap between the two blocks says, not the sign of an angle (D-44): the first one wider
-// than Tolerances::input_resolution, where there is one as far as both go.
+// Judged by the gap between the two blocks, not by the sign of an angle (D-44): by the first gap
+// wider than Tolerances::input_resolution, if there is one along both.
 [[nodiscard]] Reversal reversal_of(const Corner& corner, const Segment& before,
                                    const Segment& after, const Tolerances& tolerances);
 
-// Whether it may be one, by its angle.
+// Whether the angle of the corner allows a reversal.
 [[nodiscard]] inline bool may_reverse(const Corner& corner) {
   constexpr double widest = 0.1;  // rad
   return corner.cosine_of_turn() < 0 && std::abs(corner.sine_of_turn()) <= widest;
@@ -86,14 +86,14 @@ enum class CornerKind { tangential, inside, outside };
   return std::abs(corner.sine_of_turn()) <= tolerances.tangent * std::abs(corner.cosine_of_turn());
 }
 
-// Whether the motion goes back the way it came, near enough for a change of side (D-23).
+// Whether the motion reverses exactly enough for a change of side (D-23).
 [[nodiscard]] inline bool turns_back(const Vector& before, const Vector& after,
                                      const Tolerances& tolerances) {
   return before.dot(after) < 0 && std::abs(cross(before, after)) <= std::sin(tolerances.reversal);
 }
 
-// A reversal is an outside corner of 360 degrees (D-05), or, where it leaves a slit, an inside
-// corner of none.
+// A reversal is an outside corner of 360 degrees (D-05) or, where it leaves a slit, an inside
+// corner of 0 degrees.
 [[nodiscard]] inline CornerKind kind_of(const Corner& corner, const Tolerances& tolerances) {
   if (corner.cosine_of_turn() > 0 && is_parallel(corner, tolerances)) return CornerKind::tangential;
   const double gap = (corner.after.anchor - corner.before.anchor).squaredNorm();
@@ -117,7 +117,7 @@ struct MeetingPoint {
   double cut_after = 0;
 };
 
-// What becomes of a corner.
+// How a corner is joined.
 struct Joint {
   Joint() = default;
   explicit Joint(const MeetingPoint& meeting)
@@ -131,8 +131,8 @@ struct Joint {
   double cut_before = 0;        // as in PathBlock
   double cut_after = 0;
 
-  // Optional, so that the joints that insert nothing, most of them, are small to make and to copy.
-  // With a constructor of its own, or all memory of them is cleared to make them.
+  // Optional, so that joints without inserted blocks, as most are, are fast to make and to copy.
+  // The constructor is written out: a default one would clear all of the memory.
   struct Inserted : std::optional<Segment> {
     Inserted() : std::optional<Segment>(std::nullopt) {}
     using std::optional<Segment>::operator=;
@@ -153,7 +153,7 @@ struct TransitionRule {
 
 enum class Loops : std::uint8_t { kept, removed };
 
-// Which loops go is decided with arcs: LinearTransitions comes behind that (D-45).
+// Loops are removed with arcs at the corners: LinearTransitions comes afterwards (D-45).
 [[nodiscard]] inline TransitionRule transition_rule(const TrcMode& mode, Loops loops) {
   return {.transition = loops == Loops::removed ? Transition::circular : mode.transition,
           .stretch_factor = mode.options.stretch_factor};
@@ -186,8 +186,8 @@ enum class Loops : std::uint8_t { kept, removed };
                                                           const OffsetCurve& after,
                                                           const Tolerances& tolerances);
 
-// The tangent of half the turn, whichever its sign; from sine and cosine, of which one is always
-// exact enough.
+// The tangent of half the turn, never negative; from sine and cosine, one of which is always exact
+// enough.
 [[nodiscard]] inline double tangent_of_half_turn(const Corner& corner) {
   const double sine = std::abs(corner.sine_of_turn());
   const double cosine = corner.cosine_of_turn();
@@ -213,16 +213,16 @@ enum class Loops : std::uint8_t { kept, removed };
   return MeetingPoint{.point = mitre_point(corner), .cut_before = cut, .cut_after = cut};
 }
 
-// What inside_joint() is asked with where loops are removed. Two equidistants that miss each other,
-// be it by less than Tolerances::same_point, do not meet then: what is left of the gap is
-// LoopRemoval's to judge.
+// The tolerances for inside_joint() where loops are removed. Two equidistants that miss each
+// other, even by less than Tolerances::same_point, do not meet then: LoopRemoval judges the
+// gap.
 [[nodiscard]] inline Tolerances to_all_digits(Tolerances tolerances, double tool_radius) {
   tolerances.same_point = tolerances.rounding * std::max(tool_radius, 1.0);
   return tolerances;
 }
 
-// The inside joint where loops are removed, asked with to_all_digits(). Empty also where the corner
-// takes more than there is of a block: mm of a line, rad of an arc, whatever its other end loses.
+// The inside joint where loops are removed, asked with to_all_digits(). Also empty where the corner
+// takes more than the whole block, mm of a line or rad of an arc, leaving aside its other end.
 [[nodiscard]] inline std::optional<MeetingPoint> inside_joint_on_blocks(const Corner& corner,
                                                                         double extent_before,
                                                                         double extent_after,

@@ -8,14 +8,14 @@
 
 namespace trc {
 
-// What its corners leave of an arc's equidistant.
+// The part of the equidistant of an arc that its corners leave.
 struct LeftOfArc {
   Point start = Point::Zero();
   Point end = Point::Zero();
   double sweep = 0;  // rad, of the programmed one; not positive where they consume it
 };
 
-// What an arc does that its corners consume.
+// The path of an arc that its corners consume.
 enum class Consumed : std::uint8_t {
   wraps_round,  // 90038
   runs_back,    // as a line does, where loops are removed
@@ -25,8 +25,8 @@ enum class Consumed : std::uint8_t {
 [[nodiscard]] Segment shortened(const Arc& programmed, const LeftOfArc& left, Consumed consumed,
                                 const Tolerances& tolerances);
 
-// Gives `inserted` what all blocks inserted behind a block have in common; not the mode. Third
-// axis and tracking axes stand still in them, where the block leaves them (D-26).
+// Sets in `inserted` what all blocks inserted after a block have in common, except the mode. Third
+// axis and tracking axes stand still in them, where the block has left them (D-26).
 void insert_behind(const MotionBlock& before, const MotionBlock& after, MotionBlock& inserted);
 
 [[nodiscard]] inline AxisTravel standing(double position) {

@@ -13,8 +13,8 @@
 
 namespace trc {
 
-// Which contour blocks are too near on the contour, and too well-behaved, to be
-// in the way of one another's equidistants; LoopRemoval need not compare them.
+// Tells which contour blocks, close to each other along the contour, cannot be in the way of one
+// another's equidistants; LoopRemoval need not compare them.
 //
 // A chain of contour blocks is certified when both corners leave something of each
 // block, one radius and one side hold throughout, and the directions of travel in it
@@ -23,12 +23,12 @@ namespace trc {
 // core/doc/loop_removal.md.
 class Certificate {
  public:
-  // Half a turn, rad, less what rounding may do to it: an arc so wide is in no chain.
+  // Half a turn, rad, less the effect of rounding: a wider arc is in no chain.
   static constexpr double widest_arc = std::numbers::pi - 4e-6;
 
   explicit Certificate(const Tolerances& tolerances) : tolerances_(tolerances) {}
 
-  // What it takes to know of a contour block.
+  // The data of a contour block that the certificate needs.
   struct Block {
     Vector tangent_at_start = Vector::UnitX();
     Vector tangent_at_end = Vector::UnitX();
@@ -45,7 +45,7 @@ class Certificate {
   // Appends a contour block.
   void append(const Block& block, Begin begin);
   [[nodiscard]] std::size_t size() const { return first_of_chain_.end(); }
-  // Nobody will ask about blocks before this one any more.
+  // Blocks before this one will not be asked about any more.
   void drop_before(std::size_t block);
   // Forgets all blocks.
   void clear();
@@ -80,12 +80,12 @@ class Certificate {
     }
   };
 
-  // A direction behind that of the last block, which it becomes.
+  // Counts the next direction on from that of the last block, and keeps it.
   double counted_on(double on_square);
-  // No chain that begins before `block` goes on behind the last one but `last`.
+  // No chain that begins before `block` goes on beyond `last`.
   void begin_chain(std::size_t block, std::size_t last);
   void move_middle_to_end();
-  // Of a block before middle_ and all behind it up to there; from there on of none.
+  // The directions of `block` up to middle_; none for a block from middle_ on.
   [[nodiscard]] Directions directions_from(std::size_t block) const {
     return block < middle_ ? directions_[block] : Directions{};
   }
@@ -100,9 +100,9 @@ class Certificate {
   double direction_ = 0;  // at the end of the last block
   double turns_ = 0;      // full ones, of that
   double shift_ = 0;
-  // Of its blocks: before middle_ of each one and all behind it up to there, from there on of each
-  // one alone, and of all of these. So whatever the chain begins with, the directions of all of it
-  // take one step to know, and each block is looked at twice.
+  // Before middle_ the directions of each block together with all after it up to middle_; from
+  // middle_ on those of each block alone, and of all of these together. So the directions of the
+  // whole chain are known in one step wherever it begins, and each block is looked at twice.
   NumberedQueue<Directions> directions_;
   std::size_t middle_ = 0;
   Directions up_to_middle_{};  // of those before it

@@ -16,10 +16,10 @@
 
 namespace trc {
 
-// The compensated path of a selection as LoopRemoval holds it. Of a block it keeps what
-// the walk asks about, apart from what it has in common with the block before it; a path
-// block is made of it again when it leaves. So a selection of millions of blocks fits
-// into memory, and what is asked about most into the caches.
+// The compensated path of a selection as LoopRemoval holds it. Of each block it keeps the data that
+// the walk needs, separate from what the block has in common with the one before; the path block is
+// made again when it leaves. So a selection of millions of blocks fits into memory, and the data
+// used most into the caches.
 //
 // The blocks of the path are counted from the begin of the selection, and so are the
 // programmed contour blocks.
@@ -47,22 +47,22 @@ class HeldPath {
     Number block = 0;  // its path
     ContourRole role = ContourRole::unspecified;
   };
-  // Takes the passive blocks out of the block.
+  // Moves the passive blocks out of the block.
   void append(PathBlock& block);
-  // To be called before one or more of the following, the short way for blocks of the same mode and
-  // compensation as the last one, `follows_like`, with nothing about them.
+  // To be called before any of the following. They are the short way for blocks with the mode and
+  // compensation of the last one, `follows_like`, and no data of their own.
   void go_on_like_last() { limit_radius_of_inserted(settings_.back().radius); }
-  // `Programmed` is what the path of the block holds, a Line or an Arc, and so is `Path`.
+  // `Programmed` and `Path` are each a Line or an Arc: the programmed path and that of the tool.
   template <class Programmed, class Path>
   void append_contour(const MotionBlock& block, const Programmed& programmed, const Path& path,
                       const Cuts& cuts, Reach reach);
-  // Behind a contour block that has nothing to it that what is inserted has not.
+  // After a contour block without data that the inserted block lacks.
   template <class Path>
   void append_transition(const Path& path, Reach reach);
   // With the setting given.
   template <class Path>
   void append_transition(const MotionBlock& inserted, const Path& path, Reach reach);
-  // Whether the last block was compensated as this one is.
+  // Whether the last block was compensated in the same way as this one.
   [[nodiscard]] bool follows_like(const PathBlock& block) const;
 
   // Numbers, from begin to end.
@@ -75,7 +75,7 @@ class HeldPath {
   [[nodiscard]] bool has_roles() const { return has_roles_; }
   [[nodiscard]] std::size_t end_of_contour() const { return contour_.end(); }
 
-  // Of these mostly a single part is wanted; nothing is done for the others then.
+  // Mostly one member of the result is used; the compiler then drops the others.
   [[nodiscard]] Block block(std::size_t number) const;
   [[nodiscard]] ContourBlock contour_block(std::size_t number) const;
   [[nodiscard]] Source source_of(std::size_t contour_block) const {
@@ -89,8 +89,8 @@ class HeldPath {
   }
   [[nodiscard]] const Point& begins_at(std::size_t block) const { return blocks_[block].start; }
   [[nodiscard]] const Point& ends_at(std::size_t block) const { return blocks_[block].end; }
-  // How far one can go from `place` along the blocks from `block` on and before `most`, each of
-  // which has to begin where the one before ends.
+  // The farthest way from `place` along the blocks from `block` on and before `most`, each of which
+  // has to begin where the one before ends.
   struct Way {
     std::size_t end = 0;
     Point place = Point::Zero();
@@ -100,12 +100,12 @@ class HeldPath {
   [[nodiscard]] bool have_one_setting(std::size_t block, std::size_t other) const {
     return blocks_[block].setting == blocks_[other].setting;
   }
-  // About the path of a block, or what of it is between two points, not much larger than that.
+  // A box about the path of a block, or about its part between two points, not much larger.
   [[nodiscard]] Box box_about(std::size_t block) const {
     return box_about(block, begins_at(block), ends_at(block));
   }
   [[nodiscard]] Box box_about(std::size_t block, const Point& start, const Point& end) const;
-  // What there is to know of the blocks from `first` on and before `end` together.
+  // Common data of the blocks from `first` on and before `end`.
   struct Stretch {
     Box area{};         // as box_about()
     double radius = 0;  // the largest one of the tool, mm
@@ -117,7 +117,7 @@ class HeldPath {
   [[nodiscard]] bool has_passive(std::size_t next) const {
     return !passive_.empty() && passive_[passive_.begin()].block <= next;
   }
-  // Whether nothing but the axes of the plane moves in a block.
+  // Whether only the axes of the plane move in a block.
   [[nodiscard]] bool stays_put(std::size_t block) const;
   // Whether the tool leaves the height it is at by a motion of its own, behind one of the blocks
   // from `first` to the one before `end`; none of them has been restored.
@@ -126,15 +126,15 @@ class HeldPath {
   [[nodiscard]] const Setting& setting_of(std::size_t block) const {
     return settings_[blocks_[block].setting];
   }
-  // Of the tool, the smaller one where it changes, mm.
+  // The tool radius in a block, the smaller one where it changes, mm.
   [[nodiscard]] double radius_of_tool(std::size_t block) const { return setting_of(block).radius; }
-  // Of a contour block, the larger one where it changes, mm.
+  // The tool radius in a contour block, the larger one where it changes, mm.
   [[nodiscard]] double largest_radius(const ContourBlock& contour) const {
     const Setting& its = setting_of(contour.block);
     return std::max(std::abs(its.at_start.shift), std::abs(its.at_end.shift));
   }
   [[nodiscard]] const TrcMode& mode_of(std::size_t block) const { return *setting_of(block).mode; }
-  // Across the plane, where the block starts, mm.
+  // The height across the plane at the start of the block, mm.
   [[nodiscard]] double height_of(std::size_t block) const { return setting_of(block).normal.from; }
 
   // How many blocks from `next` on, the next one to leave, have no passive blocks; up to `most`.
@@ -142,8 +142,8 @@ class HeldPath {
     if (passive_.empty()) return most;
     return std::min(most, std::max(passive_[passive_.begin()].block, next) - next);
   }
-  // What stands in place of a transition arc (D-45): lines from where the block before it ends to
-  // `start`, on to `end`, and to where the block behind it starts. What has no length is left out.
+  // Replaces a transition arc (D-45) by lines from the end of the block before it to `start`, on to
+  // `end`, and to the start of the block after it. Lines without length are left out.
   void make_linear(std::size_t transition, const Point& start, const Point& end) {
     KeptBlock& kept = blocks_[transition];
     kept.start = start;
@@ -158,8 +158,8 @@ class HeldPath {
     [[nodiscard]] std::span<const Line> all() const { return {lines.data(), count}; }
   };
   [[nodiscard]] Lines lines_of(std::size_t transition) const;
-  // For that: a contour block goes on to `place`, by mm of a line or rad of an arc, or begins
-  // there.
+  // For make_linear(): a contour block is lengthened to end, or to begin, at `place`, by mm of a
+  // line or rad of an arc.
   void lengthen_end(std::size_t block, const Point& place, double by);
   void lengthen_start(std::size_t block, const Point& place, double by);
 
@@ -167,13 +167,13 @@ class HeldPath {
   class Reader;
   [[nodiscard]] Reader read_from(std::size_t block) const;
 
-  // A block as it was, but for the cuts of lines, with its passive blocks; each one once, in
-  // ascending order. Of a linear transition all but its path.
+  // The block as it was, except for the cuts of lines, with its passive blocks; each only once, in
+  // ascending order. A linear transition comes without its path.
   [[nodiscard]] PathBlockPtr restored(std::size_t number);
 
   // Forgets contour blocks and their path.
   void forget_before(std::size_t contour_number);
-  // Forgets blocks of the path, and of the contour what only they needed.
+  // Forgets blocks of the path, and the data of the contour that only they needed.
   void forget_path_before(std::size_t block);
   // Forgets all: a new selection begins, whose blocks are counted from 0.
   void clear();
@@ -191,11 +191,11 @@ class HeldPath {
   using PassiveBehind = held::PassiveBehind;
   using OwnData = held::OwnData;
 
-  // Of the contour block of a block, or of one behind it.
+  // The first circle of the contour block of `block`, or of a later one.
   [[nodiscard]] std::size_t first_circle_of(std::size_t block) const {
     return contour_.empty() ? 0 : contour_[number_of(block)].circle;
   }
-  // That of the last block, where it is the same.
+  // The number of the setting of the block: that of the last block if it is equal.
   [[nodiscard]] Number note_setting(const PathBlock& block);
   [[nodiscard]] Number note_setting_like_last(const MotionBlock& motion);
   [[nodiscard]] Number note_changed_setting(const MotionBlock& motion);
@@ -205,7 +205,7 @@ class HeldPath {
   void keep_contour(const MotionBlock& block, const Programmed& programmed, const Cuts& cuts);
   template <class Path>
   KeptBlock& keep_path(const Path& path, Number setting, Role role, Origin origin, Reach reach);
-  // As box_about(), of an arc between the corners of `ends`.
+  // As box_about(), for an arc between the corners of `ends`.
   static Box about_arc(const Box& ends, const KeptBlock& kept, const KeptArc& arc);
   [[nodiscard]] bool needs_own_data(const PathBlock& inserted) const;
   void restore_own_data(std::size_t number, PathBlock& block);

@@ -4,7 +4,7 @@
 
 #include "core/trc/loops/held_path.h"
 
-// How HeldPath is written by those who know what they append: a Line or an Arc.
+// The appending functions of HeldPath for callers who know whether they append a Line or an Arc.
 
 namespace trc {
 

@@ -6,19 +6,19 @@
 
 namespace trc {
 
-// Reads blocks in a row that have one setting, and to none of which there is more than that, its
-// path, its contour block and what else is here.
+// Reads consecutive blocks with the same setting and no data beyond it, their path, their contour
+// block and the members below.
 class HeldPath::Reader {
  public:
   Reader(const HeldPath& path, std::size_t block);
-  // Goes on to the first block, or the next one. Returns false, and is of no use any more, where
-  // that has another setting or is one that has data of its own.
+  // Goes on to the first or the next block. Returns false, and must not be used further, where that
+  // block has another setting or data of its own.
   [[nodiscard]] bool next();
 
   [[nodiscard]] const Setting& setting() const { return setting_; }
-  // Of the block it is at.
+  // Whether the present block is a contour block.
   [[nodiscard]] bool is_contour() const { return block_->role == Role::contour; }
-  // Then it has lines_of(), and no path.
+  // If so it has lines_of(), and no path.
   [[nodiscard]] bool is_linear() const { return block_->linear; }
   [[nodiscard]] Origin origin() const { return block_->origin; }
   [[nodiscard]] Source source() const { return held::source_of(*contour_); }

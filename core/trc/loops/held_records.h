@@ -7,17 +7,17 @@
 
 #include "core/trc/path_block.h"
 
-// How HeldPath keeps what it holds.
+// The records in which HeldPath keeps its blocks.
 
 namespace trc::held {
 
-// There are many: numbers are as narrow as they can be.
+// There are many, so numbers are as narrow as possible.
 using Number = std::uint32_t;
 
-// Whether anything of a block can be travelled, as in PathBlock.
+// Whether any part of a block can be travelled, as in PathBlock.
 enum class Reach : std::uint8_t { reachable, unreachable };
 
-// What one block after the other has in common.
+// Data that consecutive blocks have in common.
 struct Setting {
   std::shared_ptr<const TrcMode> mode{};
   double feed = 0;
@@ -37,14 +37,14 @@ struct Setting {
   }
 };
 
-// What the corners cut from the equidistant of an arc, as in PathBlock. Nobody asks for those of
-// lines.
+// The cuts of corners from the equidistant of an arc, as in PathBlock. Those of lines are not
+// needed.
 struct Cuts {
   double at_start = 0;
   double at_end = 0;
 };
 
-// Most blocks are lines; what an arc has beyond that lies elsewhere.
+// Most blocks are lines; the further data of an arc lie elsewhere.
 struct KeptBlock {
   Point start = Point::Zero();
   Point end = Point::Zero();
@@ -121,8 +121,8 @@ struct PassiveBehind {
   }
 };
 
-// What an inserted block does not have in common with the contour block before it: there is
-// none, or it is another one that has inserted it.
+// Data of an inserted block that differ from the contour block before it: there is none, or another
+// block has inserted it.
 struct OwnData {
   std::size_t block = 0;
   Cuts cuts{};
@@ -137,7 +137,7 @@ struct OwnData {
 inline Source source_of(const KeptContour& kept) {
   return {.index = kept.index, .number = kept.n_word, .line = kept.line, .part = kept.part};
 }
-// Of either kind.
+// For path blocks and contour blocks.
 template <class Kept>
 Line line_of(const Kept& kept) {
   return {.start = kept.start, .end = kept.end};

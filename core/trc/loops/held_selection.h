@@ -5,7 +5,7 @@
 
 namespace trc {
 
-// The selection that LoopRemoval holds, and what it has noted of its blocks as they came.
+// The selection that LoopRemoval holds, with facts noted as its blocks came.
 struct HeldSelection {
   PathBlocks entering{};  // the approach, which leaves with the first block of the path
   HeldPath path{};

@@ -11,9 +11,9 @@
 
 namespace trc {
 
-// Which loops go is decided with an arc at every outside corner (D-45). Behind that, where such an
-// arc is travelled whole, it gives way to what G25 (rules 4.2 and 4.3) or
-// EXT_ANGLE_BLOCK_INTERSECTION (rule 4.4) asks for:
+// Loops are removed with an arc at every outside corner (D-45). Afterwards an arc that is travelled
+// whole is replaced by the transition of G25 (rules 4.2 and 4.3) or of EXT_ANGLE_BLOCK_INTERSECTION
+// (rule 4.4):
 //
 //      -----.            -----X      X reaches out of the arc, but not to any contour
 //            `.               |      block, nor over an end of the path. Elsewhere the
@@ -28,7 +28,7 @@ class LinearTransitions {
         tolerances_(tolerances),
         checkpoint_(checkpoint) {}
 
-  // Whether the mode asks for them at all.
+  // Whether the mode asks for linear transitions.
   [[nodiscard]] static bool are_asked_for(const TrcMode& mode) {
     return mode.transition == Transition::linear || mode.options.ext_angle_block_intersection;
   }
@@ -36,9 +36,9 @@ class LinearTransitions {
   void begin_at(const Point& first) { ends_ = {first, first}; }
   void end_at(const Point& last) { ends_.last = last; }
 
-  // Whether the piece is all of an arc that something else is asked for.
+  // Whether the piece is a whole arc in place of which the mode asks for another transition.
   [[nodiscard]] bool may_replace(std::size_t piece) const;
-  // Does so, if it keeps clear. The piece before it, if there is one, will not be walked again.
+  // Replaces it, if the result keeps clear. The piece before it, if any, will not be walked again.
   void replace(std::size_t piece);
 
   template <class Archive>
@@ -51,7 +51,7 @@ class LinearTransitions {
     Point first = Point::Zero();
     Point last = Point::Zero();
   };
-  // What takes the place of an arc, as HeldPath::lines_of().
+  // The replacement of an arc, as HeldPath::lines_of().
   struct Replacement {
     Segment leg_before{};
     Line across{};
@@ -62,12 +62,12 @@ class LinearTransitions {
   [[nodiscard]] Corner corner_behind(std::size_t number) const;
   [[nodiscard]] Replacement replacement(const Corner& corner, const Joint& joint) const;
   [[nodiscard]] bool keeps_clear(std::size_t transition, const Replacement& replacement) const;
-  // Whether the point lies between the arc and what takes its place.
+  // Whether the point lies between the arc and its replacement.
   [[nodiscard]] bool reaches_over(const Corner& corner, const Replacement& replacement,
                                   const Point& point) const;
-  // Whether the pieces beside the arc are those of the blocks beside it, up to it.
+  // Whether the pieces next to the arc belong to the blocks next to it and reach it.
   [[nodiscard]] bool are_neighbours(std::size_t piece) const;
-  // Whether the neighbour is a block that may go on as itself: its equidistant is that of the
+  // Whether the neighbour may be lengthened along itself: its equidistant is that of the
   // corner.
   [[nodiscard]] bool goes_on(std::size_t block) const;
   void lengthen_before(std::size_t piece, const Joint& joint);

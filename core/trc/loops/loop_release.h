@@ -12,12 +12,12 @@
 
 namespace trc {
 
-// Puts out what has been walked of a path, each block as it came or cut to what is travelled of it.
-// A contour block that is left out is masked: it is noted (900213), and its technology words, and
+// Puts out the walked part of a path, each block as it came or cut to the part that is travelled. A
+// contour block that is left out is masked: it is noted (900213), and its technology words, and
 // what it moves across the plane and in tracking axes, come out at the crossing.
 class LoopRelease {
  public:
-  // Of path(): blocks one behind the other.
+  // Consecutive blocks of path().
   struct Row {
     std::size_t first = 0;
     std::size_t count = 0;
@@ -37,27 +37,27 @@ class LoopRelease {
   void begin();
   // For a window only: a contour block of that length, mm, has come.
   void note_contour_block(double length) { contour_length_ += length; }
-  // Refuses a contour most of which goes in one loop, once it has been walked whole (D-39).
+  // Refuses a contour most of which is lost in one loop, once it has been walked whole (D-39).
   bool check_left_out();
 
   // The first block that has neither left nor been left out.
   [[nodiscard]] std::size_t next() const { return next_; }
   // The pieces before `end`.
   void release_to(std::size_t end, PathBlocks& out);
-  // A portion of them: up to what leaves as it came, where that is not next.
+  // A portion of them: up to the next block that leaves as it came, unless that is the first.
   void release_portion(PathBlocks& out) { release_to(end_of_portion(), out); }
-  // What is left behind the last piece is left out at `place`, the end of the path.
+  // Leaves out the rest after the last piece, at `place`, the end of the path.
   void leave_out_rest(const Point& place, PathBlocks& out);
 
-  // The next blocks that leave as they came: with nothing before them, no passive blocks, and up to
-  // `most`.
+  // The next blocks, up to `most`, that leave as they came: nothing comes out before them, and they
+  // have no passive blocks.
   [[nodiscard]] Row next_as_they_came(std::size_t most) const;
   void have_left(std::size_t count);
-  // What is travelled of the next block, where that is not all of it, nothing comes out before it,
-  // and it has no passive blocks; else null.
+  // The travelled part of the next block, where it is not the whole block, nothing comes out before
+  // it and it has no passive blocks; else null.
   [[nodiscard]] const PathPiece* next_part() const;
   void part_has_left();
-  // Passes by a loop that is left out next, if nothing comes out in its place.
+  // Skips a loop that is left out next, if nothing comes out in its place.
   void pass_by_without_trace();
 
   template <class Archive>
@@ -76,32 +76,32 @@ class LoopRelease {
   [[nodiscard]] std::size_t end_of_portion() const;
   void release(std::size_t number, PathBlocks& out);
   void release_linear(std::size_t transition, PathBlocks& out);
-  // The blocks before `next` that are not travelled: a loop, left out at `place`.
+  // Leaves out the blocks before `next` that are not travelled: a loop, at `place`.
   void pass_by(const PathPlace& next, const Point& place, PathBlocks& out);
-  // The last contour block of those, or else the first of them; there is at least one.
+  // The last contour block of those before `end`, else the first of them; there is at least one.
   [[nodiscard]] std::size_t last_dropped_before(std::size_t end) const;
   // Whether nothing comes out in their place.
   [[nodiscard]] bool leave_no_trace(std::size_t end) const;
-  // Whether less than the input is exact is left standing of the lines among these contour blocks
-  // by a tool at the place: nobody wants to know (D-44).
+  // Whether a tool at the place leaves less of the lines among these contour blocks than the
+  // resolution of the input: that is not reported (D-44).
   [[nodiscard]] bool leaves_nothing_of(std::size_t first, std::size_t last,
                                        const Point& place) const;
-  // What is left out before the next place, at the point.
+  // Reports the stretch left out before the next place, at the point.
   void report_masked(const PathPlace& next, const Point& place);
-  // From one place of the path to another one, which are next to a loop (D-39).
+  // The stretch left out between two places of the path next to a loop (D-39).
   [[nodiscard]] LeftOut left_out(const PathPlace& from, const PathPlace& to) const;
-  // mm, of all that is known.
+  // Length of all walls known, mm.
   [[nodiscard]] double length_of_walls() const;
-  // Whether what is left out between them is no local damage, whatever its share (D-39): with it
-  // goes a lap, a change of depth or a rapid motion.
+  // Whether the stretch left out between them is more than local damage, whatever its share (D-39):
+  // it includes a lap, a change of depth or a rapid motion.
   [[nodiscard]] bool holds_a_whole(const PathPlace& from, const PathPlace& to,
                                    const LeftOut& stretch) const;
-  // Of the walls along what is left out, to the left, rad.
+  // The turn of the walls along the stretch left out, to the left, rad.
   [[nodiscard]] double turn_of(const PathPlace& from, const PathPlace& to) const;
-  // Whether the walls among these contour blocks go round something on the side of the workpiece:
-  // a part of it, which a tool of any size can reach.
+  // Whether the walls among these contour blocks go round a part of the workpiece, which a tool of
+  // any size can reach.
   [[nodiscard]] bool go_round_a_part(std::size_t first, std::size_t last) const;
-  // Whether one of the contour blocks is rapid, but for the first and the last one of the path.
+  // Whether one of the contour blocks is rapid, except the first and the last one of the path.
   [[nodiscard]] bool is_parted_by_rapid(std::size_t first, std::size_t end) const;
 
   HeldPath& path_;
@@ -114,8 +114,8 @@ class LoopRelease {
 
   std::size_t next_ = 0;
   static constexpr PathPlace none_left{HeldPath::most_blocks, 0};
-  PathPlace left_to_ = none_left;  // up to here a part of a block has left
-  // For a window only: of what has left, and of all contour blocks, mm.
+  PathPlace left_to_ = none_left;  // part of a block has left, up to here
+  // For a window only: lengths of the path that has left, and of all contour blocks, mm.
   LeftOut longest_left_out_{};
   double contour_length_ = 0;
   bool is_most_left_out_ = false;  // of the walls

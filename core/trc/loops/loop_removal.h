@@ -22,7 +22,7 @@ namespace trc {
 
 // G141 with REMOVE_MASKED_BLOCKS: takes every violating loop out of the path of a selection (rule
 // 5.1), however many blocks it has. It holds the path, LoopWalk goes along it, LinearTransitions
-// puts in what G25 asks for, and LoopRelease puts out what is left.
+// inserts the transitions of G25, and LoopRelease puts out the rest.
 //
 // Holds such a selection as a whole, or, with a window of N contour blocks (D-10), looks N blocks
 // ahead and back: the path of a block leaves when the N-th block behind it has come. All else
@@ -57,11 +57,11 @@ class LoopRemoval {
     return is_leaving() && held_.entering.empty() ? &release_ : nullptr;
   }
   [[nodiscard]] const HeldPath& path() const { return held_.path; }
-  // The selection it has stopped at, approach first and without the leads at the begin; no blocks
-  // where not all of it is held any more.
+  // The selection that it has stopped at, approach first and without the leads at the begin; no
+  // blocks where part of it has left.
   [[nodiscard]] RefusedWay refused_way() const;
 
-  // Not while a selection is leaving.
+  // Not allowed while a selection is leaving.
   template <class Archive>
   void serialize(Archive& archive) {
     archive(held_, obstacles_, walked_, walk_, linear_, release_);
@@ -75,7 +75,7 @@ class LoopRemoval {
     holding,  // one is, and may get more blocks
     leaving,  // it has ended
   };
-  // What was fed while a selection is leaving.
+  // Blocks fed while a selection is leaving.
   struct Behind {
     PathBlocks blocks{};
     PathBlocks taken{};         // of these, while they are fed again; empty else
@@ -92,10 +92,10 @@ class LoopRemoval {
   // Returns false.
   bool has_no_room_for(const Source& source);
   void note_contour_block(const Box& programmed, const Certificate::Block& course);
-  // Once the contour has ended, if its begin is still known: what of it is a wall (D-38).
+  // Finds the walls (D-38), once the contour has ended and if its begin is still known.
   void find_walls();
   bool proceed(PathBlocks& out);
-  // Up to which piece the path may leave whose window has come: what stands in place of an arc
+  // The piece up to which the path may leave when its window has come: the replacement of an arc
   // takes part of the block before it.
   [[nodiscard]] std::size_t settle(std::size_t due);
   void forget();

@@ -17,9 +17,9 @@
 
 namespace trc {
 
-// Goes along the path of a selection from its first point and notes what of it is travelled (rule
-// 5.1). Where the path comes nearer than the tool radius to any contour block, the walk goes on
-// along the part of the path that crosses it there, x, and leaves out what lies between. A loop
+// Goes along the path of a selection from its first point and notes the parts that are travelled
+// (rule 5.1). Where the path comes nearer than the tool radius to any contour block, the walk goes
+// on along the part of the path that crosses it there, x, and leaves out what lies between. A loop
 // that stays clear of the contour stays. Where there is no crossing to go on from, the contour
 // cannot be machined with this radius (90019, 90038).
 //
@@ -28,11 +28,11 @@ namespace trc {
 //    --x-' )        --x
 //      '--'
 //
-// With a window of N contour blocks each new one may be in the way of what has been walked without
-// it: from there the path is walked again.
+// With a window of N contour blocks, each new block may be in the way of the path already walked:
+// from there the path is walked again.
 class LoopWalk {
  public:
-  // What it goes along, what is in its way, and what it has walked.
+  // The path, the obstacles in its way, and the pieces walked.
   struct Rooms {
     const HeldPath& path;
     Obstacles& obstacles;
@@ -53,29 +53,29 @@ class LoopWalk {
 
   // A new selection begins.
   void begin();
-  // For a window only: a contour block has come, in that box. Up to `farthest_reach`, mm, a block
-  // of the path may be away from its contour block.
+  // For a window only: a contour block has come, in that box. A block of the path is at most
+  // `farthest_reach`, mm, away from its contour block.
   void note_contour_block(const Box& area, double farthest_reach);
   // The contour has come to its end.
   void end_contour() { ended_ = true; }
-  // Other contour blocks are walls now: what has not left is walked again.
+  // The walls have changed: the path that has not left is walked again.
   void start_over();
 
-  // As far as the contour is known well enough; all the way when it has ended. Returns false once
-  // the stream must stop.
+  // Walks as far as the contour is known well enough; all the way when it has ended. Returns false
+  // once the stream must stop.
   bool go_on();
-  // Whether it cannot go on yet: the last contour block that is known is what it ran into.
+  // Whether it cannot go on yet, because it ran into the last contour block known.
   [[nodiscard]] bool is_waiting() const;
-  // The piece that is being walked; behind the path where that has been walked whole.
+  // The piece being walked; beyond the path where all of it has been walked.
   [[nodiscard]] const PathPiece& at() const { return at_; }
   // Whether the contour is known a whole window beyond the block.
   [[nodiscard]] bool has_had_its_window(std::size_t block) const {
     return number_of(block) + window_ < end_of_contour();
   }
-  // Places on the block have moved.
+  // To be called when places on the block have moved.
   void forget_passes_on(std::size_t block);
 
-  // Behind the path, the obstacles and what has been walked.
+  // To be called after the path, the obstacles and the pieces walked.
   template <class Archive>
   void serialize(Archive& archive) {
     archive(walking_, at_, tolerated_.from, tolerated_.until, tolerated_.nearness, passes_);
@@ -87,13 +87,13 @@ class LoopWalk {
   using Onset = Obstacles::Onset;
   using Nearness = Obstacles::Nearness;
   enum class Step { done, wait, stop };
-  // Up to where the path may come how near. What lies before `from` has been looked at.
+  // How near the path may come, and up to where. The part before `from` has been examined.
   struct Tolerated {
     double from = 0;  // mm along the block of `until`
     PathPlace until{};
     Nearness nearness = Nearness::passable;
   };
-  // Where the walk might have left the path for its continuation, and has not.
+  // A place where the walk could have left a loop out, and has not.
   struct Pass {
     std::size_t block = 0;
     LoopExit exit{};
@@ -107,33 +107,33 @@ class LoopWalk {
   bool set_out();
   void reconsider(std::size_t number, const Box& area, double farthest_reach);
   void walk_again_from(std::size_t piece, const Onset& onset);
-  // The last contour block is new: whether the path runs into it before the onset waited with.
+  // After a new contour block: whether the path runs into it before the onset in waiting_with_.
   void keep_waiting();
   void drop_pieces(std::size_t kept);
 
-  // What to do about an onset in the block being walked.
+  // Acts on an onset in the block being walked.
   Step leave(const Onset& onset);
   Step leave_at_once(const Onset& onset);
-  // The path has come into the tool's reach, but not so far that it violates yet.
+  // The path has come within the tool's reach, but does not violate yet.
   void pass(const Onset& onset, const std::optional<LoopExit>& exit);
-  // For as long as the path stays within reach of the obstacle.
+  // Tolerates the obstacle as long as the path stays within reach of it.
   void tolerate(const Onset& onset, Nearness nearness);
   // The block being walked is travelled backwards. Returns whether there is a way to leave it out.
   bool leave_backwards();
-  // Where nothing leads on from a violation: the last pass whose loop holds it is none.
+  // Where no exit leads on from a violation: goes back to the last pass whose loop holds it.
   bool leave_for_last_pass();
-  // Whether it is so little that it counts as none.
+  // Whether the violation is too small to count.
   [[nodiscard]] bool counts_as_none(const Onset& violation);
-  // Whether what it leaves out is all of a closed contour: no loop.
+  // Whether it would leave out a whole closed contour, which is no loop.
   [[nodiscard]] bool is_seam(const LoopExit& exit) const;
   void jump(const LoopExit& exit);
   void advance();
   // advance() for all blocks before this one.
   void advance_to(std::size_t block);
-  // Walked: a piece of the block that has been walked so far.
+  // Keeps the part of the block walked so far as a piece.
   void keep_cut();
   bool refuse(const Onset& onset);
-  // Whether some of the block being walked may come nearer than `Nearness::exact` allows.
+  // Whether part of the block being walked may come nearer than `Nearness::exact` allows.
   [[nodiscard]] bool is_tolerated() const { return tolerated_.until.block >= at_.block; }
 
   [[nodiscard, gnu::always_inline]] HeldPath::Block path(std::size_t block) const {
@@ -150,11 +150,11 @@ class LoopWalk {
     return ended_ || number_of(block) + lead < end_of_contour();
   }
 
-  // The onset that counts, with the loops that do not violate let pass.
+  // The next onset that counts; loops that do not violate are passed over.
   [[nodiscard]] std::optional<Onset> next_onset() const;
-  // Nothing is left between the corners of the block: it is travelled backwards.
+  // Whether the corners leave nothing of the block, so that it is travelled backwards.
   [[nodiscard]] bool runs_backwards(std::size_t block) const;
-  // Whether the loop between two places soon does; it begins where the path enters the obstacle.
+  // Whether the loop between two places soon violates; the path enters the obstacle at its begin.
   [[nodiscard]] bool violates_soon(const PathPlace& from, const PathPlace& to,
                                    std::size_t obstacle) const;
 
@@ -179,7 +179,7 @@ class LoopWalk {
   // For a window only: the pieces from this one on come no nearer than `Nearness::exact` allows.
   std::size_t exact_from_ = 0;
   // For a window only: where the block being walked runs into the last contour block, and into no
-  // other one before that. Nothing can be done about it before there are more.
+  // other before it. It cannot be resolved before more blocks come.
   std::optional<Onset> waiting_with_;
 };
 

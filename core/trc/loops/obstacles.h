@@ -17,13 +17,13 @@
 
 namespace trc {
 
-// Which contour blocks a block of the path comes too near to, and where: the contour of a
-// selection as LoopRemoval sees it. With a window of N contour blocks a block of the path sees N
-// of them ahead and back.
+// Finds the contour blocks that a block of the path comes too near to, and where: the contour of a
+// selection as LoopRemoval sees it. With a window of N contour blocks a block of the path sees N of
+// them ahead and back.
 class Obstacles {
  public:
-  // How near is too near: to find a loop, or to be a violation (D-36). Less than slight is a gouge
-  // that is none (D-14).
+  // How near is too near: to find a loop, or for a violation (D-36). A gouge smaller than slight is
+  // none (D-14).
   enum class Nearness { exact, passable, slight };
   // Where a block of the path comes too near to a contour block.
   struct Onset {
@@ -43,7 +43,7 @@ class Obstacles {
   // The contour block that has been appended to the path.
   void append(const Certificate::Block& course, Certificate::Begin begin, const Box& area);
   [[nodiscard]] const Walls& walls() const { return walls_; }
-  // Which of them are walls, and for whose path; all for all until it is said (D-38).
+  // Sets which of them are walls, and for whose path (D-38). Without it all are, for all.
   void set_walls(Walls walls) {
     walls_ = std::move(walls);
     all_are_walls_ = walls_.are_plain();
@@ -57,13 +57,13 @@ class Obstacles {
     const bool has_some = !walls_.leads.empty() && walls_.leads.back().end == end_of_contour();
     return has_some ? walls_.leads.back().first : end_of_contour();
   }
-  // Of a block the contour ends with: the one at its begin that it goes over once more.
+  // For a block at the end of the contour: the block at its begin that it goes over again.
   [[nodiscard]] std::optional<std::size_t> first_visit_of(std::size_t number) const {
     const bool goes_over = walls_.blocks_of_round > 0 && number >= walls_.blocks_of_round &&
                            number - walls_.blocks_of_round < walls_.head.end;
     return goes_over ? std::optional(number - walls_.blocks_of_round) : std::nullopt;
   }
-  // What of a contour block is a wall.
+  // The part of a contour block that is a wall.
   [[nodiscard]] Segment wall(std::size_t number) const;
   // mm
   [[nodiscard]] double wall_length(std::size_t number) const;
@@ -88,7 +88,7 @@ class Obstacles {
     return certificate_.chain_before(number);
   }
 
-  // Whether the certificate takes the contour block out of the question for the block.
+  // Whether the certificate rules the contour block out as an obstacle for the block.
   [[nodiscard]] bool certifies(std::size_t block, std::size_t number) const {
     const BoxTree::Range range = certified(block);
     return number >= range.first && number <= range.last;
@@ -100,21 +100,21 @@ class Obstacles {
   // Whether there is one.
   [[nodiscard]] bool comes_nearer(std::size_t block, double from, double to,
                                   Nearness nearness) const;
-  // Whether another way than its path does, which takes part in all that is certified for it.
+  // Whether `way`, in place of the path of the block and certified like it, comes too near.
   [[nodiscard]] bool comes_nearer(std::size_t block, const Segment& way, Nearness nearness) const;
   // The numbers of all contour blocks that are as near to a place on the block as this one, where
   // it comes too near to it: the other block of a corner, blocks on top of each other.
   [[nodiscard]] const std::vector<std::size_t>& at(std::size_t block, const Point& place,
                                                    std::size_t obstacle, Nearness nearness) const;
 
-  // Once the contour has ended: up to which block nothing at all can be in the way, from this one
-  // on. To be asked for before the questions above, which are cheaper then.
+  // Once the contour has ended: the block up to which, from this one on, nothing can be in the way.
+  // Ask for it before the questions above, which are cheaper then.
   [[nodiscard]] std::size_t clear_until(std::size_t block) {
     const bool in_group = block >= group_query_.first && block < group_query_.end;
     if (!in_group && !is_in_group(block)) query_group(block);
     ++asked_for_;
     if (group_query_.near.empty()) return group_query_.end;
-    // Where the walk leaves blocks out, what is left is not worth it.
+    // Not where the walk leaves blocks out: too few are left for a closer look.
     if (block == few_.end && block < group_query_.end) look_closer();
     return block >= few_.first && block < few_.end && few_.near.empty() ? few_.end : block;
   }
@@ -127,7 +127,7 @@ class Obstacles {
   }
 
  private:
-  // To numbers_, where the path of the block is before them.
+  // Puts first visits in front in numbers_, where the path of the block comes before them.
   void put_first_visits_in_front(std::size_t block, const Point& place, double limit) const;
   // mm.
   [[nodiscard]] double let_pass(double radius, Nearness nearness) const {
@@ -143,11 +143,11 @@ class Obstacles {
   [[nodiscard, gnu::always_inline]] Segment programmed(std::size_t number) const {
     return all_are_walls_ ? path_.contour_block(number).programmed : wall(number);
   }
-  // Leaves those that are walls for the path of the contour block `own`.
+  // Keeps only those that are walls for the path of the contour block `own`.
   void keep_walls(NearFour& four, std::size_t own) const;
   [[nodiscard]] std::size_t end_of_contour() const { return path_.end_of_contour(); }
 
-  // Whether a part of another way of the contour block does.
+  // Whether a part of another way of the contour block comes too near.
   [[nodiscard]] bool own_arc_is_nearer(std::size_t number, const PathPart& part,
                                        double limit) const;
 
@@ -157,23 +157,23 @@ class Obstacles {
   void query_group(std::size_t first);
   // query_group() for the next few blocks of it.
   void look_closer();
-  // Whether what the group query found is all that may be near the block.
+  // Whether the group query has found everything that may be near the block.
   [[nodiscard]] bool is_in_group(std::size_t block) const;
-  // Those the certificate takes out of the question.
+  // The contour blocks that the certificate rules out.
   [[nodiscard]] BoxTree::Range certified(std::size_t block) const;
-  // For all blocks of the path before `end`, which are reachable; those it may leave in question.
+  // As certified(), for all blocks before `end`, which are reachable; may rule out fewer.
   [[nodiscard]] BoxTree::Range certified_for_all(std::size_t first, std::size_t end) const;
-  // All contour blocks it may come nearer to than `limit`: neighbours_. With some that are a
-  // little farther off. `in_group`: what the group query found is all of them.
+  // Puts into neighbours_ all contour blocks that may come nearer than `limit`, and some a little
+  // farther off. `in_group`: the group query has found all of them.
   void find_neighbours(std::size_t block, const Box& area, double limit, bool in_group) const;
   [[nodiscard]] bool neighbours_come_nearer(std::size_t block, const PathPart& part,
                                             double limit) const;
-  // Whether they are more than is worth asking for the nearest one.
+  // Whether they are too many to look for the nearest one directly.
   [[nodiscard]] bool are_many(const Box& area, double limit) const;
-  // Whether those still are that are not out of question for a part of the block. Behind
+  // Whether those that remain for a part of the block still are. To be called after
   // nearest_to().
   [[nodiscard]] bool are_many(const Box& area, const PathPart& part, double limit) const;
-  // The one nearest to the middle of the part, where it is nearer than the limit.
+  // The neighbour nearest to the middle of the part, if it is nearer than the limit.
   [[nodiscard]] std::optional<std::size_t> nearest_to(const PathPart& part, double limit) const;
 
   const HeldPath& path_;
@@ -185,8 +185,8 @@ class Obstacles {
   Certificate certificate_;
   Walls walls_{};
   bool all_are_walls_ = true;
-  // A stretch of the path, and all contour blocks that may be near one of its blocks. Whatever lies
-  // in the same area and has no larger radius has no others.
+  // A stretch of the path, and all contour blocks that may be near one of its blocks. Any block in
+  // the same area with no larger radius has no others near it.
   struct GroupQuery {
     std::size_t first = 0;
     std::size_t end = 0;
@@ -196,7 +196,7 @@ class Obstacles {
     Fours near{};              // without these
   };
   GroupQuery group_query_;
-  // A few blocks of that, and all of `near` there that is in question for one of them.
+  // A few blocks of the stretch, and all of `near` that may concern one of them.
   struct Few {
     std::size_t first = 0;
     std::size_t end = 0;
@@ -204,8 +204,8 @@ class Obstacles {
   };
   Few few_;
   std::size_t group_ = 8;      // how many blocks are queried together
-  std::size_t asked_for_ = 0;  // how often that was of use
-  // Members for their memory's sake.
+  std::size_t asked_for_ = 0;  // how often a group query was of use
+  // Members, so that their memory is used again.
   mutable Fours neighbours_;
   mutable std::vector<FourBoxes::Squares> squares_;  // of the distances of the neighbours
   mutable std::vector<std::size_t> numbers_;

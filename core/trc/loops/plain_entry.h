@@ -5,11 +5,11 @@
 namespace trc {
 
 // The short way into LoopRemoval: ShortWay gives it the blocks in the middle of a contour as the
-// lines and arcs they are, behind blocks of the same mode and compensation, without making path
+// lines and arcs they are, after blocks of the same mode and compensation, without making path
 // blocks of them.
 //
-// What takes a block returns false once the stream must stop, and appends to `out` what a window
-// has set free.
+// Functions that take a block return false once the stream must stop, and append to `out` the
+// blocks that a window releases.
 class LoopRemoval::PlainEntry {
  public:
   // `Programmed` and `Path` are Lines or Arcs.
@@ -22,7 +22,7 @@ class LoopRemoval::PlainEntry {
     Certificate::Block course{};
     HeldPath::Reach reach{};
   };
-  // What goes round the corner behind one.
+  // The block that goes round the corner after a contour block.
   template <class Path>
   struct Transition {
     const Path& path;
@@ -31,22 +31,22 @@ class LoopRemoval::PlainEntry {
 
   explicit PlainEntry(LoopRemoval& into) : into_(into) {}
 
-  // Whether the middle of a contour is being held: there may be more of it.
+  // Whether the middle of a contour is held, so that more of it may come.
   [[nodiscard]] bool is_open() const {
     return into_.phase_ == Phase::holding && into_.end_of_contour() > 0;
   }
-  // Whether what comes next may be given if it is like this block.
+  // Whether the next block may be given if it is like this one.
   [[nodiscard]] bool takes_more_like(const PathBlock& block) const {
     return into_.held_.path.follows_like(block);
   }
-  // To be called before that.
+  // To be called before such a block is given.
   void go_on_like_last() { into_.held_.path.go_on_like_last(); }
-  // Whether any block may set others free.
+  // Whether a block may release others.
   [[nodiscard]] bool has_window() const { return into_.window_ > 0; }
 
   template <class Programmed, class Path>
   bool take(const ContourBlock<Programmed, Path>& given, PathBlocks& out);
-  // With all but its path in common with the contour block before it, which has that source.
+  // An inserted block: but for its path like the contour block before it, which has this source.
   template <class Path>
   bool take(const Transition<Path>& given, const Source& source, PathBlocks& out);
   // As `inserted`.

@@ -9,15 +9,15 @@
 
 namespace trc {
 
-// Where REMOVE_MASKED_BLOCKS takes the tool no further.
+// Where the tool cannot go on under REMOVE_MASKED_BLOCKS.
 struct DeadEnd {
   std::size_t block = 0;  // of the path
   Obstacles::Onset onset{};
   bool is_all_known = false;  // the contour, to its last point
 };
 
-// Why it does not. An end of the contour at which the tool has no room is named, with
-// `largest_radius`, mm: of the tool that has, to a micrometre.
+// The reason for it. An end of the contour without room for the tool is named, with
+// `largest_radius`, mm, of a tool that has room, to a micrometre.
 [[nodiscard]] Diagnostic refusal_of(const HeldPath& path, const Obstacles& obstacles,
                                     const DeadEnd& dead_end, const Tolerances& tolerances);
 

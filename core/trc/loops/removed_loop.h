@@ -6,17 +6,17 @@
 
 namespace trc {
 
-// What comes out in place of a loop that LoopRemoval takes out of the path, all at the point it is
-// left out at: passive blocks in their order, and what the blocks dropped would have moved out of
-// the plane.
+// The output in place of a loop that LoopRemoval takes out of the path, all at the point of the
+// crossing: passive blocks in their order, and the travel of the dropped blocks out of the
+// plane.
 class DroppedBlocks {
  public:
   DroppedBlocks(const Point& place, PathBlocks& out) : place_(place), out_(out) {}
 
-  // The next contour block of the loop. Those without passive blocks count only as the first and
-  // the last one.
+  // Adds the next contour block of the loop. Blocks without passive blocks count only as the first
+  // and the last one.
   void add(PathBlockPtr block);
-  // There are no more.
+  // To be called after the last one.
   void finish();
 
  private:
@@ -30,20 +30,20 @@ class DroppedBlocks {
                                  double AxisTravel::*end);
   static OtherAxes other_axes_behind(const PathBlock& block);
   static OtherAxes other_axes_after(const PathBlock& block);
-  // One motion, where they are not yet where the block leaves them.
+  // Makes one motion, where the axes are not yet where the block leaves them.
   void move_behind(const PathBlock& block);
 
   Point place_;
   PathBlocks& out_;
   OtherAxes other_axes_{};
   bool begun_ = false;
-  PathBlockPtr waiting_{};  // its travel is still to be made: one motion does for many blocks
+  PathBlockPtr waiting_{};  // its travel is still to be made; one motion serves many blocks
 };
 
-// Cuts a block next to a loop to what is travelled of it, mm along its tool path.
+// Cuts a block next to a loop to its travelled part, mm along its tool path.
 void shorten(PathBlock& block, double from, double to, const Point& start, const Point& end);
 
-// GEN_CIR_BLOCK_IN_CORNER: a joint behind a loop is an inside corner like any other. `arrives` is
+// GEN_CIR_BLOCK_IN_CORNER: a joint after a loop is an inside corner like any other. `arrives` is
 // the direction of travel into it, `along` where on `after` it is.
 [[nodiscard]] PathBlockPtr circle_behind_loop(const Point& place, const Vector& arrives,
                                               const PathBlock& after, double along);

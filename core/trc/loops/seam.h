@@ -9,17 +9,17 @@
 
 namespace trc {
 
-// Where a closed contour begins and ends (rule 5.4): the kink that rounding leaves there is no
-// violation, and what leads from its first blocks to its last ones is no loop. The first and the
+// The point where a closed contour begins and ends (rule 5.4): the kink that rounding leaves there
+// is no violation, and the way from its first blocks to its last ones is no loop. The first and the
 // last point of the path cannot move.
 class Seam {
  public:
   Seam(const HeldPath& path, const Tolerances& tolerances) : path_(path), tolerances_(tolerances) {}
 
-  // Whether the place is as good as the first point of the path, or as the last one.
+  // Whether the place counts as the first point of the path, or as the last one.
   [[nodiscard]] bool is_near(const PathPlace& place) const;
-  // Whether a loop from one place to another, both at `point`, is all of the contour: the path goes
-  // over its corner of the last and the first block, or what is left of short ones there.
+  // Whether a loop from one place to another, both at `point`, is the whole contour: the path
+  // crosses its corner of the last and the first block, or rests of short blocks there.
   [[nodiscard]] bool is_between(const PathPlace& from, const PathPlace& to,
                                 const Point& point) const;
 
@@ -27,10 +27,10 @@ class Seam {
   // Whether the first and the last point of the contour are one, as far as it is known.
   [[nodiscard]] bool is_closed() const;
   [[nodiscard]] bool is_at_end(const PathPlace& place) const;
-  // Whether these contour blocks, and some more of one by that, mm, can have the tool between them:
+  // Whether these contour blocks, with `rest` mm more of one, have room for the tool between them:
   // a room whose neck is at the seam.
   [[nodiscard]] bool encloses_room(std::size_t first, std::size_t end, double rest) const;
-  // How far from the first and the last point of the path that may be, mm and blocks.
+  // Largest distance from the first and the last point of the path, mm and blocks.
   [[nodiscard]] double reach() const { return 0.01 * std::max(path_.radius_of_tool(0), 0.1); }
   static constexpr std::size_t most_blocks = 64;
 

@@ -23,12 +23,12 @@ struct PathPlace {
   }
 };
 
-// Where places along a block count as one, mm.
+// Places along a block that are this close count as one, mm.
 [[nodiscard]] inline double slack_of_places(const Tolerances& tolerances) {
   return 0.01 * tolerances.same_point;
 }
 
-// What is travelled of a block, with ends shared with its neighbours.
+// The travelled part of a block; its ends are shared with its neighbours.
 struct PathPiece {
   std::size_t block = 0;
   double from = 0;
@@ -38,7 +38,7 @@ struct PathPiece {
   bool behind_loop = false;          // a loop was dropped before it
   Vector arrives = Vector::UnitX();  // the direction of travel into the loop
 
-  // Of the path of its block, which has that length.
+  // Whether it is all of the path of its block, which has this length.
   [[nodiscard]] bool is_all_of(const Segment& path, double length) const {
     return from == 0 && to == length && start == start_of(path) && end == end_of(path);
   }
@@ -48,7 +48,7 @@ struct PathPiece {
   }
 };
 
-// The pieces of the path that LoopRemoval has walked, and that has not left yet. They are counted
+// The pieces of the path that LoopRemoval has walked and that have not left yet. They are counted
 // from the begin of the selection.
 class WalkedPath {
  public:
@@ -56,7 +56,7 @@ class WalkedPath {
   struct Kept {
     static constexpr HeldPath::Number whole = HeldPath::most_blocks;
     HeldPath::Number block = 0;
-    HeldPath::Number cut = whole;  // of those that are not, which one
+    HeldPath::Number cut = whole;  // of the others: the number in cuts_
 
     template <class Archive>
     void serialize(Archive& archive) {
@@ -64,7 +64,7 @@ class WalkedPath {
     }
   };
 
-  // `finds_near`: for_each_near() will be asked.
+  // `finds_near`: for_each_near() will be called.
   WalkedPath(const HeldPath& path, bool finds_near) : path_(path), finds_near_(finds_near) {}
 
   [[nodiscard]] std::size_t begin() const { return pieces_.begin(); }
@@ -74,15 +74,15 @@ class WalkedPath {
   [[nodiscard]] const PathPiece& cut(HeldPath::Number cut) const { return cuts_[cut]; }
   [[nodiscard]] PathPiece& cut(HeldPath::Number cut) { return cuts_[cut]; }
   [[nodiscard]] PathPiece operator[](std::size_t number) const;
-  // How many pieces from the first one on are whole blocks, one behind the other from `block` on;
-  // up to `most`.
+  // The number of pieces, up to `most`, that are consecutive whole blocks from `block` on, counted
+  // from the first piece.
   [[nodiscard]] std::size_t whole_in_a_row(std::size_t block, std::size_t most) const;
 
   void add_whole(std::size_t block) {
     pieces_.push_back({.block = static_cast<HeldPath::Number>(block)});
     if (finds_near_) note_box(block);
   }
-  // Those from `block` on and before `end`.
+  // Adds the whole blocks from `block` on and before `end`.
   void add_whole(std::size_t block, std::size_t end) {
     if (finds_near_)
       for (std::size_t number = block; number < end; ++number) note_box(number);
@@ -94,7 +94,7 @@ class WalkedPath {
   // Forgets the pieces before `number`, which have left.
   void drop_before(std::size_t number) { pieces_.drop_before(number); }
   void drop_cuts_before(HeldPath::Number cut) { cuts_.drop_before(cut); }
-  // What for_each_near() knows of them.
+  // Drops the boxes of those pieces, which for_each_near() uses.
   void drop_boxes_before(std::size_t number) { boxes_.drop_before(number); }
   void drop_boxes() { boxes_.clear(); }
   // Forgets all: a new selection begins.
@@ -108,7 +108,7 @@ class WalkedPath {
     boxes_.for_each_near(area, reach, skipped, visit);
   }
 
-  // Behind the path.
+  // To be called after the path.
   template <class Archive>
   void serialize(Archive& archive) {
     archive(pieces_, cuts_);

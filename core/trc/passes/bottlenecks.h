@@ -50,13 +50,13 @@ class Bottlenecks {
   }
 
  private:
-  // A warning may come later than the block: it need not wait for its window.
+  // A warning may come after its block: the block need not wait for its window.
   [[nodiscard]] bool passes_at_once() const { return window_ > 0 && !implicit_; }
   void hold(PathBlockPtr block);
-  // Once the contour has ended, if its begin is still known: what of it is a wall.
+  // Finds the walls, once the contour has ended and if its begin is still known.
   void find_walls();
-  // What of a contour block is a wall for the path of another one, and how near that may come to
-  // it if `limit` is how near it may come to walls; empty if it is none.
+  // The part of a contour block that is a wall for the path of another one, and how near that path
+  // may come to it where `limit` holds for walls; empty if it is no wall.
   struct Wall {
     Segment path{};
     double limit = 0;
@@ -87,7 +87,7 @@ class Bottlenecks {
   std::vector<std::size_t> changes_;  // of side: the first contour block behind each
   std::optional<SidedWalls> walls_;   // nothing: all of the contour is one
   BoxTree boxes_;
-  bool violating_ = false;  // so was the block before: one report for a stretch
+  bool violating_ = false;  // the block before was too near: one report per stretch
 };
 
 }  // namespace trc

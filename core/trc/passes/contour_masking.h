@@ -27,9 +27,9 @@ namespace trc {
 // and the last contour block of a selection stay: where they violate, the contour
 // cannot be machined with this radius and the stream stops.
 //
-// Holds a selection under G141 as a whole, or, with a window (D-10), so many of its
-// blocks: of those that have left none can be masked any more. All else passes
-// through at once.
+// Holds a selection under G141 as a whole or, with a window (D-10), that many of its
+// blocks: a block that has left can no longer be masked. All else passes through at
+// once.
 class ContourMasking {
  public:
   ContourMasking(const CompensatorSetup& setup, Diagnostics& diagnostics, Checkpoint& checkpoint)
@@ -53,7 +53,7 @@ class ContourMasking {
   }
 
  private:
-  // A block that is not masked so far, and what its start corner takes off it.
+  // A block that is not masked so far, and the cut of its start corner.
   struct Kept {
     std::size_t index = 0;
     double cut_at_start = 0;
@@ -78,7 +78,7 @@ class ContourMasking {
   bool resolve(const PathBlock* after, PathBlocks& out);
   bool keep(std::size_t index);
   bool close(const PathBlock* after);
-  // The two by their index; all between them are masked.
+  // Joins two blocks given by index; all blocks between them are masked.
   [[nodiscard]] std::optional<Meeting> meet(std::size_t before, std::size_t after) const;
   [[nodiscard]] std::optional<PathBlock::Rejoin> join_anew(std::size_t before,
                                                            std::size_t after) const;
@@ -86,27 +86,27 @@ class ContourMasking {
   [[nodiscard]] bool are_passed(std::size_t before, std::size_t after,
                                 const PathBlock::Rejoin& in_line) const;
   [[nodiscard]] bool survives(const Kept& kept, double cut_at_end) const;
-  // The block that could not be joined to it is `joining`.
+  // `joining`: the block that could not be joined to it.
   bool mask_last_kept(std::size_t joining);
-  // The first kept block, and the masked ones behind it.
+  // Releases the first kept block and the masked ones after it.
   bool release(PathBlocks& out);
   void report_masked(std::size_t first, std::size_t end);
-  // Of masked blocks from `first` on and before `end`, which is moved to the first one behind them.
+  // The masked blocks from `first` on and before `end`, which moves to the first block after.
   [[nodiscard]] LeftOut left_out(std::size_t first, std::size_t& end) const;
-  // Of the contour that is held: what of it is a wall, as far as its begin is known (D-38).
+  // Finds the walls of the held contour (D-38), as far as its begin is known.
   void find_walls();
   [[nodiscard]] double wall_length(std::size_t index) const;
-  // Of a held block among those of the contour.
+  // The number of a held block among those of the contour.
   [[nodiscard]] std::size_t number_of(std::size_t index) const {
     return index - (base_ == 0 && held_.front()->role != Role::contour ? 1 : 0);
   }
-  // Whether a stretch of masked blocks is what may not be left out, whatever its share (D-39).
+  // Whether a stretch of masked blocks may not be left out whatever its share (D-39).
   [[nodiscard]] bool holds_a_whole(std::size_t first, std::size_t end,
                                    const LeftOut& stretch) const;
   // Refuses a contour too much of which is masked: one stretch, or all long ones (D-39).
   bool check_left_out();
-  // There is no way on over these blocks, among them the first or the last one of the contour:
-  // 90017, 90019 or 90038 of the block the tool cannot reach, with the largest tool that could.
+  // These blocks, the first or last one of the contour among them, cannot be passed: 90017, 90019
+  // or 90038 for the block that the tool cannot reach, with the largest tool that could.
   bool refuse_to_mask(std::size_t first, std::size_t last);
   bool refuse(Code code, const PathBlock& block, std::optional<double> largest_radius);
 
@@ -124,7 +124,7 @@ class ContourMasking {
   std::size_t base_ = 0;  // blocks of the selection that have left
   std::vector<Kept> kept_;
   Walls walls_{};  // of a contour that has ended, until it has left
-  // For a window only: of what has left, and of all contour blocks, mm.
+  // For a window only: lengths of the path that has left, and of all contour blocks, mm.
   LeftOut longest_left_out_{};
   double contour_length_ = 0;
 };

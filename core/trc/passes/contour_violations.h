@@ -15,16 +15,16 @@ namespace trc {
   return std::abs(point.x()) <= limit && std::abs(point.y()) <= limit;
 }
 
-// What is a contour violation, mm and rad as in PathBlock. A line that runs against its tangent:
+// Contour violations, mm and rad as in PathBlock. A line that runs against its tangent:
 [[nodiscard]] inline bool runs_back(const Vector& travelled, const Vector& tangent,
                                     const Tolerances& tolerances) {
   return travelled.dot(tangent) < -tolerances.on_contour;
 }
-// An arc of whose equidistant with this radius the corners leave less than nothing:
+// An arc whose corners take more than the whole of its equidistant with this radius:
 [[nodiscard]] inline bool is_consumed(double left, double radius, const Tolerances& tolerances) {
   return left * radius < -tolerances.on_contour;
 }
-// The first coordinate of the path that no control takes (90133, 90134), or nothing.
+// The code for the first coordinate of the path out of range (90133, 90134), or nothing.
 [[nodiscard]] inline std::optional<Code> out_of_range(const Line& path,
                                                       const Tolerances& tolerances) {
   if (!is_within(path.end, tolerances.largest_coordinate)) return Code::end_point_out_of_range;
@@ -65,7 +65,7 @@ class ContourViolations {
   bool report_reversed(const PathBlock& block, double along);
   bool report_wrapped(const PathBlock& block, double left, double sweep);
   bool report_out_of_range(const PathBlock& block, Code code);
-  // With how wide it is there, as far as that is known.
+  // Reports the violation with the width of the place, if that is known.
   bool report(Diagnostic violation, const PathBlock& block);
 
   Tolerances tolerances_;

@@ -39,19 +39,19 @@ using JointResult = std::variant<JoinedBlocks, JointRefusal>;
 [[nodiscard]] JointResult joint_between(const PathBlock& before, const PathBlock& after,
                                         const Corner& corner, const Tolerances& tolerances);
 
-// What goes round an outside corner: the table of rule 4.2 with STRETCH_FACTOR, up to 181 degrees
+// The joint round an outside corner: the table of rule 4.2 with STRETCH_FACTOR; up to 181 degrees
 // EXT_ANGLE_BLOCK_INTERSECTION.
 [[nodiscard]] Joint transition_joint(const Corner& corner, const TrcMode& mode,
                                      const Tolerances& tolerances);
 
-// What corners cut from: mm of a line, rad of an arc.
+// The extent that corners cut from: mm of a line, rad of an arc.
 [[nodiscard]] inline double extent_of(const Segment& programmed) {
   const auto* arc = std::get_if<Arc>(&programmed);
   return arc != nullptr ? std::abs(arc->sweep) : length_of(programmed);
 }
 
-// What two corners leave of the equidistant of a block: mm of a line, rad of an
-// arc, as the cuts. Negative: the block would run backwards.
+// The part of the equidistant of a block that two corners leave: mm of a line, rad of an arc, as
+// the cuts. Negative: the block would run backwards.
 [[nodiscard]] double left_of_block(const PathBlock& block, double cut_at_start, double cut_at_end);
 
 }  // namespace trc

@@ -15,11 +15,11 @@ namespace trc {
 //         \ /            that is not negative. Circles keep their sense, their
 //          B             centre moves as little as it must.
 //
-// The programmed contour itself is changed, before it is offset and also where it is
-// not (SUPPRESS_TRC, D-17). P-CHAN-00284 = 0 is the older method (D-33): between two
-// lines, up to 90 degrees; that G141 and G140 switch it then is a matter of the program.
+// The programmed contour itself is changed, before the offset and also without one (SUPPRESS_TRC,
+// D-17). P-CHAN-00284 = 0 is the older method (D-33): only between two lines, up to 90 degrees;
+// ProgramState lets G141 and G140 switch it then.
 //
-// Holds two blocks of such a contour: a corner waits for the block behind it, which tells what the
+// Holds two blocks of such a contour: a corner waits for the block after it, which shows what the
 // next corner takes.
 class KerfMasking {
  public:
@@ -43,7 +43,7 @@ class KerfMasking {
     return block.mode().options.kerf_masking;
   }
   void release(PathBlocks& out);
-  // The corner of the two held blocks; `next` follows them, if anything does.
+  // Raises the corner of the two held blocks; `next` is the block after them, if any.
   void raise_notch(const PathBlock* next);
 
   bool circular_;

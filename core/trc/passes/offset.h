@@ -9,19 +9,19 @@
 
 namespace trc {
 
-// Whether the equidistant of an arc, of this radius, leaves nothing to travel on (90017).
+// Whether an equidistant with this radius is too small to travel on (90017).
 [[nodiscard]] inline bool vanishes(double radius, const Tolerances& tolerances) {
   return radius < tolerances.on_contour;
 }
 
-// What counts where loops are removed: however small it is, the equidistant is there and may be the
+// The criterion where loops are removed: an equidistant exists however small it is, and may be the
 // only way on.
 [[nodiscard]] inline bool is_unreachable(double radius, double shift,
                                          const Tolerances& tolerances) {
   return radius <= tolerances.rounding * std::max(std::abs(shift), 1.0);
 }
 
-// Sets tangents, P and Q of the block, whatever becomes of its circle.
+// Sets tangents, P and Q of the block, even where its circle vanishes.
 void give_offsets(PathBlock& block);
 
 // Finds the equidistant of each programmed block: its tangents and the

@@ -10,12 +10,12 @@ namespace trc {
 [[nodiscard]] bool is_reached(const PathBlock& before, const PathBlock& block,
                               const PathBlock& after, double radius, const Tolerances& tolerances);
 
-// The largest radius up to that of the tool for which that is so, to a micrometre; 0: none.
+// The largest such radius up to that of the tool, to a micrometre; 0: none.
 [[nodiscard]] double largest_radius_for(const PathBlock& before, const PathBlock& block,
                                         const PathBlock& after, const Tolerances& tolerances);
 
-// How wide the slot is that the blocks before and behind a block make, mm, where they are lines
-// that run against each other; 0: they are not.
+// The width, mm, of the slot between the blocks before and after a block, where these are lines in
+// opposite directions; 0: they are not.
 [[nodiscard]] double slot_width(const Segment& before, const Segment& after);
 
 }  // namespace trc

@@ -13,14 +13,14 @@
 
 namespace trc {
 
-// Tells what each block is to TRC – approach, contour, retract, side change –
-// and carries passive blocks (M words, dwell, motion across the plane) behind the
-// motion block they were programmed after, so that the later passes see motion
-// only. While TRC is off passive blocks go through at once.
+// Decides the role of each block – approach, contour, retract, side change – and attaches passive
+// blocks (M words, dwell, motion across the plane) to the motion block that they were programmed
+// after, so that the later passes see motion only. While TRC is off passive blocks go through at
+// once.
 //
-// Holds one block while TRC is active: whether a selection has a contour at all
-// shows with the block after its approach (D-28), and what would do in place of a circular approach
-// with it too.
+// Holds one block while TRC is active: only the block after an approach shows whether
+// the selection has a contour at all (D-28), and what could replace a circular
+// approach.
 class RelevantBlocks {
  public:
   RelevantBlocks(const CompensatorSetup& setup, Diagnostics& diagnostics, RefusedWay& refused_way)
@@ -33,15 +33,15 @@ class RelevantBlocks {
   // place.
   [[nodiscard]] PathBlock* held() { return held_.get(); }
   void go_on_from_held() { last_path_ = held_->programmed.path; }
-  // Whether the selection of this block may yet turn out to be longer than its window.
+  // Whether the selection of this block may still become longer than its window.
   [[nodiscard]] bool counts_for_window(const PathBlock& block) const {
     const std::size_t window = setup_.limits.look_ahead_blocks;
     return window > 0 && contour_blocks_ <= window &&
            (block.mode().masking == Masking::on || setup_.implicit_contour_masking);
   }
 
-  // The program ended in this mode: a G40 that nothing followed still ends the
-  // contour. Called before drain.
+  // The mode in which the program ended: a G40 as its last block still ends the contour. Called
+  // before drain.
   void end_in(const TrcMode& mode) { end_mode_ = mode; }
 
   template <class Archive>
@@ -64,7 +64,7 @@ class RelevantBlocks {
   bool warn_of_corner(const PathBlock& block);
   void count_for_window(const PathBlock& block);
   bool refuse(Code code, const PathBlock& block, std::string detail = {});
-  // Of circles where only lines may be: what is known of the contour beside them.
+  // For a circle where only a line is allowed: keeps what is known of the contour next to it.
   void keep_refused_approach(const MotionBlock& next);
   void keep_refused_retract(const PathBlock& retract);
 
@@ -75,7 +75,7 @@ class RelevantBlocks {
   Diagnostics& diagnostics_;
   RefusedWay& refused_way_;
   PathBlockPtr held_;
-  // What the motion block before left behind.
+  // The compensation after the motion block before.
   Compensation last_{};
   std::shared_ptr<const TrcMode> last_mode_{};
   Segment last_path_{};

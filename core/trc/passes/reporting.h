@@ -18,9 +18,9 @@
 
 namespace trc {
 
-// Turns path blocks into the result: puts passive blocks behind their block (D-25),
-// sets the feed at the tool centre (G10, G11) and counts. Checks the one promise
-// everybody relies on: each block starts where the one before ended.
+// Turns path blocks into the result: puts passive blocks behind their block (D-25), sets the feed
+// at the tool centre (G10, G11) and counts. Checks the promise that all callers rely on: each block
+// starts where the one before ended.
 class Reporting {
  public:
   Reporting(const CompensatorSetup& setup, Diagnostics& diagnostics)
@@ -34,19 +34,19 @@ class Reporting {
   bool feed(PathBlockPtr&& owner, std::vector<CompensatedBlock>& out) { return feed(*owner, out); }
   bool feed(PathBlock& block, std::vector<CompensatedBlock>& out);
   bool drain(std::vector<CompensatedBlock>& /*out*/) { return true; }
-  // What many blocks in a row have in common: the mode they are programmed under, and more.
+  // Data that many consecutive blocks have in common: their mode, and more.
   struct Motion {
     const TrcMode& mode;
     AxisTravel normal{};
     double feed = 0;
     bool rapid = false;
   };
-  // One block of the path, but for its tracking axes. `Path` is a Line or an Arc. Here for
+  // Puts out one block without its tracking axes. `Path` is a Line or an Arc. In the header for
   // ShortWay, which puts out nearly all blocks.
   template <class Path>
   CompensatedBlock& put_out(const Source& source, const Motion& motion, Origin origin,
                             const Path& tool_path, std::vector<CompensatedBlock>& out);
-  // One block of the path, with its tracking axes: takes them out of what is programmed.
+  // Puts out one block with its tracking axes, which it moves out of the programmed block.
   template <class Path>
   CompensatedBlock& put_out(MotionBlock& programmed, const TrcMode& mode, Origin origin,
                             const Path& tool_path, std::vector<CompensatedBlock>& out);
@@ -67,11 +67,11 @@ class Reporting {
   }
 
  private:
-  // Of the tool, machine axes.
+  // The position of the tool in machine axes.
   [[nodiscard]] Position position() const { return from_plane(plane_, place_, height_); }
   void stand_at(Plane plane, const Position& position);
   void put_out_passive(std::vector<PassiveBlock>& blocks, std::vector<CompensatedBlock>& out);
-  // F' / F: what the feed of the tool centre is multiplied by under G11; 1 on inserted blocks
+  // F' / F: the factor for the feed of the tool centre under G11; 1 on inserted blocks
   // (D-30).
   double feed_factor(const PathBlock& block);
   [[nodiscard]] bool goes_straight_on(const Vector& direction, const TrcMode& mode);
@@ -93,7 +93,7 @@ class Reporting {
   Summary summary_;
 };
 
-// Made where it is to lie, so that nothing of it is set twice.
+// Constructs the block in place, so that no member is set twice.
 template <class Make>
 class InPlace {
  public:

@@ -10,20 +10,20 @@
 
 namespace trc {
 
-// What rounding has made of a contour decides nothing (rule 5.4, D-44). Lines as short as it leaves
-// them where nothing was meant are one thing: the last micrometre to the point a contour began in,
-// a step back, a corner in two points. Where such a line turns, it comes to lie on what joins the
-// ends of itself and the line before it, or else the one behind. The corners of fine steps are
-// another: with a tool that is large beside them they take more than there is of a line, and go
-// where that moves the contour by next to nothing. Each line stays a block, as long as the corners
-// at the ends need it. Lines that move other axes too, or with another feed, are left as they are:
-// what they do has its place.
+// Keeps artefacts of rounding from deciding anything (rule 5.4, D-44). First, very short lines that
+// only rounding has made: the last micrometre to the point where a contour began, a step back, a
+// corner in two points. Where such a line turns, it is laid onto the line that joins the ends of
+// itself and the line before it, or else the one after it. Second, the corners of fine steps: with
+// a tool that is large beside them they take more than a whole line, and are removed where that
+// moves the contour by next to nothing. Each line stays a block, as long as the corners at the ends
+// need it. Lines that also move other axes, or have another feed, stay as they are: their effect
+// belongs to its place.
 //
 //   A ------------ B       B–C is 1 µm long, and turns: both blocks lie on A–C then.
 //                  C
 //
-// Under REMOVE_MASKED_BLOCKS a contour keeps every digit but between its ends: such corners are
-// loops that go by themselves.
+// Under REMOVE_MASKED_BLOCKS a contour keeps every digit except between its ends: loop removal
+// takes such corners out anyway.
 //
 // Holds such lines, at most `most_held` and one more, and the line before the first.
 class RoundedInput {
@@ -50,7 +50,7 @@ class RoundedInput {
  private:
   static constexpr std::size_t most_held = 64;
 
-  // Lines held one after the other, as one.
+  // Consecutive held lines, taken as one.
   struct Chord {
     std::size_t first = 0;  // among the held
     std::size_t count = 1;
@@ -64,26 +64,26 @@ class RoundedInput {
   static bool is_contour_line(const PathBlock& block);
   [[nodiscard]] bool continues(const PathBlock& block) const;
   [[nodiscard]] Line line_of(const Chord& chord) const;
-  // mm of both blocks, where the tool is inside of the corner between.
+  // The cut from both blocks, mm, where the tool is inside the corner between them.
   [[nodiscard]] double taken_between(const Vector& before, const Vector& after) const;
   [[nodiscard]] bool is_in_the_way(const Line& before, const Line& after) const;
-  // mm of a chord, by the corner where it begins.
+  // The cut from a chord by the corner at its start, mm.
   [[nodiscard]] double taken_at_start(std::size_t chord) const;
   // Whether the corners at both ends leave nothing of a chord. `behind`: tangent of what follows
   // the last one.
   [[nodiscard]] bool is_used_up(std::size_t chord, const std::optional<Vector>& behind) const;
   [[nodiscard]] bool is_exact() const;
   [[nodiscard]] bool may_be_one(const Chord& chord) const;
-  // Makes one of a chord and the one behind it, where they may be.
+  // Joins a chord and the one after it, where that is allowed.
   bool join(std::size_t first);
   bool join_with_line_before(std::size_t chord);
   bool move_corner_behind(std::size_t chord);
-  // All chords of as many lines.
+  // Joins chords so that all have the same number of lines.
   bool make_even();
   [[nodiscard]] bool are_all_free() const;
   void smooth();
   void smooth_last_before(const Vector& behind);
-  // `next` follows, if anything does.
+  // `next`: the block that follows, if any.
   void end_before(const PathBlock* next, PathBlocks& out);
   // `behind`: tangent of the contour block that follows.
   void release_all(const std::optional<Vector>& behind, PathBlocks& out);

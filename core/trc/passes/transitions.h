@@ -22,10 +22,10 @@ namespace trc {
 //    o     P=====                    |
 //    |     |                         P=======
 //
-// P is the programmed corner. What is inserted: table of rule 4.2, G25 and
-// G26; where the contour begins and ends: the rules of the selection modes in
-// selection/. Does not see further than the next relevant block, or where that may be the short one
-// of a bow tie, the one behind it: holds no more than two that are not masked.
+// P is the programmed corner. What is inserted: table of rule 4.2, G25 and G26; where the contour
+// begins and ends: the rules of the selection modes in selection/. Does not see further than the
+// next relevant block or, where that may be the short one of a bow tie, the one after it: holds at
+// most two that are not masked.
 class Transitions {
  public:
   Transitions(const Tolerances& tolerances, Diagnostics& diagnostics, RefusedWay& refused_way)
@@ -37,7 +37,7 @@ class Transitions {
   [[nodiscard]] PathBlock* open_block() {
     return masked_.empty() && !short_ ? held_.get() : nullptr;
   }
-  // Of the contour, before the open block: ShortWay has gone on to that.
+  // The contour block before the open block, when ShortWay has gone on to that.
   void goes_on_behind(const Segment& wall) { wall_before_ = wall; }
 
   template <class Archive>
@@ -46,15 +46,15 @@ class Transitions {
   }
 
  private:
-  // In order, once it is known what the corners about a short block are.
+  // Takes blocks in order, once it is known what the corners about a short block are.
   bool take(PathBlockPtr&& block, PathBlocks& out);
-  // Whether the block goes on from the held one by an inside corner and may be the short one of a
-  // bow tie.
+  // Whether the corner between the held block and this one is inside, and this may be the short one
+  // of a bow tie.
   [[nodiscard]] bool may_be_tied(const PathBlock& block) const;
   [[nodiscard]] double largest_bow_tie_for(const PathBlock& block) const {
     return largest_bow_tie(tolerances_.input_resolution, std::abs(block.at_start.shift));
   }
-  // Takes the short block, and says where the tool goes round a tip with the one behind it.
+  // Takes the short block, and marks where the tool goes round a tip with the block after it.
   bool take_short(PathBlock* after, PathBlocks& out);
   [[nodiscard]] bool continues(const PathBlock& block) const {
     return block.at_start.active && !block.perpendicular_entry;
@@ -67,24 +67,24 @@ class Transitions {
   bool join(PathBlock& after, PathBlocks& out);
   void put_out_held(PathBlocks& out);
 
-  // A joint over masked blocks: they come out without length where it is.
+  // Makes a joint over masked blocks: they come out without length at the joint.
   void join_anew(PathBlock& after, PathBlocks& out);
   void change_radius_at_once(const Corner& corner, PathBlock& after, Joint& joint) const;
 
-  // Of the held block, which its corners leave less than nothing of.
+  // Measures the room at the held block, where its corners take more than the whole of it.
   void measure_room(const PathBlock& after);
   bool tell_depth(const PathBlock& before, const PathBlock& after, const Joint& joint);
   bool refuse(const JointRefusal& refusal, const Corner& corner, const PathBlock& after);
-  // What is known of a selection or deselection block that is too short.
+  // Keeps what is known of a selection or deselection block that is too short.
   void keep_refused_way(const Corner& corner, const PathBlock& after);
 
   Tolerances tolerances_;
   Diagnostics& diagnostics_;
   RefusedWay& refused_way_;
   PathBlockPtr held_;
-  PathBlockPtr short_;  // behind the held block, of a bow tie where the next one crosses that
+  PathBlockPtr short_;  // after the held block: that of a bow tie if the next crosses the held one
   PathBlocks masked_;   // behind the held block
-  // The contour block that the held block, of the contour too, goes on from by a corner.
+  // The contour block before the held one, if both are of the contour and meet in a corner.
   std::optional<Segment> wall_before_;
   double deepest_told_ = 0;  // mm, of corners that wear mode does not reach
 };

@@ -10,17 +10,17 @@
 
 namespace trc {
 
-// Nobody has said where the first rapid motions come from: a program begins wherever the machine
-// stands, and 0 is only what is counted from. A picture that draws them shows a way, mostly right
-// across the part, that is not travelled.
+// The start of the first rapid motions is unknown: a program begins wherever the machine stands,
+// and 0 is only an assumption. A picture that drew them would show a way, mostly right across the
+// part, that is not travelled.
 class FirstMotions {
  public:
-  // Coordinates of the setup that are not 0 are said.
+  // Coordinates of the setup other than 0 count as known.
   explicit FirstMotions(const Position& start = Position{}) {
     for (std::size_t axis = 0; axis < said_.size(); ++axis) said_[axis] = start[axis] != 0;
   }
 
-  // In the order of the program: whether this one is a rapid and begins there.
+  // To be called in the order of the program: whether this is a rapid motion with unknown start.
   bool begins_unsaid(Plane plane, const Segment& path, const AxisTravel& normal, bool rapid) {
     if (all_said_) return false;
     const Position from = from_plane(plane, start_of(path), normal.from);
@@ -33,7 +33,7 @@ class FirstMotions {
       stays = stays && !moves;
     }
     for (std::size_t axis = 0; axis < said_.size(); ++axis) {
-      // A motion to where it stands says so.
+      // A motion without travel makes the position known.
       const bool in_plane = axis != axes_of(plane).third;
       said_[axis] = said_[axis] || !rapid || from[axis] != to[axis] || (stays && in_plane);
     }

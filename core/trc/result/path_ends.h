@@ -6,7 +6,7 @@
 
 namespace trc {
 
-// What a planner asks of a segment. The directions of travel at its ends have any length.
+// The data of a segment that a planner needs. The directions of travel at its ends have any length.
 struct Travel {
   Vector begins = Vector::Zero();
   Vector ends = Vector::Zero();

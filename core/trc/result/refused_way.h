@@ -9,27 +9,27 @@
 
 namespace trc {
 
-// What the pass that refuses a selection or deselection block knows of it, for whoever looks for a
-// way that would do.
+// The facts that the pass refusing a selection or deselection block knows, for finding a way in its
+// place.
 struct RefusedWay {
   bool leaves = false;
   // A way in: the selection block and the contour behind it as far as it is known. A way out: the
   // last contour block and the deselection block. None: nothing was refused.
   std::vector<MotionBlock> blocks{};
   double shift = 0;  // mm to the left of the contour; negative: right
-  // What the block needs under G236, mm along itself, and what a line in its last (first) direction
-  // would need; none: there is no such length, or it is not its length that is at fault.
+  // The length that the block needs under G236, mm along itself, and that a line in its last
+  // (first) direction would need; none: no length is enough, or the length is not at fault.
   std::optional<double> needed_length{};
   std::optional<double> needed_straight{};
-  // What the corner before it takes off the last contour block, as in PathBlock.
+  // The cut of the corner before it from the last contour block, as in PathBlock.
   double cut_at_start = 0;
-  // Where loops are removed `blocks` has what there is behind the leads at the begin; so many leads
-  // are left out there, and so many blocks at its end are no walls.
+  // Where loops are removed, `blocks` begins after the leads at the begin: the numbers of leads
+  // left out there, and of blocks at its end that are no walls.
   bool removes_loops = false;
   bool at_begin = false;  // nothing of it can be travelled
   std::size_t leads_in = 0;
   std::size_t leads_out = 0;
-  // Not the way in is at fault: `blocks` are a whole contour that begins and closes in an inside
+  // The way in is not at fault: `blocks` are a whole contour that begins and closes in an inside
   // corner, where the tool has no room beside the begin (rule 3.2).
   bool in_corner = false;
   // Where the way in meets the equidistant under G238, which needs no length but a free start.

@@ -7,7 +7,7 @@
 
 namespace trc {
 
-// What a finished session did.
+// The figures of a finished session.
 struct Summary {
   std::uint64_t blocks_in = 0;  // relevant and passive blocks
   std::uint64_t blocks_out = 0;

@@ -11,9 +11,9 @@
 
 namespace trc::selection {
 
-// Looks for a start point of a G238 selection that is far enough from the contour, from where the
-// tool comes to it without touching it, and which is near to the point programmed: in rings about
-// that, wider and wider, and then along the first free place for one that is nearer.
+// Looks for a start point of a G238 selection that is far enough from the contour, from which the
+// tool reaches the contour without touching it, and which is near the programmed point: first in
+// wider and wider rings about that point, then around the first free place for a nearer one.
 class FreeStart {
  public:
   struct Question {
@@ -22,7 +22,7 @@ class FreeStart {
     Point target = Point::Zero();  // where the tool is to come to
     double shift = 0;              // mm to the left of the contour; negative: right
     bool on_tool_side = false;     // of the first block
-    double step = 1e-3;            // the point has whole ones of it as coordinates
+    double step = 1e-3;            // coordinates of the point are multiples of it
   };
 
   FreeStart(const Question& question, const CompensatorSetup& setup)
@@ -40,9 +40,9 @@ class FreeStart {
   [[nodiscard]] bool is_free(const Place& place) const { return is_free(point_at(place)); }
   [[nodiscard]] Point point_at(const Place& place) const;
   [[nodiscard]] std::optional<Place> first_ring() const;
-  // On in steps of this angle as long as that leads nearer.
+  // Goes on in steps of this angle as long as that leads nearer.
   [[nodiscard]] Place turned(Place place, double step) const;
-  // As near as the way there stays free.
+  // Moves the place nearer as long as its way stays free.
   [[nodiscard]] Place drawn_near(Place place) const;
 
   Question asked_;

@@ -51,7 +51,7 @@ class InsideCorner {
   bool close(PathBlock* retract, PathBlocks& out);
   bool check_contour(const PathBlock& approach, const PathBlock& first, const PathBlock& last);
   bool check_start(const PathBlock& approach);
-  // What is known where the approach is at fault.
+  // Keeps what is known where the approach is at fault.
   void keep_refused_way();
   bool give_points(PathBlock& approach, const PathBlock& first, PathBlock& last,
                    PathBlock* retract);

@@ -10,7 +10,7 @@
 
 namespace trc::selection {
 
-// What leads around the corner from 90 degrees on; up to 180 degrees G236_LIN asks for a line.
+// The way around the corner from 90 degrees on; up to 180 degrees a line under G236_LIN.
 enum class AroundCorner : std::uint8_t { arc, line };
 
 [[nodiscard]] inline AroundCorner around_corner(const TrcMode& mode) {
@@ -34,8 +34,8 @@ enum class AroundCorner : std::uint8_t { arc, line };
                                                    const Vector& tangent, AroundCorner around,
                                                    const Tolerances& tolerances);
 
-// The length the block has to have for that, mm, going on before (behind) what is given of it;
-// none: however long it is, there is no such point.
+// The length that the block needs for that, mm, if it is extended before its start (after its end);
+// none: no length gives such a point.
 [[nodiscard]] std::optional<double> needed_on_path(const Corner& corner, const Segment& selection,
                                                    const Vector& tangent, AroundCorner around,
                                                    const Tolerances& tolerances);

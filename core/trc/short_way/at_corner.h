@@ -18,7 +18,7 @@ struct ShortStep {
   double cut_at_start = 0;  // as in PathBlock
 };
 
-// Where one goes over into the next.
+// The corner between a block and the next one.
 struct AtCorner {
   const Corner& corner;
   const ShortStep& before;

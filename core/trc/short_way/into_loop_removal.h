@@ -28,7 +28,7 @@ class IntoLoopRemoval {
         entry_(entry),
         leave_selection_(std::move(leave_selection)) {}
 
-  // Whether LoopRemoval holds the contour so far, so that this is where the short way ends.
+  // Whether LoopRemoval holds the contour so far, so that the short way ends here.
   [[nodiscard]] bool is_open() const { return entry_.is_open(); }
   // Whether a stretch of plain blocks may begin behind this block.
   [[nodiscard]] bool takes_more_like(const PathBlock& block) const {
@@ -41,8 +41,8 @@ class IntoLoopRemoval {
   // Whether the stretch may go on behind the last block that was taken.
   [[nodiscard]] bool goes_on() const { return goes_on_; }
 
-  // Takes the block before the corner and what is inserted behind it, which can be travelled or
-  // not, and puts out what a window has set free by that.
+  // Takes the block before the corner and the blocks inserted after it, reachable or not, and puts
+  // out the blocks that a window releases then.
   void take(const AtCorner& at, const Joint& joint, HeldPath::Reach inserted,
             std::vector<CompensatedBlock>& out) {
     hold(at, joint, inserted);

@@ -17,8 +17,8 @@ class IntoResult {
   IntoResult(const Tolerances& tolerances, Reporting& reporting)
       : tolerances_(tolerances), reporting_(reporting) {}
 
-  // Puts out the block before the corner and what is inserted behind it. Returns false, and does
-  // nothing, where the passes have to do it: a contour violation, or what is out of range.
+  // Puts out the block before the corner and the blocks inserted after it. Returns false, without
+  // doing anything, for blocks left to the passes: contour violations, or values out of range.
   bool put_out(const AtCorner& at, const Joint& joint, std::vector<CompensatedBlock>& out);
 
  private:

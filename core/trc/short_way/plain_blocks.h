@@ -5,11 +5,11 @@
 
 namespace trc {
 
-// Whether the short way knows all that the mode asks for between two blocks in the middle of a
+// Whether the short way supports everything that the mode asks for between two blocks within a
 // contour.
 [[nodiscard]] bool is_plain(const TrcMode& mode, Loops loops);
 
-// Whether the block is in the middle of a contour, under one compensation, and nothing else.
+// Whether the block is within a contour, under one compensation, with nothing special about it.
 [[nodiscard]] bool is_plain(const PathBlock& block);
 
 }  // namespace trc

@@ -19,15 +19,15 @@
 
 namespace trc {
 
-// The short way for what nearly all blocks of a program are: motion in the middle of a contour, of
-// one mode and with nothing about it. Only Offset, Transitions and Reporting, or LoopRemoval, make
-// anything of such blocks, so they go from the corner straight to the last two, without becoming
-// path blocks.
+// The short way for nearly all blocks of a program: motion within a contour, under one mode and
+// with nothing special about it. Only Offset, Transitions and Reporting, or LoopRemoval, act on
+// such blocks, so they go from the corner straight to one of the last two, without becoming path
+// blocks.
 //
-// What comes out, and when, is bit for bit what the passes put out. It asks the same geometry
-// the same questions; whatever is to be reported, but for the errors of LoopRemoval, or takes more
-// than a rule for two blocks, it leaves to them: it stops before such a block, as if it had never
-// been there.
+// The output, and its timing, is bit for bit that of the passes, since the same geometry is called
+// in the same way. Blocks with a diagnostic, except errors of LoopRemoval, or with a rule for more
+// than two blocks are left to the passes: it stops before such a block, as if it had never been
+// there.
 class ShortWay {
  public:
   ShortWay(const CompensatorSetup& setup, const Diagnostics& diagnostics, LoopRemoval& loop_removal,
@@ -39,14 +39,14 @@ class ShortWay {
                            std::move(leave_selection)),
         into_result_(setup.tolerances, reporting) {}
 
-  // Whether it ends in LoopRemoval now.
+  // Whether it ends in LoopRemoval at present.
   [[nodiscard]] bool goes_into_loop_removal() const { return into_loop_removal_.is_open(); }
-  // Whether a stretch of plain blocks may begin behind these two blocks: `open` has its start, but
-  // not yet its end, `held` has neither. No pass behind Transitions holds or wants them, but
+  // Whether a stretch of plain blocks may begin after these two blocks: `open` has its start, but
+  // not yet its end, `held` has neither. No pass after Transitions holds or needs them, except
   // LoopRemoval where it holds the contour before them.
   [[nodiscard]] bool may_begin(const PathBlock& open, const PathBlock& held) const;
-  // Takes blocks from the front of `blocks`, which then stand in `open` and `held`, and puts out
-  // what lay before them. Returns how many; where any, last_out() is the one before `open`.
+  // Takes blocks from the front of `blocks`; the last two end up in `open` and `held`, and the ones
+  // before are put out. Returns how many; if any, last_out() is the one before `open`.
   std::size_t take(PathBlock& open, PathBlock& held, std::span<Block> blocks,
                    std::vector<CompensatedBlock>& out);
 
@@ -54,16 +54,16 @@ class ShortWay {
 
  private:
   void begin(const PathBlock& held);
-  // Whether the stretch goes as far as to this block.
+  // Whether the stretch includes this block.
   [[nodiscard]] bool takes(const MotionBlock& block) const;
-  // Sets the equidistant of a block: behind the corner it begins at, before the one it ends at.
+  // Sets the equidistant of a block in both of its corners: after `begin`, before `end`.
   void offset(MotionBlock& programmed, ShortStep& step, Corner& begin, Corner& end) const;
 
-  // Puts out the block before the corner and what is inserted behind it. Returns false, and does
-  // nothing, where the passes have to do it.
+  // Puts out the block before the corner and the blocks inserted after it. Returns false, without
+  // doing anything, for blocks left to the passes.
   bool join(const AtCorner& at, std::vector<CompensatedBlock>& out);
   bool join_inside(const AtCorner& at, std::vector<CompensatedBlock>& out);
-  // Goes on once it is known what becomes of the corner, and whether what is inserted there can be
+  // Goes on once the joint of the corner is known, and whether the blocks inserted there can be
   // travelled.
   bool leave(const AtCorner& at, const Joint& joint, HeldPath::Reach inserted,
              std::vector<CompensatedBlock>& out);
@@ -73,7 +73,7 @@ class ShortWay {
   double input_resolution_;  // mm
   IntoLoopRemoval into_loop_removal_;
   IntoResult into_result_;
-  // Of the stretch.
+  // Common to the stretch.
   const TrcMode* mode_ = nullptr;
   double shift_ = 0;  // as in Compensation
   Loops loops_ = Loops::kept;

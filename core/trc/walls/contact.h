@@ -15,8 +15,8 @@ struct Contact {
   Point point = Point::Zero();
 };
 
-// Where the two cross, and where an end of one is not farther from the other than `tolerance`.
-// Along a stretch in common these are its two ends.
+// Finds where the two cross, and where an end of one is within `tolerance` of the other. For a
+// common stretch these are its two ends.
 void find_contacts(const Segment& first, const Segment& second, double tolerance,
                    std::pmr::vector<Contact>& found);
 

@@ -7,20 +7,20 @@
 
 namespace trc {
 
-// Blocks of a contour between those that screw the tool down to it and up from it.
+// Blocks of a contour between the turns that move the tool down to it and up from it.
 struct BetweenTurns {
   std::size_t first = 0;
   std::size_t end = 0;
 };
 
-// The first and the last blocks that go round one circle, as arcs or as chords, with the tool
-// inside of it, for a whole turn or more: what is left without the whole turns. Nothing: there are
-// none.
+// The blocks left without whole turns at the begin and at the end: turns are blocks that go
+// round one circle, as arcs or as chords, with the tool inside it. Nothing: there are no whole
+// turns.
 [[nodiscard]] std::optional<BetweenTurns> between_turns(const ContourView& contour,
                                                         double tolerance);
 
-// Whether such turns lead to the contour that closes there (D-106): all of their path is in the
-// space that the tool has beside it, and where that is around the contour they come near it.
+// Whether such turns lead to the contour that closes there (D-106): their whole path lies in the
+// space of the tool beside the contour and, where that space is outside it, comes near it.
 [[nodiscard]] bool are_leads(const ContourView& contour, const BetweenTurns& between,
                              const Closing& closing, double tolerance, double tool_radius);
 

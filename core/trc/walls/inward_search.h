@@ -8,17 +8,17 @@
 
 namespace trc {
 
-// What an overrun goes along: the begin of the contour, or that of the last lap, as laps may differ
-// at their corners.
+// The blocks that an overrun goes along: those at the begin of the contour, or of the last lap, as
+// laps may differ at their corners.
 enum class Overruns { along_the_begin, along_the_last_lap };
 
-// From the outermost one inward.
+// Meetings from the outermost one inward.
 struct MeetingsOfEnds {
   std::span<const EndsMeeting> may_close{};  // the contour may close in one of these
   std::span<const EndsMeeting> all{};        // an overrun may begin in one of these
 };
 
-// Where a contour closes.
+// Finds where a contour closes.
 [[nodiscard]] std::optional<Closing> search_inward(const ContourView& contour,
                                                    const MeetingsOfEnds& meetings, double tolerance,
                                                    Overruns overruns,

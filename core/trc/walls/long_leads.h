@@ -10,9 +10,9 @@ namespace trc {
 [[nodiscard]] bool are_few_outside(const ContourView& contour, std::size_t first,
                                    std::size_t second);
 
-// Whether leads that are longer than the contour part from it where its ends meet (D-38): few
-// blocks, the ones beside the contour arcs or straight on, on the side of the tool; or whatever
-// crosses there, outside of a part that it goes round (D-98).
+// Whether leads longer than the contour leave it where its ends meet (D-38): few blocks, those next
+// to the contour arcs or straight on, on the side of the tool; or any blocks that cross there,
+// outside of a part that the contour goes round (D-98).
 [[nodiscard]] bool is_between_long_leads(const ContourView& contour, const EndsMeeting& closing,
                                          double tolerance, double tool_radius);
 

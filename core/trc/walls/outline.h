@@ -8,21 +8,21 @@
 
 namespace trc {
 
-// The polygon along stretches of a contour, one after the other, and back to its begin. Arcs are
-// chords of at most 0.25 rad.
+// The polygon along consecutive stretches of a contour and back to its begin. Arcs are chords of at
+// most 0.25 rad.
 class Outline {
  public:
   explicit Outline(std::pmr::memory_resource* memory) : corners_(memory) {}
 
   void append(const ContourView& contour, const ContourPlace& from, const ContourPlace& to);
 
-  // mm²; positive where it goes round it to the left.
+  // The area, mm²; positive where the polygon turns to the left.
   [[nodiscard]] double area() const { return doubled_area_ / 2; }
-  // Straight leads may go round a little on either side. `length`: of the stretches, mm.
+  // Straight leads may enclose a little area on either side. `length`: of the stretches, mm.
   [[nodiscard]] bool is_slender(double length) const {
     return std::abs(area()) <= 0.01 * length * length;
   }
-  // Whether the point is on that side of it. Inside, where it goes round the point.
+  // Whether the point is on that side of it. A point that it goes round is inside.
   [[nodiscard]] bool has_on(Side side, const Point& point) const;
 
  private:

@@ -13,7 +13,7 @@ struct RepeatedLaps {
   std::size_t last = 0;    // the first block of the last one
 };
 
-// Nothing: they do not repeat from end to end. The last lap may lack what leads to a next one.
+// Nothing: they do not repeat from end to end. The last lap may lack the leads to a next one.
 [[nodiscard]] std::optional<RepeatedLaps> repeated_laps(const ContourView& contour);
 
 }  // namespace trc

@@ -6,8 +6,8 @@
 
 namespace trc {
 
-// Memory of one question, on the stack: enough for the contours CAM has most of, which are small.
-// What is beyond it comes from the heap.
+// Memory for one question, on the stack: enough for small contours, which are the most frequent
+// from CAM. Any more comes from the heap.
 class Scratch {
  public:
   Scratch() = default;

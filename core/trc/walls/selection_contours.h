@@ -15,8 +15,8 @@ struct SelectionContour {
   std::vector<std::size_t> changes{};  // of side: the first block behind each
 };
 
-// Of a program, in order. The block that leads to a contour, or from one side of it to the other,
-// is not part of it.
+// The contours of a program, in order. A block that leads to a contour, or changes its side, is not
+// part of it.
 [[nodiscard]] std::vector<SelectionContour> contours_of(std::span<const Block> programmed);
 
 [[nodiscard]] SidedWalls find_walls(const SelectionContour& contour, const LeadSettings& settings);

@@ -9,9 +9,9 @@
 
 namespace trc {
 
-// The walls of a selection that may change its side (D-42): each side has a closing and leads of
-// its own, and its path keeps clear of the walls of all other sides too, but for those at the
-// change itself. Blocks are counted over the whole selection.
+// The walls of a selection that may change its side (D-42): each side has its own closing and
+// leads, and its path also keeps clear of the walls of all other sides, except those at the change
+// itself. Blocks are counted over the whole selection.
 struct SidedWalls {
   std::vector<std::size_t> changes{};  // the first block behind each change of side
   std::vector<Walls> sides{};          // one more than there are changes
@@ -33,8 +33,8 @@ struct SidedWalls {
 [[nodiscard]] SidedWalls find_walls(const ContourView& contour, std::vector<std::size_t> changes,
                                     const LeadSettings& settings, double tool_radius);
 
-// What the tool radius decides of the walls of a contour: with the same settings they are the same
-// where this is.
+// The facts about a contour by which the tool radius affects its walls: where these and the
+// settings are equal, the walls are equal.
 struct WallsByRadius {
   std::vector<std::vector<EndsMeeting>> meetings{};  // of each side
   double largest_bow_tie = 0;
@@ -45,7 +45,7 @@ struct WallsByRadius {
                                             const std::vector<std::size_t>& changes,
                                             const LeadSettings& settings, double tool_radius);
 
-// What `part` leaves of a block.
+// The stretch of a block that `part` leaves.
 [[nodiscard]] Segment part_of(const Segment& programmed, const std::optional<Walls::Part>& part);
 
 }  // namespace trc

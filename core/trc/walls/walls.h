@@ -7,8 +7,8 @@
 
 namespace trc {
 
-// What bounds material in the contour of one selection, and for whose path (D-38). Plain data:
-// loop removal, the search for bottlenecks and the verification ask the same questions of it.
+// The parts of the contour of one selection that bound material, and for which path (D-38). Plain
+// data: loop removal, the search for bottlenecks and the verification use it in the same way.
 //
 // Contour blocks are counted from the first one of the selection, approach and retract not among
 // them. Nothing set: all of the contour is a wall for all of the path.
@@ -21,7 +21,7 @@ struct Walls {
     [[nodiscard]] bool holds(std::size_t number) const { return number >= first && number < end; }
     bool operator==(const Range&) const = default;
   };
-  // A block that is a wall from one place on and up to another one, mm from its start.
+  // A block that is a wall only from one place to another, mm from its start.
   struct Part {
     std::size_t number = 0;
     double from = 0;
@@ -30,56 +30,56 @@ struct Walls {
     bool operator==(const Part&) const = default;
   };
 
-  // Blocks nothing of which is a wall; in order, none in two of them.
+  // Blocks without any wall; in order, no block in two of them.
   std::vector<Range> leads{};
   // Blocks that are not walls from end to end; in order.
   std::vector<Part> parts{};
-  // Where the contour goes over the same way again: the first block of each ring but the first
-  // one, in order. A block parted by the visit belongs to the ring behind it.
+  // Where the contour goes over the same way again: the first block of each ring except the first
+  // one, in order. A block divided by the visit belongs to the later ring.
   std::vector<std::size_t> rings{};
-  // The path of the blocks of one of these may come nearer to the walls of the other one, and where
-  // there are rings, of `tail` to those of `tail` and of the begin of the last ring, by `touch`,
-  // mm: the end of the contour lies on its begin as exactly as it was programmed.
+  // The path of the blocks of either may come nearer by `touch`, mm, to the walls of the other;
+  // where there are rings, that of `tail` also to the walls of `tail` and of the begin of the last
+  // ring. The end of the contour lies on its begin only as exactly as it was programmed.
   Range head{};
   Range tail{};
   double touch = 0;
-  // How much nearer, mm, the path of one ring may come to the walls of later ones, which lie on top
+  // How much nearer, mm, the path of a ring may come to the walls of later rings, which lie on top
   // of it, and the end of each ring to its begin.
   double touch_of_rings = 0;
-  // How many blocks more than its first two the lead-out goes along at the begin of the contour.
+  // How many blocks beyond its first two the lead-out passes at the begin of the contour.
   std::size_t blocks_beside_lead = 0;
-  // How many blocks an overrun goes over before the one it ends on.
+  // The number of blocks that an overrun goes over before the one that it ends on.
   std::size_t blocks_of_overrun = 0;
-  // How many blocks behind the begin of the contour its overrun goes along it again; 0: there is
-  // none.
+  // How many blocks after the begin of the contour its overrun goes along it again; 0: no
+  // overrun.
   std::size_t blocks_of_round = 0;
 
   // Where whole turns lead in or out, the blocks of that lead: each turn may touch the walls where
-  // the contour closes, as exactly as circles are programmed (D-106).
+  // the contour closes, within the accuracy of programmed circles (D-106).
   Range turns_in{};
   Range turns_out{};
   double touch_of_turns = 0;
 
   [[nodiscard]] bool are_all() const { return leads.empty() && parts.empty() && rings.empty(); }
-  // Nothing is set.
+  // Whether nothing is set.
   [[nodiscard]] bool are_plain() const { return are_all() && touch == 0; }
   // Whether nothing of the block is a wall.
   [[nodiscard]] bool is_lead(std::size_t number) const;
   // Nothing: the block is a wall from end to end, or a lead.
   [[nodiscard]] std::optional<Part> part_of(std::size_t number) const;
-  // Which ring a block belongs to, counted from 0.
+  // The ring of a block, counted from 0.
   [[nodiscard]] std::size_t ring_of(std::size_t number) const;
-  // Whether the path of the block `path` has to keep clear of the walls of the block `number`:
-  // those of an earlier ring are gone when it comes. Each block is one for its own path, which may
+  // Whether the path of the block `path` must keep clear of the walls of the block `number`: those
+  // of an earlier ring have been cut away by then. Each block is a wall for its own path, which may
   // not exist.
   [[nodiscard]] bool is_wall_for(std::size_t number, std::size_t path) const {
     return number == path ||
            (!is_lead(number) && (rings.empty() || ring_of(number) >= ring_of(path)));
   }
-  // Whether all of a lap lies between two blocks: from the begin of the contour to its end, or from
-  // one ring into another one.
+  // Whether a whole lap lies between two blocks: from the begin of the contour to its end, or from
+  // one ring into another.
   [[nodiscard]] bool goes_round(std::size_t from, std::size_t to) const;
-  // How much nearer than the tool radius that path may come to it, mm.
+  // How much nearer than the tool radius the path of `path` may come to `number`, mm.
   [[nodiscard]] double touch_between(std::size_t number, std::size_t path) const;
 
   bool operator==(const Walls&) const = default;
