@@ -16,7 +16,7 @@
 
 namespace trc {
 
-// The structured bindings here and in the other files of this kind name every member, so that a new
+// The structured bindings here and in the state_archive.h files name every member, so that a new
 // one cannot be forgotten.
 template <class Archive>
 void serialize(Archive& archive, Source& source) {
@@ -48,8 +48,8 @@ void serialize(Archive& archive, Slip& slip) {
   archive(kind, instead);
 }
 
-// One that waits for its place: without what is added to an error, behind which nothing waits, and
-// without the texts of another sender.
+// For a diagnostic that waits for its place: without the additions to an error, after which nothing
+// waits, and without the texts of another sender.
 template <class Archive>
 void serialize(Archive& archive, Diagnostic& diagnostic) {
   auto& [code, severity, source, column, detail, values, point, calls, found_together, entry_help,

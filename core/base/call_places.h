@@ -16,14 +16,14 @@ namespace trc {
 struct CallPlace {
   std::string subprogram{};       // as its comment in the flat program names it
   std::uint32_t called_from = 0;  // 1-based line, of the text that calls it
-  // 1-based line of the text of its own that a given subprogram has; 0: it stands in the program.
+  // 1-based line within the text of a given subprogram; 0: the line stands in the program.
   std::uint32_t line_within = 0;
 
   bool operator==(const CallPlace&) const = default;
 };
 
-// Which subprogram the blocks of a program that computes come from, as far as it was executed.
-// Nothing of a program that does not.
+// The subprogram that each block of a program that computes comes from, as far as it was executed.
+// Empty for other programs.
 class CallPlaces {
  public:
   using Chain = std::uint32_t;
@@ -38,7 +38,7 @@ class CallPlaces {
     return known->second;
   }
 
-  // From this block (Source::index) on; blocks rise. Behind very many changes nothing is known.
+  // From this block (Source::index) on; blocks ascend. After very many changes nothing is known.
   void stand(std::uint64_t from_block, Chain chain, std::uint32_t line_within) {
     if (!changes_.empty() && changes_.back().from_block == from_block) changes_.pop_back();
     const bool same = changes_.empty() ? chain == main_program

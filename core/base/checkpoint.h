@@ -7,12 +7,12 @@
 
 namespace trc {
 
-// Where long work passes by again and again, so that it can be interrupted: the end of a selection
-// may set free millions of blocks in one call.
+// A point that long work passes again and again, so that it can be interrupted: the end of a
+// selection may release millions of blocks in one call.
 class Checkpoint {
  public:
-  // Is called every now and then. May take its time, and may throw, which abandons the session:
-  // nothing but its destruction may follow.
+  // Called from time to time. It may take long, and may throw: that abandons the session, which may
+  // then only be destroyed.
   using Interrupt = std::function<void()>;
 
   explicit Checkpoint(Interrupt interrupt) : interrupt_(std::move(interrupt)) {}
@@ -25,7 +25,7 @@ class Checkpoint {
     left_ = steps;
     if (interrupt_) interrupt_();
   }
-  // Of work that looks at so many things at once: a few nanoseconds each.
+  // For work on many things at once, with a few nanoseconds each.
   void pass_many(std::size_t things) {
     constexpr std::size_t things_of_step = 16;
     left_ -= static_cast<unsigned>(std::min<std::size_t>(things / things_of_step, left_ - 1));

@@ -146,7 +146,7 @@ struct DiagnosticPoint {
 
 struct EntryHelp;  // core/base/entry_help.h
 
-// What was typed where something else was meant: it has a remedy of its own, which names that.
+// A slip of typing. It has a remedy of its own, which names what was meant.
 enum class SlipKind : std::uint8_t {
   none,
   decimal_comma,    // X10,5
@@ -184,16 +184,16 @@ struct Diagnostic {
   // The subprogram it is in, what calls it, and so on out to the program; empty in the program.
   std::vector<CallPlace> calls{};
   bool found_together = false;  // one of several errors of one run
-  // What would do instead, where a selection or deselection block was refused; never used by
-  // itself.
+  // Proposals in place of a selection or deselection block that was refused; only with such an
+  // error.
   std::shared_ptr<const EntryHelp> entry_help{};
   Slip slip{};
-  // What holds where it was found; lengths are in mm whatever it says, texts say them in it.
+  // The unit in force where it was found, used in texts; the lengths here are always in mm.
   bool inch = false;
   Language language = Language::english;   // that its receiver has asked for
   ControlWords words = ControlWords::isg;  // of the program it was found in
-  // Those it was sent with, which are its own: its sender may know codes that this program does
-  // not. Null where it was raised here.
+  // The texts that it was sent with: its sender may know codes that this program does not. Null
+  // where it was raised here.
   std::shared_ptr<const DiagnosticTexts> texts{};
 };
 
@@ -214,15 +214,15 @@ struct CodeRow {
 // The diagnostic with the severity its row gives.
 [[nodiscard]] Diagnostic diagnostic(Code code, const Source& source, std::string detail = {});
 
-// Those it was sent with; else those that the tables of this program give it.
+// The texts it was sent with; else those from the tables of this program.
 [[nodiscard]] DiagnosticTexts texts_of(const Diagnostic& diagnostic);
 
-// Another block a diagnostic speaks of, as values: NAME_index, and where they are known NAME_line
+// Appends another block that a diagnostic refers to as values: NAME_index, and if known NAME_line
 // and NAME_number. `message_of` names it by its line.
 void append_place(std::vector<DiagnosticValue>& values, const std::string& name,
                   const Source& source);
 
-// Another block that a diagnostic speaks of.
+// Another block that a diagnostic refers to.
 struct RelatedPlace {
   std::string name{};  // of its values, as in "other"
   Source source{};
@@ -237,7 +237,7 @@ struct RelatedPlace {
 // "in O1001, called from line 7", where subprograms are called; else empty.
 [[nodiscard]] std::string text_of(const std::vector<CallPlace>& calls, Language language);
 
-// What kind of thing it is: the cause of its row, in the language.
+// The title of a code: the cause of its row, in the language.
 [[nodiscard]] std::string_view title_of(Code code, Language language = Language::english);
 
 // "tool radius 10.000 mm is not smaller than …: R 10 (radius of the contour 6.000 mm)": cause,
@@ -247,7 +247,7 @@ struct RelatedPlace {
 [[nodiscard]] std::string message_of(const Diagnostic& diagnostic,
                                      Language language = Language::english);
 
-// What the operator or programmer can do: of its slip, where it is one, else of its row.
+// What the operator or programmer can do: the remedy of its slip, if any, else that of its row.
 [[nodiscard]] std::string help_of(const Diagnostic& diagnostic,
                                   Language language = Language::english);
 

@@ -12,7 +12,7 @@
 
 namespace trc {
 
-// What is known of a program block by block, for what is told of it.
+// Facts about a program block by block, which messages need.
 struct ProgramPlaces {
   ProgramUnits units{};
   CallPlaces calls{};
@@ -22,8 +22,8 @@ struct ProgramPlaces {
 // errors that were found together with it.
 class Diagnostics {
  public:
-  // Returns whether the stream goes on. After an error all is dropped that was not found together
-  // with it: what follows is a consequence of it.
+  // Returns whether the stream goes on. After an error everything that was not found together with
+  // it is dropped: it would be a consequence of the error.
   bool report(Diagnostic diagnostic) {
     const bool belongs_to_the_error = stopped_ && diagnostic.found_together && !pending_.empty() &&
                                       pending_.back().found_together;
@@ -52,7 +52,7 @@ class Diagnostics {
 
   [[nodiscard]] bool stopped() const { return stopped_; }
 
-  // Goes with the error reported last.
+  // Adds the help to the error reported last.
   void help_with_entry(std::shared_ptr<const EntryHelp> help) {
     if (stopped_ && !pending_.empty()) pending_.back().entry_help = std::move(help);
   }
@@ -66,18 +66,18 @@ class Diagnostics {
     return counts_[static_cast<std::size_t>(severity)];
   }
 
-  // Of the texts of what is reported from here on.
+  // Sets the language and the words for diagnostics reported from here on.
   void speak(Language language, ControlWords words) {
     language_ = language;
     words_ = words;
   }
 
-  // Of the program, which what reads it fills in.
+  // The units of the program, filled in by its reader.
   [[nodiscard]] ProgramUnits& units() { return own_places_.units; }
-  // Of the program, where it computes, which what executes it fills in.
+  // The calls of a program that computes, filled in as it is executed.
   [[nodiscard]] CallPlaces& calls() { return own_places_.calls; }
   [[nodiscard]] const ProgramPlaces& places() const { return own_places_; }
-  // Those of another log of the same program, which outlive this one.
+  // Uses the places of another log of the same program, which outlive this one.
   void count_as(const ProgramPlaces& places) { places_ = &places; }
 
   template <class Archive>

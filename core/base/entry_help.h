@@ -8,16 +8,16 @@
 
 namespace trc {
 
-// A programmed block of a way that is proposed, from where the one before ends. An arc where it has
-// a centre.
+// A block of a proposed way; it starts at the end of the block before. An arc if it has a
+// centre.
 struct ProposedBlock {
   DiagnosticPoint end{};
   std::optional<DiagnosticPoint> center{};
   double sweep = 0;  // rad, as Arc::sweep
 };
 
-// Motions to be programmed in place of the one that was refused: it is approach, or retract, as the
-// refused one was, and what lies between it and the contour belongs to the contour.
+// Motions to be programmed in place of the refused one: one of them is the approach or retract, as
+// the refused one was; a motion between it and the contour belongs to the contour.
 struct EntryProposal {
   enum class Shape : std::uint8_t {
     line,
@@ -31,20 +31,20 @@ struct EntryProposal {
   std::vector<ProposedBlock> blocks{};  // two at the most
 };
 
-// What would do in place of a selection or deselection block that was refused. Each proposal has
-// been compensated, and keeps clear of the contour as far as that was known.
+// Proposals in place of a selection or deselection block that was refused. Each has been
+// compensated, and keeps clear of the contour as far as that was known.
 struct EntryHelp {
   bool leaves = false;          // the way off the contour, else the one to it
   std::uint8_t third_axis = 2;  // the one across the plane: 0 X, 1 Y, 2 Z
   double given_length = 0;      // mm, of the block that was refused
   double needed_length = 0;     // mm; 0: not its length is at fault
   std::uint32_t tried_on = 0;   // so many contour blocks were known
-  // So many contour blocks next to the refused one are leads, which the proposals replace as well.
+  // Number of leads next to the refused block, which the proposals replace as well.
   std::uint32_t replaced = 0;
-  // So many at the far end of the contour are leads as well, and have to go with them.
+  // Number of leads at the other end of the contour, which have to be removed with them.
   std::uint32_t left_out = 0;
-  // Near to where the block was programmed to start (to end where it leaves), a point it might
-  // start (end) in, all else as it is.
+  // A point close to the programmed start of the block (the end, where it leaves) at which it could
+  // start (end), with nothing else changed.
   std::optional<DiagnosticPoint> legal{};
   std::vector<EntryProposal> proposals{};  // one of a shape at the most
 };

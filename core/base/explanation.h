@@ -10,16 +10,16 @@
 
 namespace trc {
 
-// What is to be said of a code beside its row of the table: for those who ask what a message means.
+// The explanation of a code in addition to its row, for users who ask what a message means.
 struct Explanation {
   Code code{};
   std::string_view meaning;                  // sentences
   std::array<std::string_view, 3> causes{};  // what usually leads to it; empty behind the last
-  // How to help oneself on the command line, with the names that has; empty: as the row says.
+  // The remedy in the names of the command line; empty: the row applies.
   std::string_view on_command_line{};
   std::string_view example{};  // a program that raises it, of ISG unless the options say otherwise
   std::string_view options{};  // of `trc compensate`, which the example needs
-  // A part of the example that stands there so many times, too many to be shown; empty: none.
+  // A part of the example that repeats too often to be shown in full; empty: none.
   std::string_view repeated{};
   std::uint32_t times = 1;
 };
@@ -32,7 +32,7 @@ struct Explanation {
 // The whole example.
 [[nodiscard]] std::string example_of(const Explanation& explanation);
 
-// How to help oneself on the command line. Empty: as help_of() says.
+// The remedy on the command line. Empty: that of help_of() applies.
 [[nodiscard]] std::string_view help_on_command_line(Code code, Language language);
 
 }  // namespace trc

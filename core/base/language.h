@@ -6,15 +6,15 @@
 
 namespace trc {
 
-// Of the texts of diagnostics. Names, codes, words of the program and JSON keys have none.
+// Language of the texts of diagnostics. Names, codes, program words and JSON keys have none.
 enum class Language : std::uint8_t { english, german };
 
-// By the tag of a language as in "de", "de-AT" or "de_DE.UTF-8": what stands behind the first part
-// does not count, nor do capitals. "C" and "POSIX" are English. Nothing: not one of ours.
+// The language of a tag such as "de", "de-AT" or "de_DE.UTF-8": only the first part counts,
+// whatever its case. "C" and "POSIX" are English. Nothing: a language without texts here.
 [[nodiscard]] std::optional<Language> language_of_tag(std::string_view tag);
 
-// The one that the header Accept-Language of HTTP prefers (RFC 9110, 12.5.4), English where it
-// names none of ours.
+// The language that the HTTP header Accept-Language prefers (RFC 9110, 12.5.4); English where it
+// names neither.
 [[nodiscard]] Language accepted_language(std::string_view header);
 
 }  // namespace trc

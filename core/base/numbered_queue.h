@@ -12,11 +12,11 @@
 
 namespace trc {
 
-// A sequence that grows at its end and is forgotten at its begin, whose elements keep their
-// number and their place in memory all the time. It takes little more memory than its elements:
-// it is never copied to grow, and a window over an endless stream needs room for the window. What
-// has been moved from may be assigned to or destroyed. `chunk_size`: for how many elements it takes
-// memory at once; few where there are seldom many of them.
+// A sequence that grows at its end and is dropped from its begin. Elements keep their number and
+// their place in memory as long as they exist. It takes little more memory than its elements: it is
+// never copied to grow, and a window over an endless stream needs memory for the window only. A
+// queue that has been moved from may only be assigned to or destroyed. `chunk_size`: the number of
+// elements that memory is taken for at once; small where there are seldom many of them.
 template <class T, std::size_t chunk_size = 256>
 class NumberedQueue {
  public:
@@ -41,7 +41,7 @@ class NumberedQueue {
   [[gnu::always_inline]] T& push_back(T element) {
     return push_made([&] { return std::move(element); });
   }
-  // What make() returns, made where it is to lie.
+  // Appends the result of make(), constructed in place.
   template <class Make>
   [[gnu::always_inline]] T& push_made(Make make) {
     if (place_ == end_of_chunk_) begin_chunk();
@@ -50,13 +50,13 @@ class NumberedQueue {
     return *place_++ = make();
   }
 
-  // Reads one element after the other, which takes less than to look for each. What has been read
-  // stays where it is, until the queue is changed.
+  // Reads elements one after the other, which is faster than looking up each. References stay valid
+  // until the queue is changed.
   class Reader {
    public:
-    // The first one to be read is `number`.
+    // Starts reading at the element `number`.
     Reader(const NumberedQueue& queue, std::size_t number) : queue_(queue), number_(number) {}
-    // There is one more.
+    // The next element; there must be one.
     [[nodiscard]] const T& next() {
       if (place_ == end_of_chunk_) go_on();
       return *place_++;
@@ -126,14 +126,14 @@ class NumberedQueue {
   }
 
  private:
-  // Memory for elements is touched when they come, unless something has to be there to assign to.
+  // Memory for elements is touched only when they come, unless assignment needs an object there.
   static constexpr bool is_plain = std::is_trivially_destructible_v<T>;
-  // A queue that has grown to so many chunks takes whole pages, which go when their elements do.
+  // A queue with this many chunks takes whole pages, which are given back with their elements.
   static constexpr std::size_t long_queue = 64;
   static constexpr std::size_t chunks_of_piece = PagePiece::bytes / (chunk_size * sizeof(T));
   static_assert(chunks_of_piece > 1 && alignof(T) <= __STDCPP_DEFAULT_NEW_ALIGNMENT__);
 
-  // Chunks that lie together in memory: one of the heap, or those of a piece.
+  // Chunks that are contiguous in memory: one from the heap, or those of a page piece.
   class Run {
    public:
     explicit Run(bool is_long) {
@@ -188,7 +188,7 @@ class NumberedQueue {
     run.end = (first_chunk_ + chunks_.size()) * chunk_size;
     end_of_first_ = runs_[dropped_runs_].end;
   }
-  // Whose chunk is there: `near`, which is end() or the last element.
+  // Finds the place for the next element. `near`, end() or the last element, has a chunk.
   void find_place(std::size_t near) {
     T* chunk = chunks_[near / chunk_size - first_chunk_];
     end_of_chunk_ = chunk + chunk_size;
@@ -203,7 +203,7 @@ class NumberedQueue {
     const bool all = dropped_runs_ == runs_.size();
     if (all) place_ = end_of_chunk_ = nullptr;
     end_of_first_ = all ? begin_ + 1 : runs_[dropped_runs_].end;
-    // Now and then: what is left of them is moved.
+    // Only now and then: it moves the remaining runs.
     if (2 * dropped_runs_ < runs_.size()) return;
     const auto behind = [](auto& all_of_them, std::size_t number) {
       return all_of_them.begin() + static_cast<std::ptrdiff_t>(number);

@@ -8,8 +8,8 @@ namespace trc {
 // when it has given back what others have taken.
 [[nodiscard]] std::int64_t page_bytes_of_thread();
 
-// Whether this thread may take another piece of pages; where it says no, std::bad_alloc is thrown.
-// For as long as the process lives.
+// Sets the function that decides whether this thread may take another piece of pages; if it returns
+// false, std::bad_alloc is thrown. It holds as long as the process lives.
 void let_pages_ask(bool (*may_take)());
 
 }  // namespace trc

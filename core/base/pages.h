@@ -5,15 +5,15 @@
 
 namespace trc {
 
-// Pages of the system beside the heap, for what grows large and goes again in pieces of this size.
-// Those that go serve the next ones, of any thread, up to `most_spare` of them: a new page takes
+// Pages taken from the system, outside the heap, for data that grows large and is freed in pieces
+// of this size. Up to `most_spare` freed pieces are kept for reuse by any thread: a new page takes
 // the kernel a microsecond or two.
 class PagePiece {
  public:
   static constexpr std::size_t bytes = 256 << 10U;
   static constexpr std::size_t most_spare = 1024;
 
-  // Throws std::bad_alloc where there is no memory. What is in it is undefined.
+  // Throws std::bad_alloc where there is no memory. The content is undefined.
   PagePiece();
   PagePiece(PagePiece&& other) noexcept : memory_(std::exchange(other.memory_, nullptr)) {}
   PagePiece& operator=(PagePiece&& other) noexcept {
@@ -26,18 +26,18 @@ class PagePiece {
 
   [[nodiscard]] std::byte* memory() const { return memory_; }
 
-  // In use, of all threads.
+  // The pieces in use by all threads.
   [[nodiscard]] static std::size_t count();
-  // Gives the spare ones back to the system.
+  // Gives the spare pieces back to the system.
   static void give_back_spare();
 
  private:
   std::byte* memory_;
 };
 
-// Gives the pages that lie wholly in this memory back to the system; what was in them is lost. To
-// be called before much memory is freed: the heap would give it back all at once, under
-// a lock for which every other thread waits.
+// Gives the pages that lie wholly in this memory back to the system; their content is lost. To be
+// called before much memory is freed: the heap would give it back all at once, under a lock that
+// every other thread waits for.
 void give_back_pages(void* memory, std::size_t bytes);
 
 }  // namespace trc

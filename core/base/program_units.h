@@ -9,11 +9,11 @@
 
 namespace trc {
 
-// Which unit the lengths of a program count in, block by block, as far as it has been read. mm
-// before anything is said. Messages use it (D-46).
+// The unit of the lengths in a program, block by block, as far as it has been read; mm until the
+// program gives one. Messages use it (D-46).
 class ProgramUnits {
  public:
-  // From this block (Source::index) on; blocks rise.
+  // Holds from this block (Source::index) on; blocks ascend.
   void count_in(LengthUnit unit, std::uint64_t from_block) {
     if (unit_in(from_block) != unit) changes_.push_back({.from_block = from_block, .unit = unit});
   }

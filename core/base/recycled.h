@@ -6,9 +6,9 @@
 
 namespace trc {
 
-// Storage for objects of `Size` bytes that come and go all the time: that of the last few
-// that went serves the next ones, so that a stream in its steady state does not allocate.
-// For the operators new and delete of a class.
+// Storage for objects of `Size` bytes that are created and destroyed all the time: the storage of
+// the last few destroyed ones is used again, so that a stream in its steady state does not
+// allocate. For the operators new and delete of a class.
 template <std::size_t Size>
 class Recycled {
  public:
@@ -26,7 +26,7 @@ class Recycled {
   }
 
  private:
-  // Of one thread. Streams wander between threads; what one has too many another has too few.
+  // The store of one thread. Streams move between threads: one store may fill, another run empty.
   struct Store {
     Store() = default;
     Store(const Store&) = delete;

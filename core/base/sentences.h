@@ -14,8 +14,8 @@ struct Sentence {
   std::string_view german;
 };
 
-// The German of an English sentence: of those that fit the one that says most. What stands in its
-// gaps may be a sentence in turn. A text that is none stays as it is.
+// The German of an English sentence: of those that match, the most specific one. The text in a gap
+// may again be a sentence. A text that matches none stays as it is.
 [[nodiscard]] std::string translated(std::string_view english,
                                      std::initializer_list<std::span<const Sentence>> tables);
 

@@ -10,15 +10,15 @@
 
 namespace trc {
 
-// Places on a bounded segment, told by the way from its start, mm.
+// Places on a bounded segment, given by the way from its start, mm.
 
 [[nodiscard]] Point point_along(const Segment& segment, double way);
-// Unit vector of travel there; of the line or circle, also where it has no length.
+// The unit vector of travel at that place; defined for a segment without length too.
 [[nodiscard]] Vector tangent_along(const Segment& segment, double way);
 // The place nearest to `point`, between the ends.
 [[nodiscard]] double nearest_along(const Segment& segment, const Point& point);
 
-// It turns on the spot: where it begins, the segment before it ends.
+// Whether it is an arc without radius, which stays at the end of the segment before.
 [[nodiscard]] inline bool has_no_radius(const Segment& segment) {
   const auto* arc = std::get_if<Arc>(&segment);
   return arc != nullptr && arc->start == arc->center;
@@ -41,7 +41,7 @@ namespace trc {
 [[nodiscard]] std::optional<double> first_entry(const Segment& path, double from, double to,
                                                 const Segment& obstacle, double reach);
 
-// A path between two places, for one such question after the other.
+// A path between two places, for several such questions.
 class PathPart {
  public:
   PathPart(const Segment& path, double from, double to) : PathPart(Track(path), from, to) {}
@@ -50,7 +50,7 @@ class PathPart {
 
   [[nodiscard]] double half_length() const { return half_; }
   [[nodiscard]] const Point& middle() const { return middle_; }
-  // What is not entered by it, is not come nearer to than `reach`.
+  // A course for FourBoxes: obstacles that it does not enter are not nearer than `reach`.
   [[nodiscard]] FourBoxes::Course course(double reach) const {
     return {middle_, tangent_, half_, bend(), reach};
   }
@@ -58,7 +58,7 @@ class PathPart {
   [[nodiscard]] std::optional<double> first_entry(const Segment& obstacle, double reach) const;
   // Whether there is one.
   [[nodiscard]] bool comes_nearer(const Segment& obstacle, double reach) const;
-  // How far along it stays nearer than that once it is so, from its begin on but for `slack`.
+  // The way up to which it stays nearer than `reach`, as it is from its begin on, within `slack`.
   [[nodiscard]] double first_exit(const Segment& obstacle, double reach, double slack) const;
 
  private:
@@ -78,9 +78,9 @@ class PathPart {
   // Calls visit(begin, end, is_nearer), until it returns true, for all stretches of it in order.
   template <class Visit>
   void for_each_stretch(const Segment& obstacle, double apart, double reach, Visit visit) const;
-  // How far it departs from the tangent in the middle, at most.
+  // The largest distance from the tangent in its middle.
   [[nodiscard]] double bend() const { return 0.5 * half_ * half_ * track_.curvature(); }
-  // Whether it is certain that it does not come nearer.
+  // Whether it certainly comes no nearer than `reach`.
   [[nodiscard]] bool stays_off(const Line& obstacle, double apart, double reach) const;
 
   Track track_;

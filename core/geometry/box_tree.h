@@ -23,10 +23,10 @@ namespace trc {
   return arc != nullptr ? bounding_box(*arc) : bounding_box(std::get<Line>(segment));
 }
 
-// Which of many boxes are near. The boxes keep their order, which is that of a
-// path: neighbours on the path are neighbours in space, so that the tree needs no
-// sorting, can grow at its end and be forgotten at its begin. A query costs
-// O(log n + hits) on contours.
+// Finds the near ones of many boxes. They stay in the order of a path: neighbours
+// on the path are neighbours in space, so the tree needs no sorting, can grow at
+// its end and be dropped from its begin. A query costs O(log n + hits) on
+// contours.
 //
 //     [    0 1 2 3     ] [    4 5 6 7     ]        Four boxes in a row have one about
 //     [0] [1] [2] [3]    [4] [5] [6] [7]   [8]     them, four of those too, and so on,
@@ -61,7 +61,7 @@ class BoxTree {
   template <class Visit>
   void for_each_four_near(const Box& area, double reach, const Range& skipped, Visit visit) const {
     const Search<Visit> search{{area, reach}, skipped, visit};
-    // On each level those that have none about them yet.
+    // On each level, the boxes not yet within a box of the next level.
     for (std::size_t level = levels_.size(); level-- > 0;) {
       const auto& [fours, end] = levels_[level];
       if (end % FourBoxes::count != 0 && !fours.empty())

@@ -13,7 +13,7 @@
 namespace trc {
 
 using Box = Eigen::AlignedBox2d;
-// As many of them are kept: no smaller than the box, larger by the rounding of a float.
+// A box kept in floats, since there are many: never smaller, larger by the rounding of a float.
 using KeptBox = Eigen::AlignedBox2f;
 
 // 0 where they overlap or touch, mm^2.
@@ -117,7 +117,7 @@ class FourBoxes {
     Floats squared_reach_;
   };
 
-  // A stretch of a path about its middle, and all within reach of it.
+  // A stretch of a path, given by its middle, and everything within reach of it.
   class Course {
    public:
     // It goes half its length to both sides of the middle, and departs from the tangent there by

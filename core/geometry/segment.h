@@ -105,7 +105,7 @@ struct Directed {
 [[nodiscard]] inline double turn_between(const Vector& a, const Vector& b) {
   const double sine = cross(a, b);
   const double cosine = a.dot(b);
-  // Up to 135 degrees, as most turns are, one quotient is exact enough and its angle had in half of
+  // Up to 135 degrees, as most turns are, one quotient is exact enough and its angle takes half of
   // the time.
   if (std::abs(sine) < cosine) return std::atan(sine / cosine);
   if (std::abs(cosine) < std::abs(sine))

@@ -8,7 +8,7 @@
 
 namespace trc {
 
-// A segment with what every question about places on it needs.
+// A segment with the values that every question about places on it needs.
 class Track {
  public:
   explicit Track(const Segment& segment) {
@@ -39,7 +39,7 @@ class Track {
 
   [[nodiscard]] Vector tangent_at(double way) const { return pose_at(way).tangent; }
 
-  // A place and the direction of travel there: one turn for both.
+  // A place and the direction of travel there, computed from one rotation.
   struct Pose {
     Point point;
     Vector tangent;

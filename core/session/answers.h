@@ -11,8 +11,8 @@
 
 namespace trc {
 
-// A part of an answer: what has become certain, NC text or blocks as the setup asks, and behind it
-// what is told about it.
+// A part of an answer: output that has become certain, NC text or blocks as the setup asks,
+// followed by the diagnostics about it.
 struct Answer {
   std::string text{};
   std::vector<CompensatedBlock> blocks{};
@@ -21,20 +21,20 @@ struct Answer {
   [[nodiscard]] bool empty() const { return text.empty() && blocks.empty() && diagnostics.empty(); }
 };
 
-// Gets the parts of an answer in order, in the caller's thread, and may take out what is in them.
+// Gets the parts of an answer in order, in the caller's thread, and may move their content out.
 // False: no more is wanted.
 using AnswerSink = std::function<bool(Answer&)>;
 
-// What a session says, as one sequence: what is appended comes behind everything there is. Sessions
-// of this process and those of a server append to it in the same order:
+// The output of a session as one sequence, which only grows at its end. Sessions of this process
+// and those of a server append to it in the same order:
 //
-//   - Blocks and text come as soon as they are certain: nothing that is given later changes them.
+//   - Blocks and text come as soon as they are certain: later input does not change them.
 //   - A diagnostic follows everything that was certain at the end of the item, or of the line, in
 //     which it was reported, and nothing else. What is reported of one line stays together.
-//   - Behind an error comes nothing but other errors that were found with it.
+//   - After an error only other errors that were found with it follow.
 //
-// None of it depends on how the input was cut. Where one part ends and the next begins does, and
-// says nothing.
+// None of this depends on how the input was cut. The bounds of the parts do, and have no
+// meaning.
 class Answers {
  public:
   // Keeps everything.
@@ -47,22 +47,22 @@ class Answers {
   // To append to. Valid until the next call that is not const.
   [[nodiscard]] std::vector<CompensatedBlock>& blocks() { return open().blocks; }
   [[nodiscard]] std::string& text() { return open().text; }
-  // What was reported in one line or item, which has ended.
+  // Appends the diagnostics of one line or item, which has ended.
   void tell(std::vector<Diagnostic> diagnostics);
-  // Ends a part that has grown large: what follows is as much again. Returns whether it is wanted.
+  // Ends a part that has grown large; the next is as large. Returns whether more is wanted.
   bool portion();
-  // Nothing more is certain now: what there is goes to the sink. Returns whether more is wanted.
+  // Hands all there is to the sink: nothing more is certain now. Returns whether more is wanted.
   bool hand_on();
   [[nodiscard]] bool wanted() const { return wanted_; }
 
   // What is kept, in order; the last part may still grow, and there always is one.
   [[nodiscard]] std::deque<Answer>& parts() { return parts_; }
   [[nodiscard]] const std::deque<Answer>& parts() const { return parts_; }
-  // Takes all of that as one part: for who asks for the whole, and not for its order.
+  // Takes all of it as one part, for callers who do not need its order.
   [[nodiscard]] Answer take();
 
  private:
-  // The last part, as long as nothing is told in it.
+  // The last part if it has no diagnostics yet, else a new one.
   Answer& open() {
     if (!parts_.back().diagnostics.empty()) close();
     return parts_.back();

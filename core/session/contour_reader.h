@@ -10,14 +10,14 @@
 
 namespace trc {
 
-// Reads the programmed contour of NC text without compensating it: what pictures and measurements
-// compare the path with. Where the text has an error the contour ends there; what is wrong is said
-// by the session that compensates the same text.
+// Reads the programmed contour of NC text without compensating it; pictures and measurements
+// compare the path with it. At an error in the text the contour ends; the session that compensates
+// the same text reports the error.
 class ContourReader {
  public:
   explicit ContourReader(const SessionSetup& session);
 
-  // Text cut anywhere.
+  // The text may be cut anywhere.
   void feed(std::string_view text);
   // The blocks read so far, in their order, but for those taken before.
   [[nodiscard]] std::vector<Block> take() { return std::exchange(blocks_, {}); }

@@ -11,10 +11,10 @@
 
 namespace trc {
 
-// The lines of a program on their way to the writer: each one is told there with what it means, and
-// waits for the blocks it gave, which come out of the path. The path is compensated as far as the
-// lines have been taken. Where no NC text is wanted the path answers to the caller, and the lines
-// end here.
+// Passes the lines of a program to the writer: each goes there with its meaning, and waits for
+// its blocks, which come out of the path. The path is compensated as far as lines have been
+// taken. Where no NC text is wanted, the path answers to the caller, and the lines go no
+// further.
 class LinesToWriter {
  public:
   enum class Form { nc_text, blocks };
@@ -23,7 +23,7 @@ class LinesToWriter {
   LinesToWriter(const LinesToWriter&) = delete;
   LinesToWriter& operator=(const LinesToWriter&) = delete;
 
-  // Who gets what becomes certain, until somebody else is named.
+  // Sends output that becomes certain to `out`, until another one is named.
   void answer_to(Answers& out) { output_ = &out; }
   // Lines that were read and not taken yet; their blocks wait in the path.
   [[nodiscard]] std::vector<LinePointer>& read() { return lines_; }
@@ -39,14 +39,14 @@ class LinesToWriter {
 
  private:
   bool take(LinePointer& given);
-  // What the next line means, of whose blocks the first one waits.
+  // Enters the meaning of the next line, whose first block is the first that waits.
   void enter_meaning(const ProgramLine& line);
   bool write_line(LinePointer& given);
   bool release_silent_lines(const ProgramLine& line);
   bool end_program(const ProgramLine& line);
   bool write(Answer& part);
   [[nodiscard]] bool writes_text() const { return form_ == Form::nc_text; }
-  // Where the path answers to.
+  // The answers that the path appends to.
   [[nodiscard]] Answers& path_out() { return writes_text() ? to_writer_ : *output_; }
 
   Form form_;

@@ -9,8 +9,8 @@
 
 namespace trc {
 
-// Contour blocks the tool does not travel, as the notes name them. A transition behind such a block
-// may be travelled all the same.
+// Contour blocks that the tool does not travel, as the notes name them. A transition after such a
+// block may still be travelled.
 class NotTravelled {
  public:
   explicit NotTravelled(std::span<const Diagnostic> diagnostics);

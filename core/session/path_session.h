@@ -25,7 +25,7 @@ struct SessionSetup {
   MeasuringProgress measuring{};          // is told of that while it goes on
 };
 
-// The program as the setup of the compensation has it: with P-CHAN-00284 = 0 masking switches
+// The program setup completed from that of the compensation: with P-CHAN-00284 = 0 masking switches
 // KERF_MASKING.
 [[nodiscard]] ProgramSetup program_setup(const SessionSetup& setup);
 
@@ -39,10 +39,10 @@ class PathSession {
 
   // Moves, commands and passthrough are given here, in path order.
   [[nodiscard]] ProgramState& program() { return program_; }
-  // What whoever gives them finds in them: it is told behind the item that it names
+  // For diagnostics that the caller finds in them: each is reported after the item that it names
   // (Source::index).
   [[nodiscard]] Diagnostics& found() { return found_; }
-  // Given, but not compensated.
+  // The blocks given but not compensated yet.
   [[nodiscard]] std::span<const Block> waiting_blocks() const {
     return std::span(blocks_).subspan(next_);
   }
@@ -50,43 +50,43 @@ class PathSession {
   // Compensates everything given since the last call and appends what has become certain. Returns
   // false once the stream must stop, or no more is wanted.
   bool advance(Answers& out);
-  // advance(), of the items before this one alone.
+  // Like advance(), but only for the items before this one.
   bool advance_before(std::uint64_t index, Answers& out);
-  // advance_before() with this item: more of it may be to come out, and nothing of it is told yet.
+  // Like advance_before(), with this item: more of it may follow, and its diagnostics wait.
   bool advance_through(std::uint64_t index, Answers& out);
-  // The path ends with what was given: appends all that was held back. What is reported of it is
-  // not told yet. Does nothing the second time.
+  // Ends the path after the blocks given: appends all that was held back. Its diagnostics still
+  // wait. Does nothing the second time.
   bool end(Answers& out);
-  // The item has ended: what is reported of it is told. All that advances does so, too.
+  // Ends the item: its diagnostics are appended. Every function that advances does so too.
   void end_item(Answers& out);
   // Ends the program (D-27), advances and ends the path.
   bool finish(const Source& end, Answers& out);
-  // Stops the stream with an error that no item is at fault of, told by the next call.
+  // Stops the stream with an error that no item has caused; the next call appends it.
   void stop(Diagnostic error) { diagnostics_.report(std::move(error)); }
 
-  // What a session with the same setup needs to go on here; only while the stream goes on. Holds
-  // what has not come out yet.
+  // Saves all that a session with the same setup needs to go on here, output held back included;
+  // only while the stream goes on.
   void save(StateWriter& archive) const;
-  // Goes on there; nothing may have been given before. Throws when it is no such state.
+  // Goes on from a saved state; nothing may have been given before. Throws if it is no such state.
   void load(StateReader& archive);
 
-  // How many were told, and whether one has stopped the stream.
+  // The numbers of diagnostics, and whether one has stopped the stream.
   [[nodiscard]] const Diagnostics& diagnostics() const { return diagnostics_; }
   [[nodiscard]] const Summary& summary() const { return compensator_.summary(); }
   // Null unless the setup asks for it.
   [[nodiscard]] const verify::ClearanceReport* clearance() const {
     return compensator_.clearance();
   }
-  // Of the tool radius in force.
+  // The parts of the tool radius in force.
   [[nodiscard]] const RadiusTerms& radius_terms() const { return program_.tool().terms(); }
   // Memory the measurement holds, and what it will take in addition, bytes.
   [[nodiscard]] std::size_t verification_bytes() const { return compensator_.verification_bytes(); }
 
  private:
-  // Of the items before `end`, but for those that wait for what is given next.
+  // Compensates the items before `end`, except those that wait for the next input.
   void work_off(std::uint64_t end, Answers& out);
   void compensate_before(std::uint64_t end, Answers& out);
-  // A selection that has ended leaves in portions.
+  // Releases a selection that has ended, in portions.
   void release(Answers& out);
   [[nodiscard]] bool goes_on(const Answers& out) const {
     return !diagnostics_.stopped() && out.wanted();

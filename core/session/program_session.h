@@ -18,10 +18,10 @@ struct ProgramSessionSetup {
   SessionSetup session{};
   bool nc_text = true;                   // output as NC text; false: compensated blocks
   std::size_t longest_line = 64 * 1024;  // bytes; 900006 beyond
-  // So many different faults of reading are told in one run: at the end of the text at the latest.
+  // The number of different faults of reading reported in one run, at the latest at its end.
   std::size_t most_faults = 50;
-  // Is given each block of the programmed contour once, when it has been read and before it is
-  // compensated. Errors of the compensation end it too.
+  // Gets each block of the programmed contour once, after it has been read and before it is
+  // compensated. An error of the compensation ends this too.
   std::function<void(std::span<const Block>)> blocks_read{};
 };
 
@@ -41,14 +41,14 @@ class ProgramSession {
   // Appends to `out` all that has become certain. Returns false once the stream must stop, or no
   // more is wanted.
   bool feed(std::string_view text, Answers& out);
-  // Behind the last text: executes some of a program that computes, and appends what has become
-  // certain. Returns whether more of it is left. For those who have others to serve meanwhile.
+  // After the last text: executes part of a program that computes, and appends all that has become
+  // certain. Returns whether more is left, so that a caller can serve others in between.
   bool resolve(Answers& out);
   // End of the text; executes what is left.
   bool finish(Answers& out);
 
-  // As of PathSession. An unfinished line is part of it, and of a program that computes its text.
-  // Not behind the first call of `resolve`.
+  // As PathSession::save, with an unfinished line and the text of a program that computes. Not
+  // after the first call of `resolve`.
   void save(StateWriter& archive) const;
   void load(StateReader& archive);
 

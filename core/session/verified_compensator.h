@@ -11,10 +11,10 @@
 
 namespace trc {
 
-// Is told now and then how many blocks of the path have been measured, of how many.
+// Called from time to time with the number of blocks of the path measured so far, and of all.
 using MeasuringProgress = std::function<void(std::size_t measured, std::size_t all)>;
 
-// What whoever has a path measured wants besides.
+// Further wishes of a caller who has a path measured.
 struct MeasuringNeeds {
   verify::UncutSink uncut{};                  // is told the walls that the path does not touch
   verify::KnownWalls* known_walls = nullptr;  // null: nothing is kept of them
@@ -39,7 +39,7 @@ class VerifiedCompensator {
   void load(StateReader& archive);
 
   [[nodiscard]] const Summary& summary() const { return compensator_.summary(); }
-  // Of the selections measured so far; null where it was not asked for.
+  // The report on the selections measured so far; null where it was not asked for.
   [[nodiscard]] const verify::ClearanceReport* clearance() const {
     return verification_ ? &verification_->report() : nullptr;
   }
@@ -49,11 +49,11 @@ class VerifiedCompensator {
   }
 
  private:
-  // Of blocks that end no selection. Returns how many.
+  // Takes blocks that end no selection. Returns how many.
   std::size_t take_held(std::span<Block> blocks, std::vector<CompensatedBlock>& out);
-  // Of one block, measured.
+  // Takes one block and measures the path.
   bool take(Block& block, std::vector<CompensatedBlock>& out);
-  // What is new in `out`, and, once all has come out, what its end tells.
+  // Measures what is new in `out`, and at the end reports what follows from the whole path.
   bool measure(const std::vector<CompensatedBlock>& out);
 
   Compensator compensator_;

@@ -15,14 +15,14 @@
 
 namespace trc::survey {
 
-// Tells the state what a program says, all of it, and ends it. What is wrong goes to the log.
+// Passes a whole program to the state and ends it. Faults go to the log.
 using Reader = std::function<void(ProgramState& state, Diagnostics& log)>;
 
-// Of NC text, which must outlive the reader.
+// A reader of NC text, which must outlive it.
 [[nodiscard]] Reader text_reader(std::string_view text, const ReaderLimits& limits,
                                  Checkpoint::Interrupt interrupt);
 
-// A program as it was read with one radius in the place of all its own.
+// A program as it was read with one radius in place of all its own.
 struct ProgramReading {
   double radius = 0;  // ProgramSetup::every_radius
   std::vector<Block> blocks{};
@@ -37,13 +37,13 @@ struct ProgramReading {
 [[nodiscard]] ProgramReading read_with(double radius, const SessionSetup& session,
                                        const Reader& reader);
 
-// What is changed in the modes of a reading.
+// A change to the modes of a reading.
 struct ModeChange {
   double radius = 0;           // ProgramSetup::every_radius
   bool removes_loops = false;  // G141 with REMOVE_MASKED_BLOCKS, whatever was programmed
 };
 
-// The modes of a reading for another radius: what reading it with that would have given.
+// The modes of a reading changed to another radius: the same that reading with it would give.
 class ChangedModes {
  public:
   ChangedModes(const ProgramReading& reading, const ModeChange& change);

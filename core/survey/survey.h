@@ -15,20 +15,20 @@
 
 namespace trc::survey {
 
-// So many radii of one program are asked about at once.
+// The most radii of one program in one survey.
 inline constexpr std::size_t most_radii = 64;
 
 struct SurveySetup {
-  // The radius of it stands for none, and tools for none; `verify` off is enforce.
+  // Its radius and tools are not used; `verify` off means enforce.
   SessionSetup session{};
-  // Tells what each radius leaves uncut. For one that is refused: the path that G141 with
+  // Measures what each radius leaves uncut. For a refused radius: with the path that G141 with
   // REMOVE_MASKED_BLOCKS would give.
   bool uncut = false;
   // Is called when part of a path has come out.
   std::function<void()> progressed{};
 };
 
-// What a session makes of the program with one radius.
+// The result of a session with one radius.
 struct Surveyed {
   double radius = 0;                    // mm
   std::optional<Diagnostic> refusal{};  // it is refused with this
@@ -46,10 +46,10 @@ struct Surveyed {
   std::vector<verify::UncutWall> uncut{};
 
   [[nodiscard]] bool accepted() const { return !refusal.has_value(); }
-  // The path touches every wall that is not cut off by a corner: nothing is left out, and it comes
-  // nowhere nearer than the radius.
+  // The path touches every wall that a corner does not cut off: nothing is left out, and the path
+  // is nowhere nearer than the radius.
   bool reaches_all = false;
-  // What is in the way, where it does not.
+  // Where it does not: the blocks in the way.
   std::vector<Source> limits{};
 };
 
@@ -57,7 +57,7 @@ struct Surveyed {
 struct Largest {
   double radius = 0;       // mm, whole micrometres; 0: none
   bool is_limited = true;  // false: the search ended there, all do
-  // With a micrometre more.
+  // The result with a micrometre more.
   std::optional<Diagnostic> refusal{};
   std::vector<Source> limits{};  // the two blocks; one where it is too small by itself
   std::uint32_t runs = 0;        // it took
@@ -76,7 +76,7 @@ class Survey {
 
   // mm, of the tool itself: wear and allowance of the setup are added.
   [[nodiscard]] Surveyed run(double radius);
-  // Uses what has been run so far.
+  // Finds the largest radius; uses the runs made so far.
   [[nodiscard]] Largest largest();
 
  private:
@@ -88,7 +88,7 @@ class Survey {
   };
   using Micrometres = std::int64_t;
 
-  // The radius as the state has it: in wear mode a difference.
+  // The radius as the state holds it: in wear mode a difference.
   [[nodiscard]] double term_of(double radius) const;
   enum class Loops : std::uint8_t { as_programmed, removed };
   void compensate(const ProgramReading& reading, Loops loops, Surveyed& found);
@@ -102,7 +102,7 @@ class Survey {
   [[nodiscard]] static std::optional<double> guess_of(const Surveyed& found);
   [[nodiscard]] double search_limit() const;
   const Tried& tried(Micrometres radius);
-  // All up to `low` reach every wall, `high` does not; without it nothing is known.
+  // Every radius up to `low` reaches every wall, `high` does not; without it nothing is known.
   struct Bracket {
     Micrometres low = 0;
     std::optional<Micrometres> high{};
