@@ -20,7 +20,7 @@ struct Backend {
   // Limits the settings leave open are filled in (fill_in_limits).
   Backend(const Config& settings, std::string resume_key);
 
-  // Brings the gauges up to date, which nobody sets in between.
+  // Updates the gauges, which nothing else sets.
   void refresh_gauges();
 
   const Config config;
@@ -30,9 +30,9 @@ struct Backend {
   const ResumeTokens resume_tokens;
   RunTaps run_taps;
   OpenStreams streams;
-  // Behind what their threads work with: they end first.
+  // After the members that their threads use, so that they end first.
   MemoryWatch memory_watch;
-  // Before the pool, which gives its last beat a turn.
+  // Before the pool, which gives the last beat a turn.
   Pulse pulse;
   WorkerPool pool;
 };

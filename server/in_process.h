@@ -6,8 +6,8 @@
 
 namespace trc::server {
 
-// The service inside the calling process, reached through a channel instead of a port: what a
-// program runs that needs no server, and what tests run. Logs nothing unless told to.
+// The service inside the calling process, reached through a channel instead of a port: for programs
+// that need no server, and for tests. Logs nothing unless told to.
 class InProcessServer {
  public:
   explicit InProcessServer(const Config& config = quiet())

@@ -19,14 +19,14 @@ namespace trc::server {
 // JobRecord::format
 inline constexpr const char* job_record_format = "trc-job-record-1";
 
-// Says of a record what it is, when the run began (now) and which version of the client ran.
+// Enters into a record its format, the begin of the run (now) and the version of the client.
 void begin(v1::JobRecord& record);
 
-// Says which bytes a file has; nothing may be added to `content` afterwards.
+// Enters the digest of a file; nothing may be added to `content` afterwards.
 void fill(Sha256& content, v1::JobFile& file);
 
-// What was told of a program, as its record says it. However much that is, the record stays small:
-// beyond `most` only what refuses the program is kept whole.
+// The diagnostics of a program for its record. The record stays small however many there are:
+// beyond `most` only those that refuse the program are kept whole.
 class ToldInRecord {
  public:
   static constexpr int most = 1000;
@@ -35,7 +35,7 @@ class ToldInRecord {
   // Behind the last one.
   void fill(v1::JobRecord& record);
 
-  // Goes on elsewhere; what the record holds of it is the matter of whoever has the record.
+  // Saves its state to go on elsewhere; the owner of the record saves the record itself.
   void save(StateWriter& archive) const;
   void load(StateReader& archive);
 
@@ -47,7 +47,7 @@ class ToldInRecord {
   std::string line_{};
 };
 
-// Says what the record holds, so that a change shows: last of all.
+// Enters the digest of the record itself, so that changes show: to be called last.
 void seal(v1::JobRecord& record);
 
 // The record of a program that goes through a stream (D-49).
@@ -56,7 +56,7 @@ class StreamedRecord {
   explicit StreamedRecord(const v1::ProgramSetup& setup);
 
   void add_input(std::string_view text) { given_.add(text); }
-  // The next part of what comes out, in its order: text or blocks, then what is told behind them.
+  // The next part of the output, in its order: text or blocks, then the diagnostics after them.
   void add_output(std::string_view text, std::span<const CompensatedBlock> blocks);
   void add_told(const v1::Diagnostic& told) {
     told_.add(told, record_);

@@ -49,8 +49,8 @@ class Server {
   [[nodiscard]] int http_port() const { return http_port_; }
   [[nodiscard]] std::shared_ptr<grpc::Channel> in_process_channel();
 
-  // Reads the PEM files again: at once, and in `look_after` when it is time. New connections get
-  // what was taken into use; what cannot be used is logged, counted and left alone.
+  // Reads the PEM files again: at once, and in `look_after` when it is time. New connections use
+  // valid new files; files that cannot be used are logged, counted and ignored.
   void reload_certificates();
   // To be called about once a second, by the thread that reloads.
   void look_after();
@@ -67,7 +67,7 @@ class Server {
   Server(const Config& config, std::string resume_key);
   // Empty when there are none or they can be used.
   std::string read_certificates();
-  // Who can call it: whoever reaches its addresses, or this process alone.
+  // Who can call it: any client of its addresses, or only this process.
   enum class Callers : std::uint8_t { of_addresses, in_process };
   // Empty when the server runs.
   std::string open(Callers callers);

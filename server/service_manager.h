@@ -4,7 +4,7 @@
 
 namespace trc::server {
 
-// What systemd is told when it has started the server (Type=notify-reload); nothing otherwise.
+// Notifications to systemd if it has started the server (Type=notify-reload), else nothing.
 namespace service_manager {
 
 void ready();

@@ -11,7 +11,7 @@ struct SHA256state_st;
 
 namespace trc::server {
 
-// SHA-256 of what is given piece by piece.
+// SHA-256 of data given piece by piece.
 class Sha256 {
  public:
   Sha256();
@@ -25,7 +25,7 @@ class Sha256 {
 
   [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
 
-  // Goes on elsewhere; the archive is as private as what was given.
+  // Saves its state to go on elsewhere; the archive is as private as the data given.
   void save(StateWriter& archive) const;
   void load(StateReader& archive);
 

@@ -28,7 +28,7 @@ struct Config {
   // Common or alternative names of client certificates that are served; empty, which cannot be
   // written: all.
   std::vector<std::string> tls_allowed_clients;
-  // How often the PEM files are looked at for a new certificate.
+  // How often the PEM files are checked for a new certificate.
   std::uint32_t tls_refresh_s = 10;
 
   // HOST:PORT of /metrics, /healthz and /readyz; empty: none.
@@ -49,8 +49,8 @@ struct Config {
   std::uint32_t http_max_views = 32;
   // For the head of a request, for each 64 KiB of its body, and of its answer.
   std::uint32_t http_timeout_s = 20;
-  // As read from flags, environment and file it is off, unless asked for, where an address can be
-  // reached by other machines.
+  // Read from flags, environment and file, its default is off where other machines can reach an
+  // address.
   bool reflection = true;
 
   // Threads that compute; 0: one per core.
@@ -63,7 +63,7 @@ struct Config {
   std::uint64_t max_blocks_per_selection = 20'000'000;
   std::uint32_t max_passive_blocks = 10'000;  // that a setup may ask for (D-24)
   std::uint32_t max_line_bytes = 64U * 1024U;
-  // Where 0 stands, fill_in_limits says what it is.
+  // fill_in_limits() replaces 0.
   std::uint32_t memory_limit_mib = 0;  // of the process
   std::uint32_t max_streams = 0;
   std::uint32_t max_streams_per_connection = 64;
@@ -72,11 +72,11 @@ struct Config {
   std::uint32_t max_session_memory_mib = 0;    // of all streams together
   std::uint32_t max_memory_per_peer_mib = 0;
   std::uint32_t max_grpc_buffer_mib = 0;
-  // Computing time of a selection before anything of it comes out, and of a stream; 0: no limit.
+  // Computing time of a selection before its first output, and of a stream; 0: no limit.
   std::uint32_t max_selection_cpu_s = 120;
   std::uint32_t max_stream_cpu_s = 7200;
   std::uint32_t idle_timeout_s = 300;
-  // A silent stream gets a sign of life that often; 0: never.
+  // How often a silent stream gets a sign of life; 0: never.
   std::uint32_t heartbeat_s = 20;
 
   // Key of the resume tokens, at least 32 bytes. Made when the file does not exist. Without a file
@@ -84,8 +84,8 @@ struct Config {
   std::string resume_key_file;
   std::uint32_t max_resume_token_bytes = 64U * 1024U;
 
-  // What a connection may do without an answer to show for it before it is closed: streams it
-  // cancels within ten seconds before their first answer, and bytes that carry no message.
+  // What a connection may do without getting an answer before it is closed: streams cancelled
+  // within ten seconds before their first answer, and bytes that carry no message.
   std::uint32_t max_early_cancels = 200;
   std::uint32_t max_overhead_kib_per_s = 2048;
 

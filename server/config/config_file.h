@@ -5,8 +5,8 @@
 
 namespace trc::server {
 
-// Lets a TOML or a YAML library read the file of `app`, as its name says, and drops what the
-// environment overrides. Errors (CLI::ConfigError) name file and line.
+// Lets a TOML or a YAML library, by the name of the file, read the file of `app`, and drops
+// settings that the environment overrides. Errors (CLI::ConfigError) name file and line.
 [[nodiscard]] std::shared_ptr<CLI::Config> config_file(const CLI::App& app);
 
 }  // namespace trc::server

@@ -24,16 +24,16 @@ void declare(CLI::App& app, Config& config, Printed& printed);
 // `drain-timeout-s` is TRCD_DRAIN_TIMEOUT_S in the environment.
 [[nodiscard]] std::string environment_name(std::string_view setting);
 
-// Of all settings that were declared.
+// The names of all settings that were declared.
 [[nodiscard]] std::vector<std::string> setting_names(const CLI::App& app);
 
-// The settings that keep clients out: they have a value or are not there.
+// The settings that keep clients out: each has a value or is absent, never empty.
 [[nodiscard]] const std::vector<std::string>& guard_names();
 [[nodiscard]] bool is_guard(std::string_view setting);
-// Nothing, or a list of nothing, as "$A,$B" is where neither variable is set.
+// Whether it is empty or a list of nothing, as "$A,$B" where neither variable is set.
 [[nodiscard]] bool is_empty_value(std::string_view value);
 
-// To end a sentence about a word that is none of the candidates: what was likely meant.
+// The end of a sentence about a word that is none of the candidates: what was likely meant.
 [[nodiscard]] std::string did_you_mean(const std::string& word,
                                        const std::vector<std::string>& candidates);
 

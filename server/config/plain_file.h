@@ -6,14 +6,14 @@
 namespace trc::server {
 
 // A file that a setting names, as a whole. Pipes, devices and folders are refused: reading them may
-// never come to an end, and they are read again while the server runs.
+// never end, and files are read again while the server runs.
 struct PlainFile {
   static constexpr std::size_t most_bytes = std::size_t{4} << 20U;
 
   std::string content{};
   std::string fault{};  // empty, or what keeps it from being read
 
-  // Does not wait for anybody.
+  // Never blocks.
   static PlainFile read(const std::string& path);
 };
 

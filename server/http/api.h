@@ -25,7 +25,7 @@ namespace trc::server::http {
 
 class Api;
 
-// What a body of a request may be.
+// The kinds of request bodies.
 enum class Body {
   none,
   program,  // NC text
@@ -40,7 +40,7 @@ struct Question {
   std::string_view meaning;
 };
 
-// One way to ask something.
+// One kind of request.
 struct Route {
   std::string_view method;
   std::string_view path;  // `{id}` stands for one segment
@@ -53,7 +53,7 @@ struct Route {
 };
 [[nodiscard]] std::span<const Route> routes();
 
-// What HTTP serves: routes of its own under /v1, and the RPCs as the Connect protocol has them.
+// The services of HTTP: routes under /v1, and the RPCs by the Connect protocol.
 class Api final : public Service {
  public:
   struct Options {
@@ -81,11 +81,11 @@ class Api final : public Service {
   // Starts an RPC of this process for a request. `done` as of RpcCall.
   [[nodiscard]] std::shared_ptr<RpcCall> call(RpcCall::Options options, const Request& request,
                                               RpcCall::Done done);
-  // Long work ends when it is.
+  // Whether the server is stopping: long work ends then.
   [[nodiscard]] bool stopping();
-  // Has something computed by a worker.
+  // Runs `work` in a worker.
   void compute(std::function<void()> work);
-  // Has what nobody waits for computed, behind all other work. Gives way to `background` alone.
+  // Runs work that nobody waits for, after all other work. It yields through `background`.
   void compute_in_background(std::function<void()> work);
   [[nodiscard]] WorkerPool& background() { return background_; }
 
@@ -101,7 +101,7 @@ class Api final : public Service {
     Api& api_;
   };
 
-  // Ends what is on its way and waits until it has; nothing may be started any more.
+  // Ends the work in progress and waits for its end; nothing may be started any more.
   void stop();
 
  private:
@@ -124,7 +124,7 @@ class Api final : public Service {
   std::list<std::weak_ptr<RpcCall>> calls_;
   bool stopping_ = false;
 
-  // Ends before all that its work needs.
+  // Ends before the members that its work needs.
   WorkerPool background_{1, WorkerPool::Priority::low};
 };
 

@@ -18,11 +18,11 @@
 
 namespace trc::server::http {
 
-// A body makes that much way, and an answer too, or the connection ends.
+// A body, or an answer, must advance by this much within the timeout, or the connection ends.
 inline constexpr std::size_t piece_bytes = 64U << 10U;
 
-// Reads a request whose trailer is bounded and dropped: the head alone decided what is done with
-// it. Beast throws where a field of a message is longer than 64 KiB.
+// Reads a request whose trailer is bounded and dropped: the head alone decides how it is handled.
+// Beast throws where a field of a message is longer than 64 KiB.
 class BodyParser : public boost::beast::http::request_parser<boost::beast::http::string_body> {
  public:
   explicit BodyParser(std::size_t most_trailer_bytes) : trailer_room_(most_trailer_bytes) {}
@@ -47,7 +47,7 @@ struct BodyBounds {
   std::size_t held_bytes = 0;  // for which there is memory
 };
 
-// How the reading ended: with the whole body where neither is so.
+// How the reading ended: with the whole body where neither is set.
 struct BodyEnding {
   bool broken = false;  // the connection, or it took too long
   std::optional<v1::Problem> refused{};
@@ -90,13 +90,13 @@ class BodyReader {
 
   void begin_piece() { boost::beast::get_lowest_layer(stream_).expires_after(timeout_); }
 
-  // A body whose length is known, in pieces as large as they come. `way`: bytes since the last time
-  // it was looked at the clock.
+  // Reads a body of known length, in pieces as large as they come. `way`: bytes since the clock was
+  // last checked.
   void read_rest(const std::shared_ptr<void>& owner, std::size_t way) {
     if (has_come_ == length_) return done_({});
     if (way == 0) begin_piece();
     std::string& body = *body_;
-    // Not all at once: who only promises a large body has not sent it yet.
+    // Not all at once: a client that only promises a large body must not cost memory for it.
     if (has_come_ == body.size()) body.resize(std::min(length_, has_come_ + most_read_bytes));
     stream_.async_read_some(boost::asio::buffer(body.data() + has_come_, body.size() - has_come_),
                             [this, owner, way](ErrorCode fault, std::size_t bytes) {
@@ -106,7 +106,7 @@ class BodyReader {
                             });
   }
 
-  // Only what has come far enough gets more time: a byte now and then does not.
+  // Only enough progress gives more time: a byte now and then does not.
   static std::size_t way_after(std::size_t way) {
     return way >= piece_bytes ? 0 : std::max<std::size_t>(way, 1);
   }

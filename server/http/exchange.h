@@ -28,26 +28,26 @@ struct Request {
 
   // Empty when there is none.
   [[nodiscard]] std::string_view header(std::string_view name) const;
-  // In place of the one it has.
+  // Sets a header, replacing the one it has.
   void set_header(std::string_view name, std::string value);
   // Whether the Accept header names this type itself, and does not refuse it (q=0).
   [[nodiscard]] bool accepts(std::string_view type) const;
   // The Content-Type without parameters, in lower case.
   [[nodiscard]] std::string content_type() const;
-  // What its parameter charset says, in lower case; empty when there is none.
+  // The charset parameter of the Content-Type, in lower case; empty when there is none.
   [[nodiscard]] std::string charset() const;
-  // For all who need it; there is none left then.
+  // Moves the body out, to be shared by all who need it.
   [[nodiscard]] std::shared_ptr<const std::string> take_body();
 };
 
-// Whose limits what comes from "192.0.2.7:40000" or "[2001:db8::1]:40000" counts to: as
-// peer_of_address.
+// The name of the client whose limits requests from "192.0.2.7:40000" or "[2001:db8::1]:40000"
+// count to, as peer_of_address().
 [[nodiscard]] std::string client_of(const std::string& peer);
 
-// NC text, whatever it is called; but not what a form sends, of which a program loses its lines.
+// NC text, whatever its type is called; but not that of a form, in which a program loses its lines.
 [[nodiscard]] bool is_text(std::string_view content_type);
-// JSON, also under the name that `curl -d` gives to whatever it sends. A form of a page of somebody
-// else's says its origin, and is refused for that.
+// JSON, also under the name that `curl -d` gives to any data. A form of a foreign page sends its
+// origin, and is refused for that.
 [[nodiscard]] bool is_json(std::string_view content_type);
 
 // The head of an answer.
@@ -62,7 +62,7 @@ struct Head {
 // breaks its connection off.
 class Exchange {
  public:
-  // Whether the client still takes what is written.
+  // Whether the client still accepts output.
   using Written = std::function<void(bool taken)>;
 
   virtual ~Exchange() = default;
@@ -71,12 +71,12 @@ class Exchange {
   // The whole answer.
   virtual void answer(Head head, std::string body) = 0;
 
-  // An answer whose length is not known: begin, write again and again, each time after `then` of
-  // the last one, and end. Trailers must be named in the head.
+  // An answer of unknown length: begin, any number of writes, each after `then` of the one before,
+  // and end. Trailers must be named in the head.
   virtual void begin(Head head) = 0;
   virtual void write(std::string piece, Written then) = 0;
   virtual void end(const Pairs& trailers) = 0;
-  // Closes the connection without the end of the answer, so that no client takes it for whole.
+  // Closes the connection without the end of the answer, so that no client takes it for complete.
   virtual void break_off() = 0;
 
   // Called once when the client has gone before it has its answer.

@@ -14,14 +14,14 @@
 
 namespace trc::server::http {
 
-// Keeps what was said of a program: a refusal brings all of it.
+// Keeps the diagnostics of a program: a refusal contains all of them.
 class ProblemFormat : public Format {
  public:
   void refuse(const ExchangePointer& exchange, const grpc::Status& status) override;
   bool stop(const grpc::Status& status, std::string& out) override;
 
  protected:
-  // How many warnings there are, and the first one: where the answer has no place for them.
+  // The number of warnings and the first one, for answers that have no place for them.
   [[nodiscard]] Pairs warnings() const;
 
   template <class Diagnostics>
@@ -44,7 +44,7 @@ class NcTextFormat final : public ProblemFormat {
   [[nodiscard]] Head head() const override { return {.content_type = "text/plain; charset=utf-8"}; }
   bool take(const grpc::ByteBuffer& answer, std::string& out) override;
   void close(std::string& /*out*/) override {}
-  // Ends with a line no control takes for a block.
+  // Ends the text with a line that no control takes for a block.
   bool stop(const grpc::Status& status, std::string& out) override;
   [[nodiscard]] bool computes() const override { return false; }
   [[nodiscard]] Pairs headers_at_end() const override { return warnings(); }
@@ -91,7 +91,7 @@ class PathAnswerFormat final : public ProblemFormat {
   v1::PathAnswer whole_;
 };
 
-// What was made of a program, as one JSON object; schema in proto/job_record.schema.json.
+// The record of a job as one JSON object; schema in proto/job_record.schema.json.
 class RecordFormat final : public ProblemFormat {
  public:
   [[nodiscard]] Head head() const override { return {.content_type = "application/json"}; }
@@ -104,7 +104,7 @@ class RecordFormat final : public ProblemFormat {
   std::string record_;
 };
 
-// What a survey found as one JSON object.
+// The result of a survey as one JSON object.
 class SurveyFormat final : public ProblemFormat {
  public:
   explicit SurveyFormat(std::size_t most_bytes) : most_bytes_(most_bytes) {}

@@ -4,7 +4,7 @@
 
 namespace trc::server::http {
 
-// Title, detail and fields of a problem in German. What comes from a program is so already, in the
+// Title, detail and fields of a problem in German. Texts about a program are so already, in the
 // language of its setup.
 void make_german(v1::Problem& problem);
 

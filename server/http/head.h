@@ -18,11 +18,11 @@ using RequestHead = boost::beast::http::request_header<boost::beast::http::field
 // Method and headers, these in lower case; path, query and body are not read yet.
 [[nodiscard]] Request request_of(const RequestHead& head, std::string peer);
 
-// Why a request is refused by its head alone: two readers of it might see two requests in it, or
-// one that is not meant.
+// Why a request is refused by its head alone: two readers might see different requests in it, or
+// one that is not intended.
 [[nodiscard]] std::optional<v1::Problem> fault_of(const Request& request);
 
-// Whether the client waits until it is told to send the body.
+// Whether the client waits for permission to send the body.
 [[nodiscard]] bool expects_continue(const RequestHead& head);
 
 // The head of an answer as HTTP/1.1 has it; `length` of the body, none: it comes in chunks.
@@ -34,7 +34,7 @@ using RequestHead = boost::beast::http::request_header<boost::beast::http::field
 // The end of a body in chunks.
 [[nodiscard]] std::string last_chunk(const Pairs& trailers);
 
-// Why a body is not taken.
+// The problem of a body that is too large.
 [[nodiscard]] v1::Problem body_too_large(std::size_t most_bytes);
 [[nodiscard]] v1::Problem no_memory_for_body(Room room);
 

@@ -15,9 +15,9 @@
 
 namespace trc::server::http {
 
-// HTTP/1.1 beside gRPC: JSON, NC text and the page. Connections have threads of their own, what is
-// to be computed goes to the service of this process, so that streams of gRPC notice no more of it
-// than of other streams.
+// HTTP/1.1 beside gRPC: JSON, NC text and the page. Connections have threads of their own;
+// computing is done by the service of this process, so that for streams of gRPC it is like any
+// other stream.
 class HttpServer {
  public:
   struct Options {
@@ -35,7 +35,7 @@ class HttpServer {
 
   // Takes a connection over. From any thread.
   void take(Descriptor connection);
-  // True once no request is on its way; false when that has not come by the deadline.
+  // True once no request is in progress; false if that does not happen by the deadline.
   bool wait_until_idle(std::chrono::steady_clock::time_point deadline);
 
  private:

@@ -25,7 +25,7 @@ class Memory {
   std::atomic<std::size_t> used_{0};
 };
 
-// The memory each client may have of it.
+// The share of it that each client may take.
 class MemoryOfPeers {
  public:
   explicit MemoryOfPeers(std::size_t most_bytes_each) : most_bytes_(most_bytes_each) {}
@@ -46,7 +46,7 @@ class MemoryOfPeers {
   std::map<std::string, std::weak_ptr<Memory>> peers_;
 };
 
-// Whether there is memory, and if not: because all, or only the own, is taken.
+// Whether there is memory; if not, whether all of it or only the share of the client is taken.
 enum class Room : std::uint8_t { some, none, none_of_own };
 
 // A part of it, given back when it is destroyed.

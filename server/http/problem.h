@@ -14,10 +14,10 @@ namespace trc::server::http {
 // is refused is 422, a request that cannot be taken 400.
 [[nodiscard]] v1::Problem problem_of(const grpc::Status& status);
 
-// Of fields at fault, in one problem.
+// The most fields at fault in one problem.
 inline constexpr int most_fields = 20;
 
-// One that HTTP alone has.
+// A problem that only HTTP has.
 [[nodiscard]] v1::Problem problem(unsigned status, std::string_view reason, std::string_view title,
                                   std::string_view detail);
 

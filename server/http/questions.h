@@ -7,8 +7,8 @@
 
 namespace trc::server::http {
 
-// What is wrong with the query of a route: a parameter that comes twice, one that the route does
-// not take, or one with a value it cannot have. Settings are read by read_settings.
+// The fault in the query of a route: a repeated parameter, one that the route does not take, or one
+// with an invalid value. Settings are read by read_settings.
 [[nodiscard]] std::optional<v1::Problem> refuse_query(const Route& route, const Pairs& query);
 
 }  // namespace trc::server::http

@@ -13,11 +13,11 @@
 
 namespace trc::server::http {
 
-// One RPC of this process' own service, of any kind: what comes over HTTP is computed where
-// everything else is, with the same limits, log and metrics. Messages are bytes here.
+// One RPC of any kind to the service of this process: requests over HTTP are computed in the same
+// place as all others, with the same limits, log and metrics. Messages are bytes here.
 //
-// The functions given are called in threads of gRPC, which must not be kept. One write and one read
-// may be outstanding.
+// The functions given are called in threads of gRPC, which they must not block. One write and one
+// read may be outstanding.
 class RpcCall final : public grpc::ClientBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer> {
  public:
   using Done = std::function<void(const grpc::Status& status)>;
@@ -37,7 +37,7 @@ class RpcCall final : public grpc::ClientBidiReactor<grpc::ByteBuffer, grpc::Byt
                                         const Options& options, Done done);
 
   void write(const grpc::ByteBuffer& message, bool last, Written then);
-  // After a read that was not ok comes `done`, and nothing more may be read.
+  // After a read that was not ok `done` follows, and nothing more may be read.
   void read(Read then);
   void cancel() { context_.TryCancel(); }
 

@@ -12,34 +12,34 @@
 
 namespace trc::server::http {
 
-// What becomes of the answers of an RPC over HTTP. `take` and `close` may be called in a worker
-// thread; never two at a time.
+// Turns the answers of an RPC into an answer over HTTP. `take` and `close` may be called in a
+// worker thread; never two at a time.
 class Format {
  public:
   virtual ~Format() = default;
 
   [[nodiscard]] virtual Head head() const = 0;
-  // Appends what an answer of the RPC becomes. False: it is no such answer, or too much.
+  // Appends the output for an answer of the RPC. False: it is no such answer, or too much.
   [[nodiscard]] virtual bool take(const grpc::ByteBuffer& answer, std::string& out) = 0;
   // Appends what closes an answer that is whole.
   virtual void close(std::string& out) = 0;
-  // Nothing of the answer is out: says why there is none.
+  // No part of the answer is out yet: sends the refusal in its place.
   virtual void refuse(const ExchangePointer& exchange, const grpc::Status& status) = 0;
-  // Part of it is out: appends what says so. True when no reader can take that for a whole answer;
-  // else the connection ends without the end of the answer.
+  // Part of it is out: appends a mark of the failure. True when no reader can take the result for a
+  // complete answer; else the connection ends without the end of the answer.
   [[nodiscard]] virtual bool stop(const grpc::Status& status, std::string& out) = 0;
 
   // Headers that only the whole answer has, and their names.
   [[nodiscard]] virtual Pairs headers_at_end() const { return {}; }
   [[nodiscard]] virtual std::string names_at_end() const { return {}; }
 
-  // It takes long enough to make it for the worker pool.
+  // Whether making it takes long enough for the worker pool.
   [[nodiscard]] virtual bool computes() const { return true; }
-  // May be sent before it is whole.
+  // Whether it may be sent before it is complete.
   [[nodiscard]] virtual bool streams() const { return true; }
 };
 
-// What is asked of the RPC: messages in their order.
+// The requests to the RPC: messages in their order.
 class Questions {
  public:
   virtual ~Questions() = default;
@@ -62,9 +62,9 @@ class PreparedQuestions final : public Questions {
   std::size_t next_ = 0;
 };
 
-// Answers a request with what an RPC of this process says. What fits into the memory an answer may
-// be held back in is sent when it is known how it ends, so that its status is true; of what does
-// not fit the status comes first, and one that stops is broken off.
+// Answers a request with the answers of an RPC of this process. An answer that fits into the memory
+// for held answers is sent once its end is known, so that its status is right; a larger one starts
+// with its status, and is broken off if it fails.
 class RpcExchange : public std::enable_shared_from_this<RpcExchange> {
  public:
   static void start(Api& api, ExchangePointer exchange, std::string method,

@@ -13,7 +13,7 @@
 
 namespace trc::server::http {
 
-// What connections ask of the server they belong to.
+// The requests of connections to their server.
 class Service {
  public:
   struct Admission {
@@ -22,9 +22,9 @@ class Service {
   };
 
   virtual ~Service() = default;
-  // By the head of a request, before its body is read.
+  // Decides by the head of a request, before its body is read.
   [[nodiscard]] virtual Admission admit(const Request& head) = 0;
-  // Gives up something that is only kept; false: there is nothing of the kind.
+  // Frees something that is only kept for later; false: there is nothing of the kind.
   virtual bool make_room() = 0;
   virtual void handle(const ExchangePointer& exchange) = 0;
   // Headers every answer has.
@@ -39,7 +39,7 @@ class OpenConnection {
 
   virtual ~OpenConnection() = default;
   virtual void close() = 0;
-  // Since when it waits for the head of a request; none while a request is on its way.
+  // Since when it waits for the head of a request; none while a request is in progress.
   [[nodiscard]] std::optional<Clock::time_point> waiting_since() const {
     const Clock::rep since = waiting_since_;
     if (since == 0) return std::nullopt;

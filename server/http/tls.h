@@ -11,7 +11,7 @@
 
 namespace trc::server::http {
 
-// The TLS of new connections: always the certificate in use at the moment.
+// The TLS of new connections: always uses the current certificate.
 class Tls {
  public:
   explicit Tls(std::shared_ptr<const Certificates> certificates)

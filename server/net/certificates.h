@@ -12,15 +12,15 @@ struct Certificate {
   std::string chain{};
   std::string key{};
   std::string client_authorities{};  // empty: clients need no certificate
-  // When all of the chain is good, seconds since 1970.
+  // The time in which the whole chain is valid, seconds since 1970.
   std::int64_t begins_s = 0;
   std::int64_t expires_s = 0;
   std::uint64_t version = 0;  // counts what was taken into use
 };
 
-// The certificate in use. Files are read again on demand; what cannot be used leaves the old one in
-// place, as it would break every new connection: a key that does not fit its certificate, a chain
-// that is none, a certificate that has expired.
+// The certificate in use. Files are read again on demand. Files that cannot be used leave the old
+// certificate in place, since they would break every new connection: a key that does not match its
+// certificate, an invalid chain, an expired certificate.
 class Certificates {
  public:
   struct Files {

@@ -16,29 +16,29 @@
 
 namespace trc::server {
 
-// Watches the TCP connections for what HTTP/2 lets a client do at next to no cost of its own: begin
-// streams and reset them before there is an answer, and send frames that carry nothing. gRPC 1.51
-// bounds neither; such a connection is shut down, with all its streams. Nor may one address open so
-// many that others find no descriptor left.
+// Watches TCP connections for things that HTTP/2 lets a client do at almost no cost: begin streams
+// and reset them before there is an answer, and send frames that carry nothing. gRPC 1.51 bounds
+// neither; such a connection is shut down, with all its streams. Nor may one address open so many
+// that no descriptor is left for others.
 //
-// gRPC owns the descriptors. Each is known by its number and by the number the kernel gives a
-// socket for life, so that another connection with the same descriptor is left alone.
+// gRPC owns the descriptors. Each is known by its number and by the lifelong number of its socket
+// in the kernel, so that a later connection with the same descriptor is left alone.
 class Connections {
  public:
   struct Limits {
     std::uint32_t early_cancels = 200;  // within a window, see below
     std::uint64_t overhead_bytes_per_s = 2U << 20U;
-    // Bytes beyond that which may have come and not yet be a message: of each call, and at all.
+    // Bytes beyond a message that may have come without being one yet: per call, and in total.
     std::uint64_t read_ahead_of_call = 1U << 20U;
     std::uint64_t read_ahead = 24U << 20U;
     std::uint32_t calls = 128;  // begun and not yet done with, whatever the client has reset
-    // Bytes of unfinished messages, of all connections together; and of streams that are open,
-    // also of those gRPC's own service of health has.
+    // Bytes of unfinished messages of all connections together; and open streams, including those
+    // of gRPC's own health service.
     std::uint64_t unfinished = 48U << 20U;
   };
   enum class Reason { early_cancels, overhead, calls, connections, unfinished };
   static constexpr std::size_t reason_count = 5;
-  // Where connections are shut down: who it was, and why. Must not throw.
+  // Called when a connection is shut down: whose it was, and why. Must not throw.
   using Closed = std::function<void(const std::string& peer, Reason reason)>;
 
   explicit Connections(const Limits& limits) : limits_(limits) {}
@@ -46,7 +46,7 @@ class Connections {
   void when_closed(Closed closed) { closed_ = std::move(closed); }
 
   class Connection;
-  // One call of a connection, from its begin until gRPC is done with it.
+  // One call of a connection, from its begin until gRPC has released it.
   class Call {
    public:
     Call() = default;
@@ -55,7 +55,7 @@ class Connections {
     Call(Call&&) = default;
     Call& operator=(Call&&) = delete;
 
-    // A message has come that is so large.
+    // A message of this size has come.
     void carried(std::uint64_t bytes) const;
     // `early`: reset by the client before there was anything to answer.
     void ended(bool early) const;
@@ -66,16 +66,16 @@ class Connections {
 
   enum class Use : std::uint8_t {
     work,
-    // HTTP/1.1: every byte belongs to a request, which its own server bounds. It is counted, but
-    // what is about frames is not looked for.
+    // HTTP/1.1: every byte belongs to a request, which its own server bounds. The connection is
+    // counted, but not checked for frames.
     http,
-    // May take some of the descriptors that are kept, and leaves the others alone: of more than
-    // most_of_health the oldest goes.
+    // May use some of the reserved descriptors, and no others: beyond most_of_health the oldest is
+    // closed.
     health,
   };
   static constexpr std::size_t most_of_health = 16;
-  // A descriptor that has just been accepted. False when it is to be closed: its address has so
-  // many connections open already.
+  // Adds a descriptor that has just been accepted. False when it has to be closed: its address has
+  // too many connections open already.
   [[nodiscard]] bool add(int descriptor, std::size_t most_of_one_address, Use use);
   // A call of the peer as gRPC names it: "ipv4:10.0.0.7:40000".
   [[nodiscard]] Call begin(std::string_view peer);
@@ -86,18 +86,18 @@ class Connections {
   [[nodiscard]] std::size_t count() const;
 
  private:
-  // With the mutex held.
+  // The mutex must be held.
   [[nodiscard]] bool has_room_for(const std::string& address, std::size_t most);
   void forget_gone();
 
-  // Shuts the oldest one of those that ask for health where there are too many.
+  // Shuts down the oldest connection for health where there are too many.
   void make_room_for_health();
-  // Where all together have too much under way, those of which most is unfinished.
+  // Where all together have too many unfinished bytes, shuts down those with the most.
   void close_heaviest(std::vector<std::shared_ptr<Connection>> here);
-  // Where all together hold too many streams, those of the addresses that hold most.
+  // Where all together hold too many streams, shuts down those of the addresses with the most.
   void close_most_streams(std::vector<std::shared_ptr<Connection>> here,
                           std::chrono::steady_clock::time_point now);
-  // Gives back what the calls of a connection have held that was shut down a while ago.
+  // Releases the memory of calls whose connection was shut down a while ago.
   void give_back_memory(std::chrono::steady_clock::time_point now);
 
   const Limits limits_;

@@ -10,7 +10,7 @@ namespace trc::server {
 
 // Credentials of one listening address: plain text without certificates, else TLS with the
 // certificate in use at the moment of a handshake, and with client certificates where authorities
-// are named. Not to be shared by addresses: each has its own idea of which certificate is new.
+// are named. Addresses must not share them: each keeps track of new certificates by itself.
 std::shared_ptr<grpc::ServerCredentials> credentials_of(
     const std::shared_ptr<const Certificates>& certificates);
 

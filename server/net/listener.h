@@ -32,7 +32,7 @@ class Descriptor {
 class Listener {
  public:
   struct Opened;
-  // A taken address is a fault, also where another server answers at the socket file.
+  // An address in use is a fault, also where another server answers at the socket file.
   static Opened open(const std::string& address);
   // Takes the socket file away.
   ~Listener();
@@ -62,11 +62,11 @@ struct Listener::Opened {
   std::string fault{};                // without any: why, one line
 };
 
-// Accepts connections and hands them on. gRPC 1.51 does this itself too, but stops for good once
-// the process has run out of descriptors (CVE-2023-4785); this thread goes on when there are some
-// again. The last descriptors are kept for the files and sockets of the server itself: a connection
-// that would take one of them is closed at once. Between times it looks after the connections there
-// are.
+// Accepts connections and hands them on. gRPC 1.51 can do this itself, but stops for good once the
+// process has run out of descriptors (CVE-2023-4785); this thread goes on when there are some
+// again. The last descriptors are reserved for the files and sockets of the server itself: a
+// connection that would take one of them is closed at once. In between it looks after the open
+// connections.
 class Acceptor {
  public:
   // Takes the connection over.
@@ -77,8 +77,8 @@ class Acceptor {
     std::uint64_t refused = 0;  // closed for want of descriptors
   };
 
-  // Is given every connection to watch. `of_one_peer`: how many one address may have open; 0: three
-  // quarters of the descriptors, and 1024 at most.
+  // `connections` watches every connection. `of_one_peer`: how many one address may have open; 0:
+  // three quarters of the descriptors, at most 1024.
   Acceptor(Connections& connections, std::uint32_t of_one_peer);
   // Stops accepting.
   ~Acceptor();
@@ -92,7 +92,7 @@ class Acceptor {
   void stop();
 
   [[nodiscard]] Counts counts() const;
-  // How long the thread has not been round; it is at least once a second when it is well.
+  // Time since the last round of the thread; at most a second as long as it works.
   [[nodiscard]] double seconds_since_last_round() const;
 
  private:
@@ -104,9 +104,9 @@ class Acceptor {
   };
 
   void run();
-  // Whether they should be looked after again soon.
+  // Returns whether they should be looked after again soon.
   bool look_after_connections() noexcept;
-  // False when there is something that should be waited for: descriptors or memory.
+  // False when the thread should wait: descriptors or memory are missing.
   bool accept_from(const Door& door);
 
   Connections& connections_;

@@ -4,24 +4,24 @@
 
 namespace trc::server {
 
-// Address space held back for the moment in which there is no more: gRPC ends the whole process
-// where an allocation of its own fails, or uses what it did not get. What first finds the heap
-// empty frees the reserve. In a turn of a stream the allocation fails all the same, and the stream
-// ends and gives back what it held; elsewhere it succeeds out of what the reserve has left free.
-// Until the reserve is whole again no turn gets more than trifles, so that it is left to the
-// others.
+// Address space held in reserve for the time when there is no more: gRPC ends the whole process
+// when one of its allocations fails, or uses memory that it did not get. The first allocation
+// that finds the heap empty frees the reserve. In a turn of a stream it fails all the same, and
+// the stream ends and releases its memory; elsewhere it succeeds with the memory of the reserve.
+// Until the reserve is whole again, turns only get tiny pieces, so that it is left to other
+// threads.
 class HeapReserve {
  public:
   // Handler of allocations that fail (std::set_new_handler), for as long as the process lives.
   static void install();
-  // Where nothing more was to be had: frees the reserve, or waits a little for what streams give
-  // back. False when there is no sense in trying again: in a turn, and after a second.
+  // After a failed allocation: frees the reserve, or waits a little for memory from streams. False
+  // when it makes no sense to try again: in a turn, and after a second.
   static bool make_room() noexcept;
   // Takes the reserve again where it was freed and there is room for it. False while there is none.
   // Costs nothing resident.
   static bool refill() noexcept;
 
-  // A turn of a stream, or what else may fail, in this thread.
+  // A turn of a stream, or other work that may fail, in this thread.
   class Turn {
    public:
     Turn();
@@ -30,7 +30,7 @@ class HeapReserve {
     Turn& operator=(const Turn&) = delete;
   };
 
-  // Whether this thread may take so many bytes; asked by `operator new`.
+  // Whether this thread may take so many bytes; `operator new` asks.
   [[nodiscard]] static bool lets_take(std::size_t bytes) noexcept;
 };
 

@@ -8,9 +8,9 @@
 
 namespace trc::server {
 
-// Fills in the limits a configuration leaves open (0), from the memory the process may have, and
-// adds them up: what all streams may take at once must fit. The first sum that does not, as a
-// sentence.
+// Fills in the limits that a configuration leaves open (0), from the memory that the process may
+// use, and checks their sums: the memory of all streams together must fit. Returns the first sum
+// that does not, as a sentence.
 [[nodiscard]] std::optional<std::string> fill_in_limits(Config& config, std::uint64_t memory_bytes);
 
 // fill_in_limits() for a server inside the process of its only client, which may use most memory.

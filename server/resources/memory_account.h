@@ -5,21 +5,21 @@
 
 namespace trc::server {
 
-// Whether the heap is counted. ThreadSanitizer has operators of its own, which know the library
-// that calls them: what gRPC, built without it, hands from thread to thread and frees is left out
-// there.
+// Whether the heap is counted. ThreadSanitizer has operators of its own, which know the
+// calling library: they ignore memory that gRPC, built without it, passes between threads and
+// frees.
 #if defined(__SANITIZE_THREAD__)
 inline constexpr bool counts_heap = false;
 #else
 inline constexpr bool counts_heap = true;
 #endif
 
-// The bytes of the heap, and of pages beside it, that this thread has taken and not given back;
-// negative when it has given back what others have taken. `operator new` counts them.
+// The bytes of the heap, and of pages outside it, that this thread has taken and not given back;
+// negative when it has given back memory taken by others. `operator new` counts them.
 [[nodiscard]] std::int64_t bytes_taken_by_thread();
 
-// What one stream holds, measured where it is taken: whatever a turn takes and does not give back
-// is the stream's, be it blocks, text, diagnostics, a verification or a parsed message.
+// The memory of one stream, measured where it is taken: all that a turn takes and does not give
+// back belongs to the stream, be it blocks, text, diagnostics, a verification or a parsed message.
 class MemoryAccount {
  public:
   // A turn of the stream, in this thread. Turns of one account do not overlap.
@@ -36,14 +36,14 @@ class MemoryAccount {
     MemoryAccount& account_;
   };
 
-  // In a turn: notes what was taken and given back since it was called last.
+  // In a turn: accounts for memory taken and given back since the last call.
   void settle() {
     const std::int64_t now = bytes_taken_by_thread();
     bytes_ += now - mark_;
     mark_ = now;
   }
 
-  // What a turn frees may have been taken outside of one, a little.
+  // A turn may free a little memory that was taken outside of turns.
   [[nodiscard]] std::uint64_t bytes() const {
     return bytes_ > 0 ? static_cast<std::uint64_t>(bytes_) : 0;
   }

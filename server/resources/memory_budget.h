@@ -13,15 +13,15 @@ class MemoryBudget {
   MemoryBudget(const MemoryBudget&) = delete;
   MemoryBudget& operator=(const MemoryBudget&) = delete;
 
-  // How a stream stands when it has grown.
+  // The state of a stream that has grown.
   enum class Standing {
     good,
     all_full,   // together with others; waiting helps
     peer_full,  // together with those of its peer; waiting helps
-    alone,      // by itself it passes what its peer, or all together, may hold
+    alone,      // it alone exceeds the limit of its peer, or of all together
   };
 
-  // What one stream holds; given back when it is destroyed.
+  // The share of one stream; given back when it is destroyed.
   class Share {
    public:
     Share(MemoryBudget& all, MemoryBudget& peer) : all_(all), peer_(peer) {}
@@ -29,8 +29,8 @@ class MemoryBudget {
     Share(const Share&) = delete;
     Share& operator=(const Share&) = delete;
 
-    // The stream holds so many bytes. They are there already: when they are too many, the stream
-    // has to end. It has to only when it has grown; a small one never, the others are to blame.
+    // The stream holds so many bytes, taken already: if they are too many, it has to end, but only
+    // when it has grown; a small stream never has to, since the others are the cause.
     Standing hold(std::uint64_t bytes) {
       const std::uint64_t before = bytes_;
       bytes_ = bytes;
@@ -41,7 +41,7 @@ class MemoryBudget {
       if (all_.used_ > all_.most_) return Standing::all_full;
       return peer_.used_ > peer_.most_ ? Standing::peer_full : Standing::good;
     }
-    // From here on what it holds does not count: it is about to be freed.
+    // From here on its memory does not count: it is about to be freed.
     void release() { hold(0); }
 
     [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
@@ -56,7 +56,7 @@ class MemoryBudget {
   [[nodiscard]] std::uint64_t most_bytes() const { return most_; }
 
  private:
-  // So much a stream may always hold.
+  // The bytes that a stream may always hold.
   [[nodiscard]] std::uint64_t spared() const {
     constexpr std::uint64_t few = 1U << 20U;
     return std::min(few, most_ / 64);

@@ -13,16 +13,16 @@ namespace trc::server {
 // The memory this process may have: the smallest limit of its cgroups, of version 2 or 1, else what
 // the machine has.
 [[nodiscard]] std::uint64_t memory_limit_bytes();
-// As these files say it, in place of /proc/self/cgroup, /sys/fs/cgroup and /proc/meminfo.
+// The limit by these files, in place of /proc/self/cgroup, /sys/fs/cgroup and /proc/meminfo.
 [[nodiscard]] std::uint64_t memory_limit_bytes(const std::string& groups_file,
                                                const std::string& hierarchy,
                                                const std::string& machine_file);
 
-// The resident memory of this process that is no file's.
+// The resident memory of this process, without files.
 [[nodiscard]] std::uint64_t resident_bytes();
 
-// Looks at the process as a whole, where the budget of the streams sees only what it counts: what
-// passes the limit of a container is killed without a word.
+// Watches the process as a whole, while the budget of the streams sees only the memory it counts: a
+// process above the limit of its container is killed without a message.
 class MemoryWatch {
  public:
   enum class State {
@@ -34,7 +34,7 @@ class MemoryWatch {
     std::uint64_t limit_bytes = 0;  // 0: none
     // Called in the thread of the watch, again and again while the state is critical.
     std::function<void()> end_largest{};
-    // Whether the one that was told to end last still holds something.
+    // Whether the stream that was told to end last still holds memory.
     std::function<bool()> is_one_ending = [] { return false; };
     // What streams hold just now.
     std::function<std::uint64_t()> counted_bytes{};
@@ -47,15 +47,15 @@ class MemoryWatch {
   MemoryWatch& operator=(const MemoryWatch&) = delete;
 
   [[nodiscard]] State state() const { return state_; }
-  // Much was freed just now.
+  // To be called when much memory has been freed.
   void give_back_soon() { gives_back_soon_ = true; }
   [[nodiscard]] std::uint64_t limit_bytes() const { return settings_.limit_bytes; }
 
  private:
   void run();
   void look();
-  // What is freed stays with the heap, and spare pages with this process, until they are asked for.
-  // Not for less than is worth it.
+  // Freed memory stays with the heap, and spare pages with this process, until this gives them
+  // back. Does nothing for less than `worth`.
   void give_back(std::uint64_t resident, std::uint64_t worth);
 
   const Settings settings_;

@@ -15,8 +15,8 @@
 
 namespace trc::server {
 
-// Who calls: a client certificate's name, else an address, also of who comes over HTTP. What all
-// its streams take together is limited, and they share its turns in the worker pool.
+// A caller: the name in a client certificate, else an address, also for HTTP. The memory of all its
+// streams together is limited, and they share its turns in the worker pool.
 class Peer {
  public:
   // The place of one stream of the peer; an empty one holds none.
@@ -48,7 +48,7 @@ class Peer {
   std::atomic<std::size_t> streams_ = 0;
 };
 
-// All peers that have something open. None is remembered beyond that, so strangers leave nothing.
+// All peers with something open. None is remembered longer, so strangers leave no trace.
 class Peers {
  public:
   explicit Peers(std::uint64_t most_bytes_each) : most_bytes_(most_bytes_each) {}

@@ -4,8 +4,8 @@
 
 namespace trc::server {
 
-// A round of a thread that serves all streams. Where there is no memory for it just now the next
-// one does its work: a thread that ended by an exception would end the process.
+// A round of a thread that serves all streams. If there is no memory for it, its work is left to
+// the next round: an exception that ended the thread would end the process.
 template <class Work>
 void do_round(const Work& work) {
   try {

@@ -6,32 +6,32 @@
 
 namespace trc::server {
 
-// Threads made at the start, which wait for the moment in which the system gives no more: its
-// limits of them (of a cgroup, pids.max, or of a user) are shared with whoever else is under them.
-// gRPC 1.51 notes a thread down before it asks for it and gives it work whether or not it came
-// about: streams would then wait for ever. So its threads, and those of other libraries, are taken
-// from here where the system has none. Who can do without a thread says so.
+// Threads made at the start and kept for the time when the system gives no more: its limits
+// (pids.max of a cgroup, or that of a user) are shared with other processes. gRPC 1.51 registers a
+// thread before it creates it and gives it work even if the creation failed: streams would then
+// wait forever. So its threads, and those of other libraries, are taken from here when the system
+// has none. Code that can do without a thread says so by Dispensable.
 class ThreadReserve {
  public:
   using Create = int (*)(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*);
 
-  // As many as gRPC may come to want after the start.
+  // The number that gRPC may want after the start.
   [[nodiscard]] static std::size_t usual();
-  // As many as all begin with together, at most.
+  // The largest number that all libraries begin with together.
   [[nodiscard]] static std::size_t at_start();
-  // From now on so many threads are held ready, made by `create`; what is more ends. False where
-  // the system does not give them.
+  // From now on keeps so many threads ready, made by `create`; surplus ones end. False where the
+  // system does not give them.
   static bool install(std::size_t threads, Create create = pthread_create);
-  // Makes those that were given away anew. False where the system does not give them.
+  // Makes new ones for those given away. False where the system does not give them.
   static bool refill() noexcept;
-  // What pthread_create does, in a thread of the reserve, with a stack of the usual size. False
-  // where none is left, and to who can do without: the first is remembered.
+  // As pthread_create, with a thread of the reserve and a stack of the usual size. False where none
+  // is left, which is remembered, and for callers that can do without.
   static bool give(pthread_t* thread, const pthread_attr_t* attributes, void* (*run)(void*),
                    void* argument) noexcept;
-  // Whether somebody went without a thread that he needed. Only a new start mends that.
+  // Whether a thread that was needed could not be given. Only a restart repairs that.
   [[nodiscard]] static bool failed() noexcept;
 
-  // What this thread asks for while it lives it can do without.
+  // While it lives, this thread can do without the threads that it asks for.
   class Dispensable {
    public:
     Dispensable();

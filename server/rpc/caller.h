@@ -11,19 +11,19 @@
 
 namespace trc::server {
 
-// The trace the caller's metadata name; its id goes back to the caller as `trace-id`.
+// The trace named in the caller's metadata; its id goes back to the caller as `trace-id`.
 [[nodiscard]] Trace trace_of(grpc::CallbackServerContext& context);
 
-// Metadata of a call of this process' own: for which client of HTTP it is made.
+// Metadata of calls of this process: the client of HTTP that the call is made for.
 inline constexpr const char* client_of_http = "trc-client-of-http";
 
-// Whose limits and share the call counts against: the name in the client's certificate, else where
-// it comes from, also of what comes over HTTP.
+// The peer whose limits and share the call counts to: the name in the client's certificate, else
+// the address, also for HTTP.
 [[nodiscard]] std::string peer_of(const grpc::CallbackServerContext& context);
 
-// The refusal of a caller whose certificate has none of the names; no names allow all. Who has
-// shown no certificate came through a socket file or from this process: where TLS is spoken and
-// names are given, certificates are demanded.
+// The refusal of a caller whose certificate has none of the names; no names allow all. A caller
+// without certificate came through a socket file or from this process: with TLS and names given,
+// certificates are mandatory.
 [[nodiscard]] std::optional<Ending> refuse_caller(const grpc::CallbackServerContext& context,
                                                   const std::vector<std::string>& allowed);
 

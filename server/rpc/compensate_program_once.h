@@ -22,7 +22,7 @@ class CompensateProgramOnce final
   Turn ended(v1::CompensateProgramOnceResponse& response) override;
 
  private:
-  // Takes all answers to the last request. Where the program ended, or the answer became too large.
+  // Takes all answers to the last request. Ends with the program, or with an answer too large.
   [[nodiscard]] Turn collect(Turn turn, v1::CompensateProgramOnceResponse& response);
 
   CompensateProgram program_;

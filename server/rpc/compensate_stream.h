@@ -9,7 +9,7 @@
 namespace trc::server {
 
 // The protocol of a stream that is compensated: the setup, which is accepted, then pieces of input,
-// the last of them final. `Run` reads what its RPC has in them.
+// the last of them final. `Run` reads the contents that its RPC defines.
 template <class Run>
 class CompensateStream final : public StreamWork<typename Run::Request, typename Run::Response> {
  public:
@@ -39,7 +39,7 @@ class CompensateStream final : public StreamWork<typename Run::Request, typename
     return end(run_->finished() ? Ending{} : refuse(Refusal::contour_incomplete));
   }
 
-  // A token is opened, and read: not soon done.
+  // Opening and reading a token takes time.
   [[nodiscard]] bool is_short(const Request* request) const override {
     if (!run_) return request == nullptr || Run::path_of(request->setup()).resume_token().empty();
     return !want_tokens_ && run_->is_short(request);

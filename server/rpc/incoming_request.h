@@ -8,8 +8,8 @@
 
 namespace trc::server {
 
-// A request of a stream: gRPC hands over its bytes. As a message it may take forty times as much,
-// so it is read in a turn, which is limited and whose memory is counted.
+// A request of a stream: gRPC hands over its bytes. The message may take forty times as much
+// memory, so it is read in a turn, which is limited and whose memory is counted.
 template <class Message>
 class IncomingRequest {
  public:
@@ -23,7 +23,7 @@ class IncomingRequest {
     bytes_.Clear();
     return false;
   }
-  // Of the request that was too large; 0: none was.
+  // Size of the request that was too large; 0: none was.
   [[nodiscard]] std::size_t bytes_too_many() const { return bytes_too_many_; }
 
   // Reads the message, unless that is done. False when the bytes are no such message.
@@ -36,7 +36,7 @@ class IncomingRequest {
     }
     return !is_unreadable_;
   }
-  // What was read; the next bytes are those of another one.
+  // The message that was read; the next bytes belong to another one.
   [[nodiscard]] Message& take() {
     is_read_ = false;
     return *message_;

@@ -11,7 +11,7 @@
 
 namespace trc::server {
 
-// What a session has computed, and how much it holds back, as far as is seen from outside.
+// The work of a session and the blocks it holds back, as far as visible from outside.
 class Meter {
  public:
   explicit Meter(const Limits& limits) : look_ahead_blocks_(limits.look_ahead_blocks) {}
@@ -29,13 +29,13 @@ class Meter {
     double started_s_;
   };
 
-  // To be told after every request. Returns whether something came out.
+  // To be called after every request. Returns whether there was output.
   bool note(const Summary& so_far);
 
-  // Whether so few blocks were held when it was told last that whatever sets them free is soon
-  // done.
+  // Whether so few blocks were held at the last call that releasing them takes little
+  // time.
   [[nodiscard]] bool holds_few() const { return held_blocks_ <= few_blocks; }
-  // So many take no longer than two changes of thread.
+  // This many take no longer than two changes of thread.
   static constexpr std::uint64_t few_blocks = 128;
 
   template <class Session>

@@ -12,8 +12,8 @@
 
 namespace trc::server {
 
-// What a session has answered and the client has not got yet. A request can release any number of
-// blocks at once (the end of a selection releases all of it), so they leave in slices that fit a
+// The answers of a session that the client has not received yet. A request can release any number
+// of blocks at once (the end of a selection releases all of it), so they leave in slices that fit a
 // message, in the order of the answer.
 class Outbox {
  public:
@@ -26,20 +26,20 @@ class Outbox {
 
   // The session appends here.
   [[nodiscard]] Answers& content() { return answers_; }
-  // To be called when the last slice is no longer needed: gives back the memory of what was taken.
+  // To be called when the last slice is no longer needed: frees the memory of the content taken.
   void forget_taken();
 
   [[nodiscard]] bool empty() const;
   // The first error in it, or null.
   [[nodiscard]] const Diagnostic* error() const;
-  // How many blocks were taken so far, and that a resumed path goes on behind them.
+  // The number of blocks taken so far; a resumed path goes on after them.
   [[nodiscard]] std::uint64_t blocks_taken() const { return blocks_taken_; }
   void go_on_behind(std::uint64_t blocks) { blocks_taken_ = blocks; }
   // The next slice of about `most_bytes` as a message of this layout, at least one block or line.
   // Valid until the content changes or the next one is taken.
   [[nodiscard]] Slice take(wire::Layout layout, std::size_t most_bytes);
 
-  // Takes all blocks at once, which leave by another way than the slices: `give` may keep them.
+  // Takes all blocks at once, to leave by another way than slices: `give` may keep them.
   template <class Give>
   void take_blocks(Give give) {
     for (Answer& part : answers_.parts()) {
@@ -50,13 +50,13 @@ class Outbox {
     forget_taken_parts();
   }
 
-  // Whether it holds so much, about. Takes no longer where it holds far more.
+  // Whether it holds about so many bytes. Takes no longer where it holds far more.
   [[nodiscard]] bool holds(std::size_t bytes) const;
-  // Whether a part was ended since it was asked last: a selection that goes on for long comes out.
+  // Whether a part has ended since the last call: then a long selection is on its way out.
   [[nodiscard]] bool has_grown();
 
  private:
-  // What was taken of the first part.
+  // The amount taken of the first part.
   struct Taken {
     std::size_t blocks = 0;
     std::size_t bytes = 0;
@@ -68,7 +68,7 @@ class Outbox {
            taken_.diagnostics == first.diagnostics.size();
   }
   void forget_taken_parts();
-  // As many as fit beside so many bytes.
+  // Takes as many as fit in addition to `bytes`.
   void take_diagnostics(std::size_t bytes, std::size_t most_bytes, Slice& slice);
 
   Answers answers_;

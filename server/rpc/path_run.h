@@ -54,10 +54,10 @@ class PathRun : public StreamRun<PathSession> {
         [&] { summarize(*response.mutable_summary()); });
   }
 
-  // The place behind the last batch, once all its answers are out; empty when the path does not go
+  // The state after the last batch, once all its answers are out; empty when the path does not go
   // on from there.
   [[nodiscard]] std::string resume_token(const ResumeTokens::Digest& setup) const;
-  // Goes on there. The ending when the token is refused.
+  // Goes on from a token. Returns the ending when the token is refused.
   [[nodiscard]] std::optional<Ending> resume(std::string_view token,
                                              const ResumeTokens::Digest& setup);
   // Whether the next turn is soon done, as of StreamWork.

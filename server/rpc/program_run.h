@@ -69,10 +69,10 @@ class ProgramRun : public StreamRun<ProgramSession> {
 
  private:
   void take(const v1::ProgramText& chunk);
-  // Takes input until much has come out, or all of it.
+  // Takes input until there is much output, or all input is taken.
   void go_on();
   bool execute();
-  // Where there is one, the blocks go there, and no message holds them.
+  // Gives the blocks to the tap, if there is one, in place of messages.
   void give_to_tap();
   void summarize(v1::ProgramSummary& message) const;
   void add_to_record(const Outbox::Slice& slice, const Response& response);

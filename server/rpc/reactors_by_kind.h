@@ -50,8 +50,8 @@ class AnswerReactor final
   bool asked_ = false;
 };
 
-// Gives a call with one answer the face of a stream of answers: what is written is put where gRPC
-// expects the answer, to be sent with the status.
+// Makes a call with one answer look like a stream of answers: the output is put where gRPC expects
+// the answer, to be sent with the status.
 class OneAnswer : public grpc::ServerUnaryReactor {
  public:
   virtual void OnWriteDone(bool ok) = 0;

@@ -9,8 +9,8 @@
 namespace trc::server {
 
 // gRPC reflection, v1 and v1alpha: lets clients describe the services without a file. Its streams
-// are streams like all others, with their limits, and take no thread while they are silent. gRPC's
-// own one has a thread for each, without an end to them.
+// have the limits of all others, and take no thread while they are silent. gRPC's own reflection
+// uses a thread for each stream, without a limit.
 class Reflection {
  public:
   explicit Reflection(Backend& backend);

@@ -18,8 +18,8 @@
 namespace trc::server {
 
 // Writes blocks and diagnostics of a slice into a response of any RPC. The message of the columns
-// is reused from one response to the next. Blocks as messages are put in as the bytes they become:
-// to Protobuf a field it does not know, which it sends as it is.
+// is reused from one response to the next. Blocks as messages are inserted as their encoded bytes:
+// Protobuf takes them for an unknown field, which it sends as it is.
 template <class Response>
 void write_slice(const Outbox::Slice& slice, wire::Layout layout, Response& response) {
   ready_bytes_of(response).Clear();
@@ -37,8 +37,8 @@ void write_slice(const Outbox::Slice& slice, wire::Layout layout, Response& resp
     wire::to_proto(diagnostic, *response.add_diagnostics());
 }
 
-// The responses to one request: everything that is certain, in its order, then what closes it. An
-// error comes as the status, behind all that was certain before it; a finished path as the summary.
+// The responses to one request: everything that is certain, in its order, then its end. An error
+// becomes the status, after all that was certain before it; a finished path ends with the summary.
 class Responses {
  public:
   Responses(Backend& backend, CallRecord& record) : backend_(backend), record_(record) {}
@@ -56,8 +56,8 @@ class Responses {
   }
   // The summary comes once the outbox is empty.
   void finish() { summary_due_ = true; }
-  // Whether input of the request is still to be taken, once the outbox is empty. What has become
-  // certain of a large request leaves before the rest of it is taken.
+  // Whether input of the request is still to be taken, once the outbox is empty. The certain part
+  // of the answer to a large request leaves before the rest of the request is taken.
   void input_is_left(bool left) {
     // The last answer to a request says that all of it was taken.
     if (input_left_ && !left) answered_ = false;
@@ -65,7 +65,7 @@ class Responses {
   }
 
   [[nodiscard]] bool failed() const { return error_.has_value(); }
-  // By an error of the session.
+  // Whether an error of the session has ended the RPC.
   [[nodiscard]] bool is_refused() const { return refused_; }
 
   // The next answer. `finish_slice(slice, last)` adds what is particular to the RPC; `last` says
@@ -93,8 +93,8 @@ class Responses {
   }
 
  private:
-  // An answer on its way lies in gRPC's buffers until the client reads it: hundreds of clients that
-  // do not must not add up to much. What 1024 blocks become fits; every further answer would
+  // An answer stays in gRPC's buffers until the client reads it, and hundreds of clients that do
+  // not read must not add up to much. The output of 1024 blocks fits; every further answer would
   // take the stream through gRPC's threads and back once more.
   static constexpr std::size_t most_answer_bytes = 192U << 10U;
 

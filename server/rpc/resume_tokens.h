@@ -23,9 +23,9 @@ namespace trc::server {
 //     format, 5 bytes | build, 32 | setup, 32 | state | HMAC-SHA-256 of all before it, 32
 //
 // The state is that of the core (core/base/state.h): what it holds back and the modes in force.
-// Only a server of the same build reads it, and only one with the same key believes it; the server
-// that gave the token has no part in it. The digest of the setup keeps a stream from going on under
-// other settings.
+// Only a server of the same build can read it, and only one with the same key accepts it; the
+// server that gave the token is not needed. The digest of the setup keeps a stream from going on
+// under other settings.
 class ResumeTokens {
  public:
   // Of a setup message without its token.
@@ -36,8 +36,8 @@ class ResumeTokens {
 
   [[nodiscard]] static Digest digest_of(const google::protobuf::Message& setup);
 
-  // Empty when the token would be larger than it may be: then more is held back than a token is
-  // good for, and the client goes on from an earlier one.
+  // Empty when the token would be too large: then too much is held back for a token, and the client
+  // goes on from an earlier one.
   [[nodiscard]] std::string seal(const Digest& setup,
                                  const std::function<void(StateWriter&)>& save) const;
   // The refusal of a token that cannot be used.

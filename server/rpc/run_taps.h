@@ -16,13 +16,13 @@ class CallbackServerContext;
 
 namespace trc::server {
 
-// Gets what a program becomes from the stream that compensates it, within one process: the contour
-// as it is read, and the path in place of its messages, which would be read back at once. Called in
-// the threads of that stream, one call at a time; all is given before the stream ends.
+// Gets the results of a program directly from the stream that compensates it, within one process:
+// the contour as it is read, and the path in place of messages, which would be read back at once.
+// Called in the threads of that stream, one call at a time, and not after the stream has ended.
 class RunTap {
  public:
   virtual ~RunTap() = default;
-  // Come before the blocks of the path that are made of them.
+  // Called before take_path() with the blocks made from this contour.
   virtual void take_contour(std::span<const Block> blocks) = 0;
   // May keep the blocks, and leaves others or none in their place.
   virtual void take_path(std::vector<CompensatedBlock>& blocks) = 0;
@@ -36,7 +36,7 @@ class RunTaps {
   static constexpr const char* metadata = "trc-run-tap";
 
   void add(std::string name, std::weak_ptr<RunTap> tap);
-  // That of a call, which has it from then on; null: it has none.
+  // The tap of a call, which owns it from then on; null: it has none.
   [[nodiscard]] std::shared_ptr<RunTap> take(const grpc::CallbackServerContext& context);
 
  private:

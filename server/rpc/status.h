@@ -74,7 +74,7 @@ using Values = std::vector<std::pair<std::string, std::string>>;
 // code's row, place, values and remedy; RESOURCE_EXHAUSTED where a limit was passed.
 [[nodiscard]] Ending refuse(const Diagnostic& diagnostic);
 
-// What the sentences of refusals are in German, alone and with a detail behind them.
+// The German of the sentences of refusals, alone and with a detail after them.
 [[nodiscard]] std::span<const Sentence> refusal_sentences();
 
 // "INVALID_ARGUMENT" and so on.

@@ -10,20 +10,20 @@
 
 namespace trc::server {
 
-// Thrown out of work whose result nobody waits for any more.
+// Thrown to leave work whose result is no longer wanted.
 struct Abandoned {};
 
-// What the work of one stream shares with its reactor.
+// The data that the work of one stream shares with its reactor.
 struct StreamContext {
   Backend& backend;
   CallRecord& record;
-  // Set when nobody waits for the result any more; work looks at it every few blocks.
+  // Set when the result is no longer wanted; work checks it every few blocks.
   const std::atomic<bool>& cancelled;
   StreamAccount& account;
   std::shared_ptr<RunTap> run_tap{};  // may be null
 
-  // Where long work passes by: it ends when it is abandoned or passes a limit, and gives way to
-  // other streams.
+  // To be called again and again by long work: ends it when it is abandoned or passes a limit, and
+  // yields to other streams.
   void pass() const {
     if (cancelled.load(std::memory_order_relaxed)) throw Abandoned{};
     if (!account.is_due()) return;

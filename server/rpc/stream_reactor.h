@@ -30,12 +30,12 @@ namespace trc::server {
 //
 //   read ──► turn in the pool ──► write ──► read …      one step at a time
 //
-// There is never more than one read or answer outstanding, which is also the back-pressure: nothing
-// is read while an answer waits. Reactions only hand over, and turns compute; a turn that is known
-// to be over sooner than it would be handed over is taken at once. The phase says who owns the
-// stream, so that Finish is called once: by the owner, or by the watch for idle streams, which
-// takes the ownership away from a pending read. The watch also writes the heartbeats of a silent
-// stream, beside a read.
+// There is never more than one read or answer outstanding, which is also the back-pressure:
+// nothing is read while an answer waits. Reactions only hand over, and turns compute; a turn known
+// to take less time than handing it over is taken at once. The phase says who owns the stream, so
+// that Finish is called once: by the owner, or by the watch for idle streams, which takes the
+// ownership away from a pending read. The watch also writes the heartbeats of a silent stream,
+// beside a read.
 template <class GrpcReactor, class Request, class Response>
 class StreamReactor
     : public GrpcReactor,
@@ -94,11 +94,11 @@ class StreamReactor
   }
   [[nodiscard]] std::uint64_t held_bytes() const final { return account_.held_bytes(); }
 
-  // A beat is a write beside a pending read or a running turn. What the turn wants written, and the
-  // end of the stream, wait for it.
+  // A beat is a write during a pending read or a running turn. Writes of the turn, and the end of
+  // the stream, wait for it.
   void beat_if_silent(Clock::time_point since) final {
     if constexpr (requires(Response beat) { beat.mutable_heartbeat(); }) {
-      // Whoever waits for a path that is measured wants to know how long still.
+      // A client that waits for a measured path wants to know the progress.
       constexpr std::chrono::milliseconds between_news{200};
       const StreamAccount::Measuring measuring = account_.measuring();
       if (measuring.goes_on()) since = std::max(since, Clock::now() - between_news);
@@ -152,7 +152,7 @@ class StreamReactor
     phase_since_ = Clock::now();
   }
 
-  // Of a stream that waits for its client since then. A turn at work is left alone.
+  // Ends a stream that has waited for its client since then. A running turn is left alone.
   void give_up(Clock::time_point since, Refusal why) {
     bool waits_for_request = false;
     bool was_reading = false;
@@ -227,7 +227,7 @@ class StreamReactor
     conclude();
   }
 
-  // A failure frees the work first: it may be memory that is wanted.
+  // A failure frees the work first, since memory may be the cause.
   void take_turn_here() noexcept {
     if (cancelled_ || context_.IsCancelled()) return give_up_work();
     try {
@@ -266,8 +266,8 @@ class StreamReactor
         {.status = grpc::Status(grpc::RESOURCE_EXHAUSTED, "no memory"), .reason = "MEMORY_LIMIT"});
   }
 
-  // In whatever thread ends the stream, best in the pool: a session may hold so much that a
-  // reaction should not have to free it.
+  // Called in the thread that ends the stream, best in the pool: a session may hold too much for a
+  // reaction to free.
   void release_work() noexcept {
     constexpr std::uint64_t large = 32U << 20U;
     const bool held_much = account_.held_bytes() > large;
@@ -310,7 +310,7 @@ class StreamReactor
                   {{"message_bytes", size}, {"max_message_bytes", most}});
   }
 
-  // Does what the last turn has asked for, or leaves it to the end of a heartbeat on its way.
+  // Does what the last turn has asked for, or leaves it to the end of a heartbeat being written.
   void conclude() {
     {
       const std::lock_guard lock(mutex_);
@@ -366,7 +366,7 @@ class StreamReactor
     self_.reset();
   }
 
-  // The last thing anybody does with the stream: OnDone may have run when it returns.
+  // The last call for the stream: OnDone may have run when it returns.
   void finish(const Ending& ending) {
     enter(Phase::finished);
     record_.ended(ending);

@@ -16,9 +16,9 @@
 
 namespace trc::server {
 
-// A session on its way through a stream: what it answers goes to the responses, what it computes is
-// metered, and its state is what a token holds. What is read out of the requests is the matter of
-// the run of each RPC, which derives from it.
+// A session in a stream: its answers go to the responses, its computing is metered, and its
+// state is the content of tokens. The run of each RPC derives from it and reads the
+// requests.
 template <class Session>
 class StreamRun {
  public:
@@ -43,7 +43,7 @@ class StreamRun {
   ~StreamRun() = default;
 
   [[nodiscard]] Answers& answers() { return responses_.outbox().content(); }
-  // Of each call of the session: the error that has stopped it ends the RPC.
+  // For the result of each call of the session: an error that has stopped it ends the RPC.
   bool goes_on(bool session_goes_on) {
     if (!session_goes_on) responses_.end_with_error();
     return session_goes_on;
@@ -55,7 +55,7 @@ class StreamRun {
     static_cast<void>(goes_on(session_.finish(end..., answers())));
     responses_.finish();
   }
-  // Behind each request.
+  // To be called after each request.
   void note_progress() {
     if (meter_.note(session_.summary())) stream_.account.progressed();
   }
@@ -66,15 +66,15 @@ class StreamRun {
     return responses_.next(layout_, response, finish_slice, summarize);
   }
 
-  // Whether little is to be done for so many blocks more, and for what waits for the client. A
-  // verification measures a selection as a whole once it has ended.
+  // Whether so many more blocks, and the output that waits for the client, take little work. A
+  // verification measures a whole selection at its end.
   [[nodiscard]] bool is_soon_done(std::uint64_t blocks, std::size_t most_waiting_bytes) const {
     return !verifies_ && meter_.holds_few() && blocks <= Meter::few_blocks &&
            !responses_.outbox().holds(most_waiting_bytes + 1);
   }
 
-  // The place behind the last request, once all its answers are out: the session and `place`, which
-  // is what the run has besides. Empty when the stream does not go on from there.
+  // The state after the last request, once all its answers are out: the session and `place`, the
+  // further state of the run. Empty when the stream does not go on from there.
   template <class... Place>
   [[nodiscard]] std::string token_of(const ResumeTokens::Digest& setup,
                                      const Place&... place) const {
@@ -83,7 +83,7 @@ class StreamRun {
       archive(session_, place..., meter_, responses_.outbox().blocks_taken());
     });
   }
-  // Goes on there. The ending when the token is refused.
+  // Goes on from a token. Returns the ending when the token is refused.
   template <class... Place>
   [[nodiscard]] std::optional<Ending> go_on_from(std::string_view token,
                                                  const ResumeTokens::Digest& setup,
@@ -101,7 +101,7 @@ class StreamRun {
   Meter meter_;
 
  private:
-  // The time of a selection counts from what came out of it last.
+  // The time of a selection counts from its last output.
   [[nodiscard]] Setup watched(Setup setup) {
     SessionSetup* session = nullptr;
     if constexpr (std::is_same_v<Session, ProgramSession>)

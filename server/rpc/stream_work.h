@@ -6,7 +6,7 @@
 
 namespace trc::server {
 
-// What a turn of a stream asks for: an answer to be written or not, and what comes then.
+// The request of a turn: whether an answer is to be written, and the next step.
 struct Turn {
   enum class Next {
     proceed,  // another turn without new input: more answers are waiting

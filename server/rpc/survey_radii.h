@@ -16,7 +16,7 @@
 namespace trc::server {
 
 // SurveyRadii: the setup, then a program or a path as CompensateProgram and CompensatePath take
-// them. It is kept until all of it is there, read once, and each radius gets a turn of its own.
+// them. The input is kept until it is complete, read once, and each radius gets a turn of its own.
 class SurveyRadii final : public StreamWork<v1::SurveyRadiiRequest, v1::SurveyRadiiResponse> {
  public:
   explicit SurveyRadii(const StreamContext& stream) : stream_(stream) {}
@@ -27,7 +27,7 @@ class SurveyRadii final : public StreamWork<v1::SurveyRadiiRequest, v1::SurveyRa
 
  private:
   Turn set_up(const v1::SurveySetup& message, v1::SurveyRadiiResponse& response);
-  // Each keeps a piece of the input; the ending where it is not the next one.
+  // Each keeps a piece of the input; returns the ending where it is not the next one.
   [[nodiscard]] std::optional<Ending> keep(const v1::ProgramText& text);
   template <class Batch>
   [[nodiscard]] std::optional<Ending> keep(const Batch& batch, const char* field,

@@ -55,8 +55,8 @@ class LineRate {
 
 // JSON lines on standard output: one for each event of the server, one per RPC, one per bug.
 //
-// Nobody waits for whoever reads them: lines are written by a thread of their own, and when more of
-// them wait than it may hold, the oldest are dropped and counted. No call throws.
+// A slow reader delays nothing: a separate thread writes the lines, and when more wait than it may
+// hold, the oldest are dropped and counted. No call throws.
 class Log {
  public:
   // Level: debug, info, warning, error or off.

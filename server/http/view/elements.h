@@ -12,7 +12,7 @@
 
 namespace trc::server::http {
 
-// What an element stands for: each has its colour in the picture. The numbers travel.
+// The meaning of an element; each has its colour in the picture. The numbers are sent to clients.
 enum class Style : std::uint8_t {
   contour = 0,
   contour_masked = 1,  // programmed, but the tool does not get there
@@ -25,11 +25,11 @@ inline constexpr std::uint32_t rapid_flag = 1U << 8U;
 inline constexpr std::uint32_t path_flag = 1U << 9U;
 // Not drawn: FirstMotions.
 inline constexpr std::uint32_t unsaid_flag = 1U << 11U;
-// Another plane than the one that is shown holds there: the tool is seen from the side.
+// A plane other than the shown one is in force there: the tool is seen from the side.
 inline constexpr std::uint32_t aside_flag = 1U << 10U;
 inline constexpr std::uint32_t plane_shift = 12;
 
-// A motion as the picture has it: in the plane that is shown.
+// A motion in the plane that the picture shows.
 struct Element {
   Point start = Point::Zero();
   Point end = Point::Zero();
@@ -42,7 +42,7 @@ struct Element {
   Style style = Style::path;
   std::uint8_t origin = 0;  // of v1::CompensatedBlock; 0 on the contour
   bool rapid = false;
-  bool unsaid = false;      // a rapid from where nobody has said: measured, but not drawn
+  bool unsaid = false;      // a rapid from an unknown place: measured, but not drawn
   Plane plane = Plane::xy;  // that holds in its block
   bool ends_block = true;   // a block of another plane may be seen as several elements
 
@@ -63,7 +63,7 @@ class Elements {
   static constexpr std::size_t group_size = 64;
 
   void add(Element element, const Segment& shape);
-  // Of one that is there.
+  // Changes the style of an existing element.
   void restyle(std::size_t index, Style style);
 
   [[nodiscard]] std::size_t size() const { return size_; }
@@ -85,7 +85,7 @@ class Elements {
   // Of the whole way, mm.
   [[nodiscard]] double length() const { return length_; }
   [[nodiscard]] std::uint64_t blocks() const { return blocks_; }
-  // Where the way gets to across the plane, mm.
+  // The range of the way across the plane, mm.
   [[nodiscard]] double lowest() const { return double{lowest_}; }
   [[nodiscard]] double highest() const { return double{highest_}; }
 
@@ -93,7 +93,7 @@ class Elements {
     std::size_t element = 0;
     double share = 0;  // of that element
   };
-  // Where the way has come after so many mm; none without elements.
+  // The place on the way after so many mm; none without elements.
   [[nodiscard]] std::optional<Place> place_after(double length) const;
 
  private:
@@ -101,7 +101,7 @@ class Elements {
 
   static constexpr std::size_t piece_size = 64 * group_size;
 
-  // In pieces: what grows to millions is never copied.
+  // In pieces, so that millions of elements are never copied.
   std::vector<std::vector<Element>> pieces_;
   std::size_t size_ = 0;
   std::vector<ElementArc> arcs_;

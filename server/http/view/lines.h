@@ -12,13 +12,13 @@
 
 namespace trc::server::http {
 
-// A text by its lines.
+// A text as lines.
 class Lines {
  public:
   // None of its lines is found yet.
   explicit Lines(std::shared_ptr<const std::string> text) : text_(std::move(text)) {}
 
-  // Finds those that begin before so many bytes.
+  // Finds the lines that begin within so many bytes.
   void find_to(std::size_t bytes);
 
   [[nodiscard]] std::size_t count() const { return begins_.size(); }
@@ -27,7 +27,7 @@ class Lines {
   [[nodiscard]] const std::string& text() const { return *text_; }
   [[nodiscard]] std::size_t bytes() const;
 
-  // Of compensated text: the line of the program each one comes from, 0: unknown.
+  // For compensated text: the line of the program that each line comes from; 0: unknown.
   void set_sources(std::vector<std::uint32_t> sources) { sources_ = std::move(sources); }
   [[nodiscard]] const std::vector<std::uint32_t>& sources() const { return sources_; }
 
@@ -41,8 +41,8 @@ class Lines {
   std::vector<std::uint32_t> sources_;
 };
 
-// Which line of the program each line of compensated text comes from: both make the same motions in
-// the same order, so that the ends of motions say it. `ends` are the ends on the path with their
+// The line of the program that each line of compensated text comes from. Both make the same motions
+// in the same order, so the ends of motions tell it. `ends` are the ends on the path with their
 // lines, `reached` those read from the text.
 struct LineEnd {
   double x = 0;

@@ -11,21 +11,21 @@
 
 namespace trc::server::http {
 
-// The views somebody looks at. The one that was not asked for longest goes when there are too many,
-// and each after a while; its page sends the program again.
+// The views in use. The one unused for the longest time is dropped when there are too many, and
+// each after a while; its page then sends the program again.
 class ViewStore {
  public:
   using Clock = std::chrono::steady_clock;
 
   ViewStore(std::size_t most, std::chrono::seconds lifetime) : most_(most), lifetime_(lifetime) {}
 
-  // A name nobody can guess.
+  // A name that cannot be guessed.
   [[nodiscard]] static std::string new_id();
   void add(std::shared_ptr<View> view);
   // Null when there is none of that name (any more).
   [[nodiscard]] std::shared_ptr<View> find(const std::string& id);
   void remove(const std::string& id);
-  // Gives up the one that was not asked for longest. False when there is none.
+  // Drops the view unused for the longest time. False when there is none.
   bool give_up_one();
 
  private:

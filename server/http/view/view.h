@@ -18,11 +18,11 @@
 
 namespace trc::server::http {
 
-// How often a square may be parted.
+// How often a square may be divided.
 inline constexpr std::uint32_t most_level = 24;
 // Of findings, in a view.
 inline constexpr int most_diagnostics = 1000;
-// Of a text, in bytes, between two looks at whether to go on.
+// Bytes of a text between two checks of whether to go on.
 inline constexpr std::size_t text_piece = 16U << 10U;
 
 // A square of the quadtree over a view, counted from the lowest corner.
@@ -32,7 +32,7 @@ struct TileName {
   std::uint32_t y = 0;
 };
 
-// What a view holds; none of it changes.
+// The parts of a view that never change.
 struct ViewParts {
   v1::View said{};
   Elements contour{};
@@ -41,8 +41,8 @@ struct ViewParts {
   wire::ProgramSettings settings{};
 };
 
-// A program and its path, for somebody who looks at them. Does not change once it is made, but for
-// the compensated text, which is made when it is asked for.
+// A program and its path, to be shown. It does not change once made, except for the compensated
+// text, which is made on demand.
 class View {
  public:
   // `share`: the memory it takes.
@@ -50,26 +50,26 @@ class View {
 
   // As it was when the view was made.
   [[nodiscard]] const v1::View& said() const { return parts_.said; }
-  // With what was measured since.
+  // With the measurements made since.
   [[nodiscard]] v1::View said_by_now() const;
   [[nodiscard]] const Elements& contour() const { return parts_.contour; }
   [[nodiscard]] const Elements& path() const { return parts_.path; }
   [[nodiscard]] const Lines& program() const { return parts_.program; }
 
-  // Where half a pixel would take more segments it is drawn more coarsely.
+  // Drawn more coarsely where half a pixel would take more segments.
   [[nodiscard]] std::string tile(const TileName& name, std::size_t most_segments) const;
   [[nodiscard]] v1::ViewBlocks blocks_of_line(std::uint32_t line) const;
   [[nodiscard]] v1::ViewPlace place_at(double share) const;
 
-  // The compensated text; null while it is being made. What was left to be measured is measured
-  // then too.
+  // The compensated text; null while it is being made. Postponed measurements are made with
+  // it.
   [[nodiscard]] std::shared_ptr<const Lines> output() const;
-  // True for the one who is to make it.
+  // True for the caller who has to make it.
   [[nodiscard]] bool begin_output() { return !output_begun_.exchange(true); }
-  // `interrupt` is called now and then, and may throw. What takes too long to measure is left
-  // unmeasured.
+  // `interrupt` is called from time to time, and may throw. Measurements that take too long are
+  // given up.
   void make_output(const std::function<void()>& interrupt);
-  // Nobody will ask for it any more.
+  // To be called when the view is no longer needed.
   void give_up() { given_up_ = true; }
   [[nodiscard]] bool is_given_up() const { return given_up_; }
 

@@ -22,7 +22,7 @@
 
 namespace trc::server::http {
 
-// What a view is made of.
+// The input for a view.
 struct ViewedProgram {
   std::shared_ptr<const std::string> text{};
   std::string name{};
@@ -31,23 +31,23 @@ struct ViewedProgram {
   FirstLook look{};
 };
 
-// Puts a view together while a stream compensates its program: contour and path come from there,
-// what is said about them with the answers, in another thread.
+// Builds a view while a stream compensates its program: contour and path come from the stream,
+// diagnostics with the answers, in another thread.
 class ViewBuilder {
  public:
   // `make_room` frees memory that matters less; false: there is none.
   ViewBuilder(ViewedProgram program, Memory& memory, std::function<bool()> make_room);
 
   void take_contour(std::span<const Block> blocks);
-  // Comes behind the contour that it is made of.
+  // The path comes after the contour that it belongs to.
   void take_path(std::span<const CompensatedBlock> blocks);
-  // Without it nothing more is taken.
+  // Whether there is memory; without it nothing more is taken.
   [[nodiscard]] bool has_memory() const;
 
   void add(const v1::Diagnostic& diagnostic);
   void set_summary(const v1::ProgramSummary& summary) { *said_.mutable_summary() = summary; }
   void set_refused() { said_.set_refused(true); }
-  // The path is measured behind the first picture.
+  // The path is measured after the first picture.
   void measure_later() { said_.set_measuring(true); }
   // Null when there is no memory. Once the stream has ended.
   [[nodiscard]] std::shared_ptr<View> finish(std::string id);
@@ -56,13 +56,13 @@ class ViewBuilder {
   // One thread puts contour and path in, another one takes the view out.
   mutable std::mutex mutex_;
 
-  // So many lines, as far as there are.
+  // Finds up to so many lines.
   void find_lines(std::uint64_t count);
   void read_contour();
   [[nodiscard]] float tool_radius_of(const CompensatedBlock& block);
   void mark_masked(ViewContour::Whole& contour);
   void describe(const ViewContour::Whole& contour);
-  // Takes the memory for what there is by now.
+  // Takes the memory for the present content.
   bool account();
 
   Lines program_;

@@ -14,18 +14,18 @@
 
 namespace trc::server::http {
 
-// What must be known of a program before anything of it is drawn.
+// Facts about a program needed before anything is drawn.
 struct FirstLook {
-  // Of the first compensated motion; where there is none, of the first one.
+  // The plane of the first compensated motion; without one, of the first motion.
   Plane plane = Plane::xy;
   bool moves = false;    // at all
   bool is_inch = false;  // the text counts in inch, there
 };
-// Reads as far as that takes. `pass` is called now and then.
+// Reads as far as needed for that. `pass` is called from time to time.
 [[nodiscard]] FirstLook first_look(std::string_view text, const SessionSetup& session,
                                    const std::function<void()>& pass);
 
-// The programmed contour as a view has it.
+// The programmed contour for a view.
 class ViewContour {
  public:
   // `shown`: the plane.
@@ -50,7 +50,7 @@ class ViewContour {
  private:
   void add(const Block& block);
   void add_tool_radius(double radius);
-  // Draws what of the selection read last is no wall as what leads to one.
+  // Marks the parts of the last selection that are no walls as leads.
   void mark_leads();
 
   const LeadSettings leads_;

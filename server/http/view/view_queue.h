@@ -13,21 +13,21 @@
 
 namespace trc::server::http {
 
-// What a stream has given to a view and nobody has put in yet: one thread gives, another one takes,
-// and the stream goes on in the meantime. Pieces come out in the order they went in.
+// Pieces that a stream has given to a view and that are not in it yet: one thread gives, another
+// one takes, and the stream goes on meanwhile. Pieces come out in the order they went in.
 class ViewQueue {
  public:
   // Blocks of the contour or of the path.
   using Piece = std::variant<std::vector<Block>, std::vector<CompensatedBlock>>;
 
   enum class Taker {
-    comes,   // somebody takes what waits
-    wanted,  // nobody does: somebody has to be sent, once
+    comes,   // a thread takes the pieces
+    wanted,  // no thread does: one has to be started, once
   };
   Taker put(Piece piece);
-  // None: nothing waits, and whoever took has gone.
+  // None: no piece waits, and the taking thread is done.
   [[nodiscard]] std::optional<Piece> take();
-  // So much waits that whoever gives had better take some of it.
+  // So many wait that the giving thread should take some itself.
   [[nodiscard]] bool is_full() const;
 
   // Memory of pieces that were put in, to be used again.

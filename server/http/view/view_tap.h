@@ -12,12 +12,12 @@
 
 namespace trc::server::http {
 
-// Takes contour and path of a view from the stream that compensates its program, and has them put
-// in by another thread while the stream goes on.
+// Takes contour and path of a view from the stream that compensates its program, and has another
+// thread put them into the view while the stream goes on.
 class ViewTap final : public RunTap, public std::enable_shared_from_this<ViewTap> {
  public:
   struct Help {
-    // Has another thread do some work, soon.
+    // Lets another thread do some work, soon.
     std::function<void(std::function<void()>)> compute{};
     // Called now and then in that thread.
     std::function<void()> pass{};
@@ -26,15 +26,15 @@ class ViewTap final : public RunTap, public std::enable_shared_from_this<ViewTap
 
   void take_contour(std::span<const Block> blocks) override;
   void take_path(std::vector<CompensatedBlock>& blocks) override;
-  // All has been put in then. Once the stream has ended.
+  // To be called once the stream has ended: puts in all that waits.
   void finish();
-  // Nothing is taken any more, and nobody asked for help: whoever has asked for the view is gone,
-  // but the stream may go on for a while.
+  // Nothing more is taken, and no other thread is asked: the client of the view is gone, but the
+  // stream may go on for a while.
   void close();
 
  private:
   void give(ViewQueue::Piece piece);
-  // False: nothing waits.
+  // Returns false when no piece waits.
   bool put_in_next();
 
   const std::shared_ptr<ViewBuilder> builder_;
