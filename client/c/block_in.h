@@ -8,8 +8,8 @@
 
 namespace trc::c {
 
-// Writes a block of the caller's into an empty message. Returns what is wrong with it, as a
-// sentence; empty: nothing.
+// Writes a block of the caller into an empty message. Returns its fault as a sentence; empty: there
+// is none.
 [[nodiscard]] std::string write_block(const trc_block& block, wire::Json& json, v1::Block& message);
 
 }  // namespace trc::c

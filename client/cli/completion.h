@@ -7,8 +7,8 @@
 
 namespace trc::cli {
 
-// A script that completes words of the command line in a shell, made of the commands and options of
-// `app` and what they are described as. `shell`: bash, zsh or fish.
+// A script that completes words of the command line in a shell, made from the commands and options
+// of `app` and their descriptions. `shell`: bash, zsh or fish.
 [[nodiscard]] std::string completion_for(const CLI::App& app, const std::string& shell);
 
 // The subcommand that prints it.

@@ -7,7 +7,7 @@
 
 namespace trc::cli {
 
-// Enters what --variable, --subprograms and --max-executed-lines say. Empty, or what is wrong.
+// Enters the values of --variable, --subprograms and --max-executed-lines. Empty, or the fault.
 [[nodiscard]] std::string add_computing_options(const ProgramOptions& options,
                                                 v1::ProgramSetup& setup);
 

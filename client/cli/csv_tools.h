@@ -14,17 +14,17 @@ class CsvTools {
  public:
   explicit CsvTools(ToolTable& table) : table_(table) {}
 
-  // A line in front of the header says what all rows count in, or is the header. Nothing: it is
-  // neither of them; else what is wrong with it.
+  // Reads a line up to the header: it gives the unit of all rows, or is the header. Nothing: it is
+  // neither; else its fault, empty for none.
   [[nodiscard]] std::optional<std::string> begin(std::string_view line);
   [[nodiscard]] bool has_header() const { return !columns_.empty(); }
-  // What is wrong with the row; empty: nothing.
+  // Reads a row. Returns its fault; empty: there is none.
   std::string read(std::string_view line);
   // Neither the rows nor a line above them name their unit.
   [[nodiscard]] bool unit_unsaid() const;
 
  private:
-  // What a row says of its tool.
+  // The data of a tool in a row.
   struct Row {
     std::optional<double> number{};
     std::string name{};

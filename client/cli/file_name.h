@@ -9,7 +9,7 @@ namespace trc::cli {
 // any bytes for a name.
 [[nodiscard]] std::string text_of_name(std::string_view name);
 
-// The file that a text names: that of this very name where there is one, else \xE4 taken back.
+// The file that a text names: that of exactly this name if there is one, else with \xE4 decoded.
 [[nodiscard]] std::string name_of_text(const std::string& text);
 
 }  // namespace trc::cli

@@ -22,11 +22,11 @@ class Input {
   Input(const Input&) = delete;
   Input& operator=(const Input&) = delete;
 
-  // Says on standard error what is wrong. False: nothing to read.
+  // Reports faults on standard error. False: nothing to read.
   bool open();
   // The next piece; empty at the end. Valid until the next call.
   [[nodiscard]] std::string_view read();
-  // Shows every piece to somebody else too, before it is returned.
+  // Passes every piece to `watcher` too, before it is returned.
   void watch(std::function<void(std::string_view)> watcher) {
     watchers_.push_back(std::move(watcher));
   }
@@ -50,20 +50,20 @@ class Input {
   std::vector<std::function<void(std::string_view)>> watchers_;
 };
 
-// Whether the disk has all that was written to a file, or to others beside it. A thin volume, a
-// quota or a network takes more than it has room for, and says so only then. The reason is in
-// errno.
+// Whether the disk has stored all that was written to a file, or to others on the same volume. A
+// thin volume, a quota or a network accepts more than it has room for, and reports it only now. The
+// reason is in errno.
 [[nodiscard]] bool is_kept_by_disk(int descriptor);
 [[nodiscard]] bool are_kept_by_disk(int descriptor);
 
-// Where a result goes. A file gets its name only with `commit`: until then, and
-// when the program ends early, an older file of that name stays as it was. What
-// goes to standard output is gone at once, or held back until then as well.
+// The destination of a result. A file gets its name only with `commit`: until then, and when the
+// program ends early, an older file of that name stays as it was. Output to standard output leaves
+// at once, or is also held back until then.
 class Output {
  public:
   enum class OnScreen { at_once, with_commit };
-  // Who asks the disk whether it has all of a file: `commit`, or for many files at once whoever has
-  // them written.
+  // Who checks that the disk has stored a file: `commit`, or the caller for many files at
+  // once.
   enum class Disk { asked, asked_by_others };
   // "-" or nothing: standard output.
   explicit Output(std::string path, OnScreen on_screen = OnScreen::at_once,
@@ -72,7 +72,7 @@ class Output {
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;
 
-  // Each says on standard error what is wrong and returns false then.
+  // Each reports faults on standard error, and returns false then.
   bool open();
   bool write(std::string_view text);
   bool commit();

@@ -6,7 +6,7 @@
 
 namespace trc::cli {
 
-// What a command, an option or a line below them is described as, in German. Nothing: it has no
+// The German of the description of a command, an option or a line below them. Nothing: it has no
 // row.
 [[nodiscard]] std::optional<std::string_view> german_help_of(std::string_view english);
 

@@ -13,7 +13,7 @@ namespace trc::cli {
 // Markdown tables, as documentation shows them: in English.
 [[nodiscard]] std::string markdown_options(const v1::GetServerInfoResponse& info);
 [[nodiscard]] std::string markdown_functions(const v1::GetServerInfoResponse& info);
-// What becomes of each G function, dialect by dialect.
+// The treatment of each G function, dialect by dialect.
 [[nodiscard]] std::string markdown_dialects();
 [[nodiscard]] std::string markdown_diagnostics(const v1::GetServerInfoResponse& info);
 

@@ -28,7 +28,7 @@ struct Job {
 // Takes a piece of the result. False: no more is wanted.
 using TextSink = std::function<bool(const std::string& text)>;
 
-// Diagnostics and what else went wrong are on standard error when it returns.
+// Diagnostics and other faults are on standard error when it returns.
 [[nodiscard]] Exit do_job(Job& job, Input& input, Reporter& reporter, const TextSink& sink);
 
 }  // namespace trc::cli

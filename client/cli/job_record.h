@@ -13,18 +13,18 @@ namespace trc::cli {
 // Returns what is wrong with the text, as a sentence; empty: it is in `record`.
 [[nodiscard]] std::string record_from(const std::string& text, v1::JobRecord& record);
 
-// Whether the text of a record that could be read is as it was written, its layout apart: a
-// sentence about what is not, or empty.
+// Whether the text of a readable record is as it was written, apart from its layout: a sentence
+// about the difference, or empty.
 [[nodiscard]] std::string fault_of_seal(const std::string& text, const v1::JobRecord& record);
 
 // Whether the file holds these bytes and no others.
 [[nodiscard]] bool is_content_of(const v1::JobFile& filed, const std::string& path);
-// Whether it holds what came out. The summary line of `jsonl`, which the record leaves out, may be
-// any; that it is there is asked for.
+// Whether it holds the output of the record. The summary line of `jsonl`, which the record leaves
+// out, may differ, but must be there.
 [[nodiscard]] bool is_output_of(const v1::JobRecord& filed, const std::string& path);
 
-// Each a sentence about what the record of a second run says otherwise: the bytes of input and
-// output, what was told and what was measured. Versions and times may differ.
+// The differences of the record of a second run, a sentence each: the bytes of input and output,
+// the diagnostics and the measurements. Versions and times may differ.
 [[nodiscard]] std::vector<std::string> differences(const v1::JobRecord& filed,
                                                    const v1::JobRecord& again);
 

@@ -6,8 +6,8 @@
 
 namespace trc::cli {
 
-// What a program is, for `trc info FILE`: how it reads as the declared dialect and what it looks
-// like, its selections with their length, what would be refused.
+// A description of a program for `trc info FILE`: how it reads in the declared dialect and what it
+// looks like, its selections with their lengths, and what would be refused.
 struct ProgramInfo {
   std::string text{};  // lines for the screen
   bool refused = false;

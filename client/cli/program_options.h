@@ -34,14 +34,14 @@ struct ProgramOptions {
 void add_program_options(CLI::App& command, ProgramOptions& options);
 // All options of a program but its file.
 void add_setup_options(CLI::App& command, ProgramOptions& options);
-// Those alone that say what the setup is, not where the service is.
+// Only those that describe the setup, without those of the service.
 void add_settings_options(CLI::App& command, ProgramOptions& options);
 
 // Adds -q and -v.
 void add_loudness_options(CLI::App& command, Loudness& loudness);
 
-// The setup the options describe. Says on standard error what is wrong with them
-// and returns false then.
+// The setup that the options describe. Reports their faults on standard error, and returns false
+// then.
 bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup);
 
 // What an option --lang names, English where that is no language of ours; without one that of
@@ -55,11 +55,11 @@ bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup);
 // Adds --lang.
 void add_language_option(CLI::App& command, std::string& language);
 
-// Measures the path, unless the setup says whether to: somebody looks at what is told.
+// Switches measuring on, unless the setup decides it: a person reads the messages.
 void report_clearance(v1::ProgramSetup& setup);
 
 // Whether the lengths of the program count in inch: by the setup, or by what the head of the file
-// itself says. For what is told, never for reading it.
+// itself says. For messages only, never for reading the program.
 [[nodiscard]] bool counts_in_inch(const ProgramOptions& options, const v1::ProgramSetup& setup);
 
 // "Settings (--set): …", for the end of a help text.

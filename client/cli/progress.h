@@ -43,7 +43,7 @@ class Progress {
   void read(std::uint64_t bytes, std::uint64_t whole);
   void measured(std::uint64_t blocks, std::uint64_t whole);
   void ended(std::uint64_t programs, std::uint64_t whole);
-  // Takes the line away, so that another can be written.
+  // Removes the line, so that another can be written.
   void clear();
 
  private:

@@ -20,16 +20,16 @@
 
 namespace trc::cli {
 
-// Of the program that the setup goes before.
+// The dialect of the program that belongs to the setup.
 [[nodiscard]] DialectName dialect_of(const v1::ProgramSetup& setup);
 
-// With its help in words of the command line, where that is the one of its code: the sender names
-// fields of the setup.
+// The diagnostic with its help in words of the command line, if it is that of its code: the sender
+// names fields of the setup.
 [[nodiscard]] Diagnostic for_command_line(Diagnostic found, DialectName dialect);
 
-// Tells on standard error what was found in one program. What equals something that was told,
-// place apart, is counted and told of at the end; of what is left when there are very many
-// different texts, a path with a million warnings, say, the codes are counted.
+// Reports the diagnostics of one program on standard error. Those equal to an earlier one, apart
+// from the place, are counted and summed up at the end; beyond very many different texts, as for a
+// path with a million warnings, only codes are counted.
 class Reporter {
  public:
   // Different texts that are shown.
@@ -66,7 +66,7 @@ class Reporter {
   bool refused_ = false;
   std::map<Text, Counted> like_shown_{};
   std::vector<Text> order_{};  // as they were found first
-  // What came when there were too many texts.
+  // Diagnostics beyond the limit of texts.
   std::map<Kind, Counted> of_other_texts_{};
 };
 

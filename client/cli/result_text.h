@@ -13,7 +13,7 @@ namespace trc::cli {
 // The result of a program in the form --format asks for: nc, jsonl or listing.
 class ResultText {
  public:
-  // Asks in the setup for what the format is made of.
+  // Sets in the setup what the format needs.
   ResultText(const std::string& format, v1::ProgramSetup& setup);
 
   // Valid until the next call.

@@ -26,7 +26,7 @@ class Channel;
 
 namespace trc::cli {
 
-// What programs one after another go through: made by the first of them.
+// A service for several programs one after another, made for the first of them.
 struct KeptService;
 
 // Where the service is. Without an address it runs inside this process.
@@ -35,7 +35,7 @@ struct ServiceOptions {
   std::string tls_ca{};  // PEM files
   std::string tls_cert{};
   std::string tls_key{};
-  // For one that has no room, shuts down or was lost, s.
+  // Waiting time for a server that is full, shuts down or was lost, s.
   double wait_s = 60;
   // Of a run in this process, as the settings of trcd that have these names; 0: as without them.
   std::uint32_t memory_limit_mib = 0;
@@ -54,7 +54,7 @@ void add_service_options(CLI::App& command, ServiceOptions& options);
 
 struct Outcome {
   Exit exit = Exit::done;
-  // Of what compensated, as in "0.1.0+0123456789ab"; empty: nobody took the program.
+  // Version of the compensating core, as "0.1.0+0123456789ab"; empty: no service took it.
   std::string core_version{};
   std::optional<wire::ProgramSummary> summary{};  // complete runs only
 };
@@ -65,7 +65,7 @@ struct Outcome {
                                          const v1::ProgramSetup& setup, Input& input,
                                          Reporter& reporter, const AnswerSink& sink);
 
-// What tools of many radii make of a program. What is wrong is on standard error when it returns.
+// Surveys a program with tools of many radii. Faults are on standard error when it returns.
 [[nodiscard]] Exit survey_program(const ServiceOptions& options, const v1::SurveySetup& setup,
                                   std::string_view text, Reporter& reporter,
                                   v1::SurveyAnswer& answer);
@@ -84,7 +84,7 @@ struct ServiceConnections {
 [[nodiscard]] Exit connect(const ServiceOptions& options, std::size_t count,
                            ServiceConnections& connections, v1::GetServerInfoResponse& info);
 
-// Each says on standard error why there is no answer.
+// Each reports on standard error why there is no answer.
 [[nodiscard]] Exit server_info(const ServiceOptions& options, v1::GetServerInfoResponse& info);
 [[nodiscard]] Exit server_health(const ServiceOptions& options, std::chrono::seconds timeout,
                                  bool& serving);

@@ -5,9 +5,9 @@
 
 namespace trc::cli {
 
-// As long as there is one, and there may be one at a time, the wish to end (SIGINT, SIGTERM,
-// SIGHUP) is told here in place of what it does else, whichever thread it reaches. What is ignored
-// stays so.
+// While an object exists, and only one may at a time, the signals to end (SIGINT, SIGTERM, SIGHUP)
+// are reported here instead of their usual effect, whichever thread they reach. Ignored signals
+// stay ignored.
 class Signals {
  public:
   Signals();

@@ -7,8 +7,8 @@
 
 namespace trc::cli {
 
-// The language of what `trc` says of a call, as of files, options and servers; English until then.
-// What is told of a program has the language of its setup.
+// Sets the language of messages of `trc` about a call, its files, options and servers; English
+// until then. Messages about a program have the language of its setup.
 void speak(Language language);
 [[nodiscard]] Language spoken_language();
 

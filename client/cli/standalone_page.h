@@ -8,7 +8,7 @@
 
 namespace trc::cli {
 
-// A page larger than that is slow to open: so many blocks of contour and path together.
+// The most blocks of contour and path together: a larger page is slow to open.
 inline constexpr std::size_t most_page_blocks = 250'000;
 
 // The page that `trc view` serves as one file with its program inside: nothing else is loaded, and

@@ -7,8 +7,8 @@
 
 namespace trc::cli {
 
-// What was made of a program, in one line without its end: "1,204 blocks, 3 masked, clearance
-// 6.000 mm at N120, 0.04 s". The blocks are those that came out; the clearance is the smallest that
+// The result of a program in one line without line end: "1,204 blocks, 3 masked, clearance 6.000
+// mm at N120, 0.04 s". The blocks are those that came out; the clearance is the smallest that
 // was measured, in the unit of the setup, and left out where nothing was; seconds are as on a
 // watch.
 [[nodiscard]] std::string summary_line(const wire::PathSummary& summary, bool in_inch,

@@ -12,7 +12,7 @@
 
 namespace trc::cli {
 
-// Which tools of a table have a radius.
+// The names of the tools with each radius.
 class ToolNames {
  public:
   void add(double radius, std::uint32_t number);
@@ -24,7 +24,7 @@ class ToolNames {
   std::map<double, std::string> names_;
 };
 
-// Says what was found, in a language and in the unit that the program counts in.
+// The findings of a survey in words, in a language and in the unit of the program.
 class SurveyText {
  public:
   SurveyText(Language language, bool inch, const ToolNames& names);

@@ -26,14 +26,14 @@ struct ToolSizes {
   bool operator==(const ToolSizes&) const = default;
 };
 
-// The tools of a table, whatever its format. What is wrong is said as a sentence; empty: nothing.
+// The tools of a table, whatever its format. Faults are returned as a sentence; empty: none.
 class ToolTable {
  public:
   // A tool all of whose sizes stand in one row.
   std::string take(const ToolKey& key, const ToolSizes& sizes);
   // The sizes of a tool that stand in several lines, without a radius until one of them says it.
   ToolSizes& sizes_of(const ToolKey& key);
-  // Unless the tool is there.
+  // Adds the tool unless it is there already.
   void add(const ToolKey& key, const ToolSizes& sizes) { tools_.emplace(key, sizes); }
   // Of a tool with a number, in capitals.
   void name(std::uint32_t number, std::string in_capitals) {

@@ -23,7 +23,7 @@ class UntouchedWalls {
   };
   static constexpr std::size_t reasons = 3;
 
-  // What stands for one reason.
+  // The walls with one reason.
   struct Share {
     double length = 0;  // mm
     std::size_t stretches = 0;
@@ -40,8 +40,8 @@ class UntouchedWalls {
  private:
   struct Wall {
     Segment path{};
-    // A stretch of the wall that ends so near to its end ends with it, mm: in wear mode walls are
-    // beside the program.
+    // A stretch that ends this close, mm, to the end of the wall ends with it: in wear mode walls
+    // lie beside the program.
     double reach = 0;
     bool travelled = false;
     bool beside = false;  // it is travelled at the tool radius from the line or circle it lies on

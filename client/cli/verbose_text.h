@@ -10,8 +10,8 @@
 
 namespace trc::cli {
 
-// What a program is compensated with, a line each, in front of it `name` as in "part.nc: ", in the
-// language of its setup: dialect and unit, the settings that are no default, the tools (mm), and
+// The conditions of a compensation, a line each, with `name` as in "part.nc: " in front, in the
+// language of the setup: dialect and unit, the settings that are no default, the tools (mm), and
 // the service with its version and the limits a program of that size meets.
 [[nodiscard]] std::string text_of_taken(const std::string& name, const v1::ProgramSetup& setup,
                                         const ServiceOptions& service,
@@ -21,14 +21,14 @@ namespace trc::cli {
 [[nodiscard]] Exit tell_taken(const std::string& name, const v1::ProgramSetup& setup,
                               const ServiceOptions& service);
 
-// How a result is spoken of.
+// How a result is put into words.
 struct Telling {
   Language language = Language::english;
   bool inch = false;  // lengths, as the program counts; else mm
 };
 
-// What the engine did with it: lines, blocks by what they are, lengths and the radius, what was
-// measured, and the times in s. `seconds`: from the call to the last block.
+// The work of the engine: lines, blocks by origin, lengths and the radius, the measurements, and
+// the times in s. `seconds`: from the call to the last block.
 [[nodiscard]] std::string text_of_done(const std::string& name, const wire::ProgramSummary& summary,
                                        double seconds, const Telling& telling);
 

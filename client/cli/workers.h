@@ -13,8 +13,8 @@
 
 namespace trc::cli {
 
-// Processes of this program that do one task after another: what ends one of them is no matter of
-// the tasks of the others, and starting a process for each would take longer than most tasks.
+// Processes of this program that do one task after another: a crash of one does not affect the
+// tasks of the others, and starting a process for each task would take longer than most tasks.
 class Workers {
  public:
   struct Ended {
@@ -28,18 +28,18 @@ class Workers {
   // answer with `tell_code`.
   Workers(std::vector<std::string> words, unsigned count)
       : words_(std::move(words)), count_(count) {}
-  // Lets them end.
+  // Lets the processes end.
   ~Workers();
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
 
   [[nodiscard]] bool all_busy() const { return busy() >= count_; }
   [[nodiscard]] bool any_busy() const { return busy() > 0; }
-  // Hands a task to one that has none. False: no process can be started for it.
+  // Hands a task to an idle process. False: no process can be started for it.
   [[nodiscard]] bool give(std::size_t task, const std::string& name);
-  // Waits for tasks that end, for that long at most or until `other` can be read from.
+  // Waits for tasks to end, at most `longest` or until `other` can be read from.
   [[nodiscard]] std::vector<Ended> wait(std::chrono::milliseconds longest, int other);
-  // To those that are at work.
+  // Sends the signal to the processes at work.
   void signal(int number) const;
 
   // In a worker: waits for its next task. False: there is none.
@@ -62,7 +62,7 @@ class Workers {
   [[nodiscard]] std::size_t busy() const;
   Worker* start();
   static std::string take_told(Worker& worker);
-  // Nothing more is asked of it. Returns how it ended.
+  // Lets the worker end, and returns how it ended.
   int dismiss(std::list<Worker>::iterator worker);
 
   std::vector<std::string> words_;

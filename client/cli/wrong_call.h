@@ -5,7 +5,7 @@
 
 namespace trc::cli {
 
-// What is wrong with a call that cannot be parsed, for standard error; with "did you mean" where a
+// The fault of a call that cannot be parsed, for standard error; with "did you mean" where a
 // command, an option or a setting is a slip of the pen away. Ends with a line feed.
 [[nodiscard]] std::string text_of_wrong_call(const CLI::App& app, const CLI::ParseError& fault);
 

@@ -8,8 +8,8 @@
 
 namespace trc::cli::load {
 
-// A number that stands for every bit of a result, however it was cut into messages. One changed bit
-// always changes it; so do more, but for one chance in 2^64.
+// A number that depends on every bit of a result, but not on how it was cut into messages. One
+// changed bit always changes it; several do with a chance of failure of 2^-64.
 class Digest {
  public:
   void add(const CompensatedBlock& block);
@@ -27,8 +27,8 @@ class Digest {
   std::uint64_t value_ = 0x9e3779b97f4a7c15;
 };
 
-// What a result must be: its digest, and those of the ways to it, so that a difference is noticed
-// near its place and a result without end is checked as well.
+// The expected result: its digest, and digests at intervals, so that a difference is noticed near
+// its place and an endless result can be checked as well.
 class ExpectedResult {
  public:
   // Blocks between two checkpoints; of text, bytes.

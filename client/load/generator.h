@@ -39,13 +39,13 @@ class Generator final : private Stream::Listener {
   void answered(std::uint64_t blocks_in, Clock::duration latency) override;
   void ended(Stream& stream, const grpc::Status& status) override;
 
-  // The next ones are called with the lock held.
+  // The following functions are called with the lock held.
   void count_ended(const Stream& stream, const grpc::Status& status);
   void count_error(const Stream& stream, const grpc::Status& status);
   void count_check(const Stream& stream);
   [[nodiscard]] bool may_begin() const;
   [[nodiscard]] std::shared_ptr<Stream> make_stream(Clock::time_point intended);
-  // The one to begin in the place of one that has ended; none: nothing waits.
+  // The stream to begin in place of one that has ended; none: no stream waits.
   [[nodiscard]] std::shared_ptr<Stream> successor();
 
   void begin(const std::shared_ptr<Stream>& stream);

@@ -16,7 +16,7 @@ enum class Layout {
   text,     // CompensateProgram, from NC text to NC text
 };
 
-// What every stream of a run does. Shared by all of them; nothing in it changes.
+// The work of every stream of a run. Shared by all of them; never changes.
 class Job {
  public:
   // `setup`: what differs from the defaults. The requests must be free of faults.
@@ -55,7 +55,7 @@ class Job {
   v1::ProgramSetup setup_;
 };
 
-// What the core of this process makes of the job. `refused` says why it does not, if it does not.
+// The result of the job by the core of this process. `refused`: why there is none, else empty.
 [[nodiscard]] ExpectedResult expected_of(const Job& job, std::string& refused);
 
 }  // namespace trc::cli::load

@@ -9,7 +9,7 @@
 
 namespace trc::cli::load {
 
-// What the run was, for its report.
+// The description of the run for its report.
 struct RunDescription {
   std::string server{};  // empty: in this process
   std::string shape{};

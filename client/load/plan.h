@@ -5,7 +5,7 @@
 
 namespace trc::cli::load {
 
-// How much is asked of the server, and how.
+// The load put on the server.
 struct Plan {
   std::uint64_t streams = 1;  // open at once; in an open loop at most
   double rate = 0;            // streams a second; 0: closed loop

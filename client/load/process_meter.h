@@ -9,7 +9,7 @@
 
 namespace trc::cli::load {
 
-// What a process of this machine has taken so far.
+// The resources that a process of this machine has used so far.
 struct ProcessUse {
   double cpu_s = 0;     // of all its threads, those that have ended too
   double system_s = 0;  // of it in the kernel, to 10 ms

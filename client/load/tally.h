@@ -13,9 +13,9 @@ namespace trc::cli::load {
 
 using Clock = std::chrono::steady_clock;
 
-// What was counted while the run was measured.
+// The counts of the measured time of a run.
 struct Tally {
-  // What is answered while it is measured, whichever stream it belongs to.
+  // Answers within the measured time, whichever stream they belong to.
   std::uint64_t blocks_in = 0;
   std::uint64_t blocks_out = 0;
   std::uint64_t bytes_sent = 0;

@@ -7,7 +7,7 @@
 
 namespace trc::cli::load {
 
-// Follows what this process and the server take while the run is measured.
+// Follows the resources of this process and the server while the run is measured.
 class UseMeter {
  public:
   // `server`: 0: none that can be looked at.

@@ -4,7 +4,7 @@
 
 namespace trc::plot {
 
-// Puts warnings, the error and what is proposed in its place into a picture.
+// Adds warnings, the error and the proposals for it to a picture.
 void add_findings(const Contents& contents, Picture& picture);
 
 }  // namespace trc::plot

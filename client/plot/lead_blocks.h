@@ -12,7 +12,7 @@
 
 namespace trc::plot {
 
-// What of the contour blocks is no wall, by their Source::index.
+// The parts of contour blocks that are no walls, by Source::index.
 class LeadBlocks {
  public:
   // mm from the start of a block; nothing of a lead is a wall.

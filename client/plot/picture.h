@@ -15,7 +15,7 @@
 
 namespace trc::plot {
 
-// What a stroke stands for; each has its colour, later ones lie on top.
+// The meaning of a stroke; each has its colour, later ones lie on top.
 enum class Layer : std::uint8_t {
   beside,      // programmed, but part of no contour: approach, retract, without compensation
   lead,        // the contour as written: lead-in and lead-out, no wall
@@ -97,7 +97,7 @@ struct Contents {
 inline constexpr std::size_t most_single_strokes = 20'000;
 // A picture with more marks than this shows nothing else.
 inline constexpr std::size_t most_warnings = 100;
-// Of the places where the radius changes so many are shown, the first ones.
+// The number of radius changes shown: the first ones.
 inline constexpr std::size_t most_radius_changes = 50;
 
 // Movements in other planes than the one that is shown are seen from there.

@@ -9,7 +9,7 @@
 
 namespace trc::plot {
 
-// What a picture says in a language.
+// The words of a picture in a language.
 struct Words {
   std::array<const char*, layer_count> layers;    // in the order of Layer
   std::array<const char*, origin_count> origins;  // in the order of Origin

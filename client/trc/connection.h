@@ -25,18 +25,18 @@ struct TlsFiles {
   [[nodiscard]] bool any() const { return !ca.empty() || !cert.empty() || !key.empty(); }
 };
 
-// How a session goes on after its server or the way to it was lost. What comes out is what an
-// unbroken stream gives; the caller sees a pause.
+// How a session goes on after it has lost its server or the connection. The output is that of an
+// unbroken stream; the caller only sees a pause.
 struct ResumePolicy {
-  // Without progress for so long the session fails with what happened last. 0: at once.
+  // Time without progress after which the session fails with the last failure. 0: at once.
   std::chrono::milliseconds patience{60'000};
   // Between attempts, doubling from the first to the longest.
   std::chrono::milliseconds first_wait{100};
   std::chrono::milliseconds longest_wait{5'000};
-  // Input that is kept because the server may ask for it again. What a selection that is held as a
-  // whole passes beyond that cannot be resumed.
+  // The most input kept in case the server needs it again. A selection held as a whole that exceeds
+  // it cannot be resumed.
   std::size_t most_kept_bytes = std::size_t{256} << 20U;
-  // Is told before each wait why there is one, in the thread that uses the session.
+  // Called before each wait with its reason, in the thread that uses the session.
   std::function<void(const Failure&)> waiting{};
 };
 
