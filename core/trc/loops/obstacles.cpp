@@ -76,7 +76,7 @@ BoxTree::Range Obstacles::certified(std::size_t block) const {
 }
 
 void Obstacles::find_neighbours(std::size_t block, const Box& area, double limit,
-                                bool in_group) const {
+                                Among among) const {
   const BoxTree::Range skipped = certified(block);
   const std::size_t own = path_.number_of(block);
   neighbours_.clear();
@@ -97,7 +97,7 @@ void Obstacles::find_neighbours(std::size_t block, const Box& area, double limit
     }
     if (four.bits != 0) neighbours_.push_back(four);
   };
-  if (!in_group) {
+  if (among == Among::all) {
     boxes_.for_each_four_near(area, limit, skipped, add);
     return;
   }
@@ -179,7 +179,7 @@ std::optional<Obstacles::Onset> Obstacles::onset(std::size_t block, double from,
   if (!(from < to) || limit <= 0) return std::nullopt;
   const Segment segment = path(block).path;
   const Box area = bounding_box(segment);
-  find_neighbours(block, area, limit, is_in_group(block));
+  find_neighbours(block, area, limit, near_blocks(block));
   if (neighbours_.empty()) return std::nullopt;
   PathPart part(segment, from, to);
   std::optional<Onset> first;
@@ -211,7 +211,7 @@ bool Obstacles::comes_nearer(std::size_t block, double from, double to, Nearness
   const double limit = reach(block, nearness);
   if (!(from < to) || limit <= 0) return false;
   const Segment segment = path(block).path;
-  find_neighbours(block, bounding_box(segment), limit, is_in_group(block));
+  find_neighbours(block, bounding_box(segment), limit, near_blocks(block));
   return !neighbours_.empty() && neighbours_come_nearer(block, PathPart(segment, from, to), limit);
 }
 
@@ -231,7 +231,7 @@ bool Obstacles::comes_nearer(std::size_t block, const Segment& way, Nearness nea
   const PathPart part(way, 0, length);
   if (path_.is_contour(block) && own_arc_is_nearer(path_.number_of(block), part, limit))
     return true;
-  find_neighbours(block, bounding_box(way), limit, false);
+  find_neighbours(block, bounding_box(way), limit, Among::all);
   return !neighbours_.empty() && neighbours_come_nearer(block, part, limit);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -164,8 +165,12 @@ class Obstacles {
   // As certified(), for all blocks before `end`, which are reachable; may rule out fewer.
   [[nodiscard]] BoxTree::Range certified_for_all(std::size_t first, std::size_t end) const;
   // Puts into neighbours_ all contour blocks that may come nearer than `limit`, and some a little
-  // farther off. `in_group`: the group query has found all of them.
-  void find_neighbours(std::size_t block, const Box& area, double limit, bool in_group) const;
+  // farther off. The group is enough where is_in_group().
+  enum class Among : std::uint8_t { group, all };
+  void find_neighbours(std::size_t block, const Box& area, double limit, Among among) const;
+  [[nodiscard]] Among near_blocks(std::size_t block) const {
+    return is_in_group(block) ? Among::group : Among::all;
+  }
   [[nodiscard]] bool neighbours_come_nearer(std::size_t block, const PathPart& part,
                                             double limit) const;
   // Whether they are too many to look for the nearest one directly.
