@@ -109,10 +109,11 @@ void tell_done(const Call& call, const Job& job, const Input& input, double seco
   const Loudness& loudness = call.program.loudness;
   if (!job.summary || loudness.quiet) return;
   if (!loudness.verbose && isatty(STDERR_FILENO) != 1) return;
+  const bool inch = counts_in_inch(call.program, job.setup);
   const Telling telling{.language = language_of(job.setup),
-                        .inch = counts_in_inch(call.program, job.setup)};
+                        .unit = inch ? LengthUnit::inch : LengthUnit::mm};
   if (loudness.verbose) std::cerr << text_of_done(input.name(), *job.summary, seconds, telling);
-  std::cerr << summary_line(job.summary->path, telling.inch, seconds, telling.language) << '\n';
+  std::cerr << summary_line(job.summary->path, telling.unit, seconds, telling.language) << '\n';
 }
 
 Exit run(const Call& call) {
@@ -136,7 +137,9 @@ Exit run(const Call& call) {
     if (const Exit exit = tell_taken(input.name(), setup, call.program.service); exit != Exit::done)
       return exit;
   const auto began = std::chrono::steady_clock::now();
-  Progress progress(output.is_standard_output() && !as_nc, loudness.quiet, language_of(setup));
+  const auto result = output.is_standard_output() && !as_nc ? Progress::Result::on_screen
+                                                            : Progress::Result::elsewhere;
+  Progress progress(result, loudness, language_of(setup));
   Reporter reporter(input, setup, progress, loudness.quiet);
   Job job{.service = call.program.service,
           .setup = setup,

@@ -120,7 +120,7 @@ class Work {
   Work(const FolderRun& run, std::vector<Item>& items)
       : run_(run),
         items_(items),
-        progress_(false, run.quiet, language_of(run.setup)),
+        progress_(Progress::Result::elsewhere, {.quiet = run.quiet}, language_of(run.setup)),
         workers_(words_of_worker(run), run.jobs) {}
 
   // Returns the signal that has cut the work short; 0: none.

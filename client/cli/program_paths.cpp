@@ -89,7 +89,7 @@ ProgramPaths read_paths(const ProgramOptions& options, v1::ProgramSetup setup, I
     if (paths.exit != Exit::done) return paths;
   }
   const auto began = std::chrono::steady_clock::now();
-  Progress progress(false, options.loudness.quiet, language_of(setup));
+  Progress progress(Progress::Result::elsewhere, options.loudness, language_of(setup));
   Reporter reporter(input, setup, progress, options.loudness.quiet);
   const Outcome outcome =
       compensate_program(options.service, setup, input, reporter, [&](const Answer& answer) {
@@ -105,7 +105,8 @@ ProgramPaths read_paths(const ProgramOptions& options, v1::ProgramSetup setup, I
     std::cerr << text_of_done(
         input.name(), *outcome.summary,
         std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count(),
-        {.language = language_of(setup), .inch = counts_in_inch(options, setup)});
+        {.language = language_of(setup),
+         .unit = counts_in_inch(options, setup) ? LengthUnit::inch : LengthUnit::mm});
   if (reader) {
     paths.programmed = reader->finish();
     paths.inch = is_inch(*reader, paths.programmed);

@@ -61,9 +61,10 @@ std::string text_of(const Advance& advance, Language language) {
   return text + ", " + left(advance.seconds * (whole - done) / done, german);
 }
 
-Progress::Progress(bool result_on_screen, bool quiet, Language language, Clock::duration silence)
-    : enabled_(!quiet && isatty(STDERR_FILENO) == 1 &&
-               !(result_on_screen && isatty(STDOUT_FILENO) == 1)),
+Progress::Progress(Result result, const Loudness& loudness, Language language,
+                   Clock::duration silence)
+    : enabled_(!loudness.quiet && isatty(STDERR_FILENO) == 1 &&
+               !(result == Result::on_screen && isatty(STDOUT_FILENO) == 1)),
       language_(language),
       next_(part_began_ + silence) {}
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "client/cli/loudness.h"
 #include "core/base/language.h"
 
 namespace trc::cli {
@@ -33,7 +34,9 @@ class Progress {
  public:
   using Clock = std::chrono::steady_clock;
 
-  explicit Progress(bool result_on_screen, bool quiet = false, Language language = {},
+  enum class Result : std::uint8_t { on_screen, elsewhere };
+
+  explicit Progress(Result result, const Loudness& loudness = {}, Language language = {},
                     Clock::duration silence = std::chrono::seconds(1));
   ~Progress() { clear(); }
   Progress(const Progress&) = delete;

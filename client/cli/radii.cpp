@@ -148,7 +148,7 @@ Exit run(const Call& call) {
     const Exit exit = tell_taken(input.name(), setup.program(), call.program.service);
     if (exit != Exit::done) return exit;
   }
-  Progress progress(false, loudness.quiet, language_of(setup.program()));
+  Progress progress(Progress::Result::elsewhere, loudness, language_of(setup.program()));
   Reporter reporter(input, setup.program(), progress, loudness.quiet);
   std::string text;
   for (std::string_view piece = input.read(); !piece.empty(); piece = input.read()) text += piece;
@@ -161,7 +161,7 @@ Exit run(const Call& call) {
   if (call.json && call.picture.empty()) return Exit::done;
   const bool inch = counts_in_inch(setup, text);
   const Language language = language_of(setup.program());
-  const SurveyText words(language, inch, names);
+  const SurveyText words(language, inch ? LengthUnit::inch : LengthUnit::mm, names);
   if (!call.json) std::cout << words.table_of(answer);
   if (call.picture.empty()) return Exit::done;
   const survey::ProgramReading reading = reading_of(setup, text);

@@ -70,7 +70,7 @@ class Service {
           "--memory-limit-mib, or hold less: --set look_ahead_blocks=10000 --set verify=off");
     else if (failure.fields.empty())
       complain(failure.message);
-    return exit_of(failure, name_.empty());
+    return exit_of(failure, name_.empty() ? ServedBy::this_process : ServedBy::server);
   }
 
  private:
@@ -173,14 +173,15 @@ class Patience {
 
 // A program with an error of its own.
 Exit exit_of_refused(const client::Failure& failure) {
-  return exit_of(failure, false) == Exit::limit ? Exit::limit : Exit::refused;
+  return exit_of(failure, ServedBy::server) == Exit::limit ? Exit::limit : Exit::refused;
 }
 
 }  // namespace
 
-Exit exit_of(const client::Failure& failure, bool in_this_process) {
+Exit exit_of(const client::Failure& failure, ServedBy served_by) {
   // Balancers say INTERNAL, too, of a server that died, but without a reason.
-  if (failure.status == "INTERNAL" && (in_this_process || !failure.reason.empty()))
+  if (failure.status == "INTERNAL" &&
+      (served_by == ServedBy::this_process || !failure.reason.empty()))
     return Exit::internal;
   if (failure.unreachable()) return Exit::unreachable;
   return failure.status == "RESOURCE_EXHAUSTED" ? Exit::limit : Exit::wrong_call;

@@ -70,9 +70,11 @@ struct Outcome {
                                   std::string_view text, Reporter& reporter,
                                   v1::SurveyAnswer& answer);
 
+// Who has served a call. On the way to a service in this process nothing can be lost.
+enum class ServedBy : std::uint8_t { this_process, server };
+
 // How the program ends after a call that failed for another reason than the program it carried.
-// `in_this_process`: the service had no way to be lost on.
-[[nodiscard]] Exit exit_of(const client::Failure& failure, bool in_this_process);
+[[nodiscard]] Exit exit_of(const client::Failure& failure, ServedBy served_by);
 
 // Connections for streams of the caller's own.
 struct ServiceConnections {

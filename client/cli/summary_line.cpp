@@ -9,8 +9,6 @@
 namespace trc::cli {
 namespace {
 
-constexpr double inch = 25.4;  // mm
-
 std::string grouped(std::uint64_t count, Language language) {
   std::string digits = std::to_string(count);
   // A point would be read as that of decimals.
@@ -24,7 +22,7 @@ std::string grouped(std::uint64_t count, Language language) {
 
 }  // namespace
 
-std::string summary_line(const wire::PathSummary& summary, bool in_inch, double seconds,
+std::string summary_line(const wire::PathSummary& summary, LengthUnit unit, double seconds,
                          Language language) {
   const bool german = language == Language::german;
   const std::uint64_t blocks = summary.summary.blocks_out;
@@ -35,8 +33,8 @@ std::string summary_line(const wire::PathSummary& summary, bool in_inch, double 
   if (masked > 0) line += ", " + grouped(masked, language) + (german ? " ausgeblendet" : " masked");
   if (const auto& worst = summary.clearance.worst) {
     line += german ? ", Abstand " : ", clearance ";
-    line +=
-        in_inch ? fixed(worst->distance / inch, 4) + " inch" : fixed(worst->distance, 3) + " mm";
+    line += unit == LengthUnit::inch ? fixed(worst->distance / mm_per_inch, 4) + " inch"
+                                     : fixed(worst->distance, 3) + " mm";
     line += german ? " bei " : " at ";
     if (worst->path.number != Source::no_number)
       line += "N" + std::to_string(worst->path.number);

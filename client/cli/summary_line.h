@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/base/language.h"
+#include "core/base/length_unit.h"
 #include "proto/wire/path_item.h"
 
 namespace trc::cli {
@@ -11,7 +12,7 @@ namespace trc::cli {
 // mm at N120, 0.04 s". The blocks are those that came out; the clearance is the smallest that
 // was measured, in the unit of the setup, and left out where nothing was; seconds are as on a
 // watch.
-[[nodiscard]] std::string summary_line(const wire::PathSummary& summary, bool in_inch,
+[[nodiscard]] std::string summary_line(const wire::PathSummary& summary, LengthUnit unit,
                                        double seconds, Language language);
 
 }  // namespace trc::cli

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "client/cli/fixed_text.h"
-#include "core/base/length_unit.h"
 #include "core/base/text_width.h"
 
 namespace trc::cli {
@@ -67,13 +66,15 @@ constexpr SurveyText::Words SurveyText::german{
     .is_largest = " ist der größte Radius, der alle Wände erreicht",
 };
 
-SurveyText::SurveyText(Language language, bool inch, const ToolNames& names)
-    : words_(language == Language::german ? german : english), inch_(inch), names_(names) {}
+SurveyText::SurveyText(Language language, LengthUnit unit, const ToolNames& names)
+    : words_(language == Language::german ? german : english), unit_(unit), names_(names) {}
 
 std::string SurveyText::length(double mm) const {
-  return inch_ ? fixed(mm / mm_per_inch, 4) : fixed(mm, 3);
+  return unit_ == LengthUnit::inch ? fixed(mm / mm_per_inch, 4) : fixed(mm, 3);
 }
-std::string SurveyText::with_unit(double mm) const { return length(mm) + (inch_ ? " in" : " mm"); }
+std::string SurveyText::with_unit(double mm) const {
+  return length(mm) + (unit_ == LengthUnit::inch ? " in" : " mm");
+}
 
 std::string SurveyText::name_of(const v1::SurveyPlace& place) const {
   if (place.line() == 0) return words_.block + std::to_string(place.source_index());
@@ -125,7 +126,7 @@ std::string ToolNames::of(double radius) const {
 std::string SurveyText::table_of(const v1::SurveyAnswer& answer) const {
   Row head;
   std::copy(words_.head.begin(), words_.head.end(), head.begin());
-  head[0] += inch_ ? ", in" : ", mm";
+  head[0] += unit_ == LengthUnit::inch ? ", in" : ", mm";
   if (names_.empty()) head[1].clear();
   std::vector<Row> rows{head};
   for (const v1::SurveyedRadius& found : answer.radii()) rows.push_back(row_of(found));

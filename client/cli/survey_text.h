@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/base/language.h"
+#include "core/base/length_unit.h"
 #include "trc/v1/http.pb.h"
 #include "trc/v1/survey.pb.h"
 
@@ -27,7 +28,7 @@ class ToolNames {
 // The findings of a survey in words, in a language and in the unit of the program.
 class SurveyText {
  public:
-  SurveyText(Language language, bool inch, const ToolNames& names);
+  SurveyText(Language language, LengthUnit unit, const ToolNames& names);
 
   // A line for each radius, and the largest one.
   [[nodiscard]] std::string table_of(const v1::SurveyAnswer& answer) const;
@@ -55,7 +56,7 @@ class SurveyText {
   [[nodiscard]] Row row_of(const v1::SurveyedRadius& found) const;
 
   const Words& words_;
-  const bool inch_;
+  const LengthUnit unit_;
   const ToolNames& names_;
 };
 

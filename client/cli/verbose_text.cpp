@@ -7,7 +7,6 @@
 
 #include "client/cli/fixed_text.h"
 #include "client/cli/program_options.h"
-#include "core/base/length_unit.h"
 #include "core/nc/dialect/dialect.h"
 #include "core/trc/result/compensated_block.h"
 #include "proto/wire/settings.h"
@@ -130,12 +129,12 @@ constexpr Words german{
 const Words& words_in(Language language) { return language == Language::german ? german : english; }
 
 // A length in the unit of the program.
-std::string length_text(double mm, bool inch) {
-  return inch ? fixed(mm / mm_per_inch, 4) + " in" : fixed(mm, 3) + " mm";
+std::string length_text(double mm, LengthUnit unit) {
+  return unit == LengthUnit::inch ? fixed(mm / mm_per_inch, 4) + " in" : fixed(mm, 3) + " mm";
 }
 
-std::string signed_length(double mm, bool inch) {
-  return (mm < 0 ? " - " : " + ") + length_text(std::abs(mm), inch);
+std::string signed_length(double mm, LengthUnit unit) {
+  return (mm < 0 ? " - " : " + ") + length_text(std::abs(mm), unit);
 }
 
 std::string settings_of(const v1::ProgramSetup& setup, const Words& words) {
@@ -155,8 +154,8 @@ std::string tools_of(const v1::ProgramSetup& setup, const Words& words) {
   for (int i = 0; i < setup.tools_size() && i < most_tools; ++i) {
     const v1::Tool& tool = setup.tools(i);
     text += (i > 0 ? "; " : " ") + std::to_string(tool.number()) + words.radius +
-            length_text(tool.radius(), false);
-    if (tool.wear() != 0) text += words.wear + length_text(tool.wear(), false);
+            length_text(tool.radius(), LengthUnit::mm);
+    if (tool.wear() != 0) text += words.wear + length_text(tool.wear(), LengthUnit::mm);
   }
   if (setup.tools_size() > most_tools)
     text +=
@@ -204,7 +203,7 @@ Exit tell_taken(const std::string& name, const v1::ProgramSetup& setup,
 std::string text_of_done(const std::string& name, const wire::ProgramSummary& summary,
                          double seconds, const Telling& telling) {
   const Words& words = words_in(telling.language);
-  const bool inch = telling.inch;
+  const LengthUnit unit = telling.unit;
   const wire::PathSummary& path = summary.path;
   const Summary& done = path.summary;
   const std::string begin = name + ": ";
@@ -212,10 +211,10 @@ std::string text_of_done(const std::string& name, const wire::ProgramSummary& su
                      std::to_string(summary.bytes_in) + words.bytes +
                      std::to_string(done.blocks_in) + words.blocks_in +
                      std::to_string(done.blocks_out) + words.blocks_out + origins_of(done, words);
-  text += '\n' + begin + words.length + length_text(done.programmed_length, inch) +
-          words.programmed + length_text(done.compensated_length, inch) + words.compensated +
-          words.radius_at_end + length_text(path.effective_radius, inch) + words.of_it_wear +
-          signed_length(path.wear, inch) + words.allowance + signed_length(path.allowance, inch) +
+  text += '\n' + begin + words.length + length_text(done.programmed_length, unit) +
+          words.programmed + length_text(done.compensated_length, unit) + words.compensated +
+          words.radius_at_end + length_text(path.effective_radius, unit) + words.of_it_wear +
+          signed_length(path.wear, unit) + words.allowance + signed_length(path.allowance, unit) +
           '\n';
   const verify::ClearanceReport& measured = path.clearance;
   if (measured.worst) {

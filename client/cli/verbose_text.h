@@ -4,6 +4,7 @@
 
 #include "client/cli/service.h"
 #include "core/base/language.h"
+#include "core/base/length_unit.h"
 #include "proto/wire/path_item.h"
 #include "trc/v1/setup.pb.h"
 #include "trc/v1/trc_service.pb.h"
@@ -24,7 +25,7 @@ namespace trc::cli {
 // How a result is put into words.
 struct Telling {
   Language language = Language::english;
-  bool inch = false;  // lengths, as the program counts; else mm
+  LengthUnit unit = LengthUnit::mm;  // of lengths, as the program counts
 };
 
 // The work of the engine: lines, blocks by origin, lengths and the radius, the measurements, and

@@ -122,7 +122,7 @@ Exit check_record(const Call& call) {
   if (loudness.verbose)
     if (const Exit exit = tell_taken(input.name(), job.setup, job.service); exit != Exit::done)
       return exit;
-  Progress progress(false, loudness.quiet, language_of(job.setup));
+  Progress progress(Progress::Result::elsewhere, loudness, language_of(job.setup));
   Reporter reporter(input, job.setup, progress, loudness.quiet);
   const Exit exit = do_job(job, input, reporter, [](const std::string&) { return true; });
   if (exit != Exit::done && exit != Exit::refused) return exit;
@@ -151,7 +151,7 @@ Exit run(const ProgramOptions& options) {
   if (paths.exit != Exit::done) return paths.exit;
 
   const double allowed = Tolerances{}.on_contour;
-  Progress progress(false, options.loudness.quiet, language_of(setup));
+  Progress progress(Progress::Result::elsewhere, options.loudness, language_of(setup));
   UntouchedWalls untouched(paths.programmed, paths.compensated);
   const verify::ClearanceReport report = verify::measure_clearance(
       paths.programmed, paths.compensated,

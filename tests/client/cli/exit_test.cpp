@@ -17,43 +17,46 @@ namespace {
 using client::Failure;
 
 TEST(ExitOf, ALimitIsNoFaultOfTheProgram) {
-  EXPECT_EQ(exit_of({.status = "RESOURCE_EXHAUSTED", .reason = "MEMORY_LIMIT"}, false),
+  EXPECT_EQ(exit_of({.status = "RESOURCE_EXHAUSTED", .reason = "MEMORY_LIMIT"}, ServedBy::server),
             Exit::limit);
   EXPECT_EQ(exit_of({.status = "RESOURCE_EXHAUSTED",
                      .message = "Received message larger than max (2000012 vs. 1048576)"},
-                    false),
+                    ServedBy::server),
             Exit::limit);
 }
 
 // gRPC's own buffers: they say nothing of the program.
 TEST(ExitOf, AStreamThatWasCrowdedOutWasLost) {
-  EXPECT_EQ(exit_of({.status = "RESOURCE_EXHAUSTED"}, false), Exit::unreachable);
+  EXPECT_EQ(exit_of({.status = "RESOURCE_EXHAUSTED"}, ServedBy::server), Exit::unreachable);
 }
 
 TEST(ExitOf, AFaultOfTheServerIsNotThatNobodyIsThere) {
-  EXPECT_EQ(exit_of({.status = "INTERNAL", .reason = "INTERNAL"}, false), Exit::internal);
-  EXPECT_EQ(exit_of({.status = "INTERNAL", .reason = "SUMMARY_MISSING"}, false), Exit::internal);
-  EXPECT_EQ(exit_of({.status = "INTERNAL"}, true), Exit::internal);
+  EXPECT_EQ(exit_of({.status = "INTERNAL", .reason = "INTERNAL"}, ServedBy::server),
+            Exit::internal);
+  EXPECT_EQ(exit_of({.status = "INTERNAL", .reason = "SUMMARY_MISSING"}, ServedBy::server),
+            Exit::internal);
+  EXPECT_EQ(exit_of({.status = "INTERNAL"}, ServedBy::this_process), Exit::internal);
   // A balancer that lost its server.
-  EXPECT_EQ(exit_of({.status = "INTERNAL"}, false), Exit::unreachable);
+  EXPECT_EQ(exit_of({.status = "INTERNAL"}, ServedBy::server), Exit::unreachable);
 }
 
 TEST(ExitOf, AServerThatStopsCannotBeReached) {
-  EXPECT_EQ(exit_of({.status = "UNAVAILABLE", .reason = "SERVER_DRAINING"}, false),
+  EXPECT_EQ(exit_of({.status = "UNAVAILABLE", .reason = "SERVER_DRAINING"}, ServedBy::server),
             Exit::unreachable);
-  EXPECT_EQ(exit_of({.status = "UNAVAILABLE"}, false), Exit::unreachable);
+  EXPECT_EQ(exit_of({.status = "UNAVAILABLE"}, ServedBy::server), Exit::unreachable);
 }
 
 TEST(ExitOf, AServerThatWasStartedAnewWasLost) {
-  EXPECT_EQ(exit_of({.status = "INVALID_ARGUMENT", .reason = "RESUME_TOKEN_INVALID"}, false),
-            Exit::unreachable);
   EXPECT_EQ(
-      exit_of({.status = "FAILED_PRECONDITION", .reason = "RESUME_TOKEN_OF_OTHER_VERSION"}, false),
+      exit_of({.status = "INVALID_ARGUMENT", .reason = "RESUME_TOKEN_INVALID"}, ServedBy::server),
       Exit::unreachable);
+  EXPECT_EQ(exit_of({.status = "FAILED_PRECONDITION", .reason = "RESUME_TOKEN_OF_OTHER_VERSION"},
+                    ServedBy::server),
+            Exit::unreachable);
 }
 
 TEST(ExitOf, AWrongFieldIsAWrongCall) {
-  EXPECT_EQ(exit_of({.status = "INVALID_ARGUMENT", .reason = "FIELD_INVALID"}, false),
+  EXPECT_EQ(exit_of({.status = "INVALID_ARGUMENT", .reason = "FIELD_INVALID"}, ServedBy::server),
             Exit::wrong_call);
 }
 

@@ -66,7 +66,8 @@ std::string on_a_terminal(const std::function<void()>& write) {
 
 TEST(Progress, IsOneLineOfATerminalThatGoesAway) {
   const std::string said = on_a_terminal([] {
-    Progress progress(false, false, Language::english, Progress::Clock::duration::zero());
+    Progress progress(Progress::Result::elsewhere, {}, Language::english,
+                      Progress::Clock::duration::zero());
     progress.read(50, 100);
     progress.measured(0, 10);
   });
@@ -76,12 +77,13 @@ TEST(Progress, IsOneLineOfATerminalThatGoesAway) {
 }
 
 TEST(Progress, IsSilentForASecondAndWhereErrorsAloneAreWanted) {
-  EXPECT_EQ(on_a_terminal([] { Progress(false).read(50, 100); }), "");
-  EXPECT_EQ(
-      on_a_terminal([] {
-        Progress(false, true, Language::english, Progress::Clock::duration::zero()).read(50, 100);
-      }),
-      "");
+  EXPECT_EQ(on_a_terminal([] { Progress(Progress::Result::elsewhere).read(50, 100); }), "");
+  EXPECT_EQ(on_a_terminal([] {
+              Progress(Progress::Result::elsewhere, {.quiet = true}, Language::english,
+                       Progress::Clock::duration::zero())
+                  .read(50, 100);
+            }),
+            "");
 }
 
 }  // namespace

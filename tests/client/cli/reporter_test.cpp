@@ -30,7 +30,7 @@ struct Told {
 template <class Tell>
 Told told_by(const Tell& tell) {
   Input input("/nowhere/part.nc");
-  Progress progress(false);
+  Progress progress(Progress::Result::elsewhere);
   ::testing::internal::CaptureStderr();
   {
     Reporter reporter(input, {}, progress);

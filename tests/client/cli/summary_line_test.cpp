@@ -15,35 +15,36 @@ wire::PathSummary measured() {
 }
 
 TEST(SummaryLine, SaysBlocksMaskedOnesClearanceAndTime) {
-  EXPECT_EQ(summary_line(measured(), false, 0.04, Language::english),
+  EXPECT_EQ(summary_line(measured(), LengthUnit::mm, 0.04, Language::english),
             "1,204 blocks, 3 masked, clearance 6.000 mm at N120, 0.04 s");
-  EXPECT_EQ(summary_line(measured(), false, 0.04, Language::german),
+  EXPECT_EQ(summary_line(measured(), LengthUnit::mm, 0.04, Language::german),
             "1 204 Sätze, 3 ausgeblendet, Abstand 6.000 mm bei N120, 0.04 s");
 }
 
 TEST(SummaryLine, SaysTheClearanceInTheUnitOfTheSetup) {
-  EXPECT_EQ(summary_line(measured(), true, 0.04, Language::english),
+  EXPECT_EQ(summary_line(measured(), LengthUnit::inch, 0.04, Language::english),
             "1,204 blocks, 3 masked, clearance 0.2362 inch at N120, 0.04 s");
 }
 
 TEST(SummaryLine, LeavesOutWhatThereIsNot) {
   wire::PathSummary summary;
-  EXPECT_EQ(summary_line(summary, false, 1.5, Language::english), "0 blocks, 1.50 s");
+  EXPECT_EQ(summary_line(summary, LengthUnit::mm, 1.5, Language::english), "0 blocks, 1.50 s");
   summary.summary.blocks_out = 1'234'567;
-  EXPECT_EQ(summary_line(summary, false, 1.5, Language::english), "1,234,567 blocks, 1.50 s");
+  EXPECT_EQ(summary_line(summary, LengthUnit::mm, 1.5, Language::english),
+            "1,234,567 blocks, 1.50 s");
   summary = measured();
   summary.summary.blocks_out = 1;
   summary.clearance.worst->path.number = Source::no_number;
-  EXPECT_EQ(summary_line(summary, false, 0, Language::english),
+  EXPECT_EQ(summary_line(summary, LengthUnit::mm, 0, Language::english),
             "1 block, 3 masked, clearance 6.000 mm at block 0, 0.00 s");
 }
 
 TEST(SummaryLine, SaysTheLineWhereBlocksHaveNoNumbers) {
   wire::PathSummary summary = measured();
   summary.clearance.worst->path = {.index = 11, .line = 12};
-  EXPECT_EQ(summary_line(summary, false, 0.04, Language::english),
+  EXPECT_EQ(summary_line(summary, LengthUnit::mm, 0.04, Language::english),
             "1,204 blocks, 3 masked, clearance 6.000 mm at line 12, 0.04 s");
-  EXPECT_EQ(summary_line(summary, false, 0.04, Language::german),
+  EXPECT_EQ(summary_line(summary, LengthUnit::mm, 0.04, Language::german),
             "1 204 Sätze, 3 ausgeblendet, Abstand 6.000 mm bei Zeile 12, 0.04 s");
 }
 
