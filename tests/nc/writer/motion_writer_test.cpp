@@ -221,7 +221,7 @@ TEST(Feed, IsNeverWrittenAsNone) {
   WrittenState state;
   MotionWriter(4, "").append_feed(text, 1e-15, state);
   EXPECT_EQ(text.view(), " F0.000000001");
-  EXPECT_FALSE(MotionWriter(0, "").same_feed(0.2, 0.3, false));
+  EXPECT_FALSE(MotionWriter(0, "").same_feed(0.2, 0.3, LengthUnit::mm));
 }
 
 }  // namespace
