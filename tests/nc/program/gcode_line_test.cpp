@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/nc/program/program_text.h"
+#include "core/nc/text/number_format.h"
 
 namespace trc::program {
 namespace {
