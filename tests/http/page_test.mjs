@@ -769,6 +769,34 @@ const tests = {
     assert.ok(Math.abs((await seen()).scale / scale - 1.4) < 1e-9);
   },
 
+  async 'what reaches farther than what was refused is shown as a whole'(page) {
+    const isWhole = () => page.evaluate(async () => {
+      const {camera} = await import('/page/picture.js'), {shown} = await import('/page/shown.js');
+      const {low, high} = shown.current.view, [left, bottom] = camera.toScreen({x: low.x ?? 0, y: low.y ?? 0});
+      const [right, above] = camera.toScreen({x: high.x ?? 0, y: high.y ?? 0});
+      const share = Math.max((right - left) / camera.width, (bottom - above) / camera.height);
+      return left > 0 && above > 0 && right < camera.width && bottom < camera.height && share > 0.85;
+    });
+    const compute = async radius => {
+      await page.fill('[name=tool_radius]', radius);
+      await page.click('#compute');
+      await page.waitForFunction(() => document.body.dataset.changed === 'false');
+      await page.waitForSelector('body[data-complete=true]');
+    };
+    // It lacks its radius: nothing of it is seen but the way to where the selection is.
+    await show(page, file('far.nc', 'G0 X0 Y0\nG41 G1 X10 Y0 F500\nX400\nY300\nG40 X380 Y320\nM30\n'), {tool_radius: ''});
+    assert.match(await page.textContent('#state'), /Refused/);
+    await compute('5');
+    assert.match(await page.textContent('#state'), /Compensated/);
+    assert.ok(await isWhole());
+    // Nobody who looks closer is taken away from there.
+    await page.click('#zoom-in');
+    const seen = () => page.evaluate(async () => ({...(await import('/page/picture.js')).camera}));
+    const before = await seen();
+    await compute('8');
+    assert.deepEqual(await seen(), before);
+  },
+
   async 'on a small screen all of it is there'(page) {
     await page.setViewportSize({width: 360, height: 740});
     await show(page, file('notch.nc', notch));
