@@ -152,7 +152,7 @@ constexpr auto rows = std::to_array<Sentence>({
     {"{}: the process was ended by signal {}", "{}: der Prozess wurde durch Signal {} beendet"},
     // The table of a folder, whose columns are as wide as in English.
     {"not begun", "offen"},
-    {"unchanged", "gleich"},
+    {"unchanged", "unverändert"},
     {"done", "fertig"},
     {"refused", "abgelehnt"},
     {"failed", "gescheitert"},

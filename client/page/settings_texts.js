@@ -87,6 +87,7 @@ const germanWords = {
   inside_corner: 'in der Innenecke', without_block: 'ohne Satz', linear: 'linear', circular: 'zirkular',
   absolute: 'absolut', start: 'Startpunkt', axis: 'Achse', path: 'Bahn', pre: 'Anwahl', post: 'Abwahl',
   combined: 'beide', enforce: 'und ablehnen, was zu nah kommt', report: 'und melden', refuse: 'ablehnen', copy: 'übernehmen', execute: 'ausführen', leave_out: 'weglassen',
+  units: 'ganze Einheiten', increments: 'kleinste Schritte',
   inch: 'Zoll', degrees: 'Grad',
 };
 const englishWords = {true: 'yes', false: 'no', on_path: 'on the path', inside_corner: 'inside corner', without_block: 'without block'};

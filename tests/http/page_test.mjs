@@ -409,10 +409,11 @@ const tests = {
         withoutMeaning: parameters.filter(p => !p['x-meaning']).map(p => p.name),
         unmeant: parameters.filter(p => meaning(p) === p['x-meaning']).map(p => p.name),
         otherNumbers: parameters.filter(p => digits(meaning(p)) !== digits(p['x-meaning'])).map(p => p.name),
+        asTheyAre: parameters.flatMap(p => p.schema.enum ? p['x-values'].split(', ') : []).filter(word => settingWord(word, 'de') === word),
         unsaid: parameters.map(p => p['x-values']).filter(text => / /.test(text) && !/, |in mm/.test(text) && text !== 'true or false' && settingWord(text, 'de') === text),
       };
     });
-    assert.deepEqual(found, {missing: [], unused: [], unnamed: [], saidTwice: [], withoutMeaning: [], unmeant: [], otherNumbers: [], unsaid: []});
+    assert.deepEqual(found, {missing: [], unused: [], unnamed: [], saidTwice: [], withoutMeaning: [], unmeant: [], otherNumbers: [], asTheyAre: ['xy (G17)', 'zx (G18)', 'yz (G19)', 'linear (G25)', 'linear (0)', 'utf8', 'latin1', 'mm'], unsaid: []});
     const axis = page.locator('#more-settings label', {has: page.locator('[name="options.split.axis"]')});
     const tools = page.locator('#main-settings label', {has: page.locator('[name=tools]')});
     assert.match(await tools.textContent(), /the tools of D words.*as in 1:5,2:3\.5/);
