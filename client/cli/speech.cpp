@@ -49,6 +49,9 @@ constexpr auto rows = std::to_array<Sentence>({
     {"--variable: {}", "--variable: {}"},
     {"--set: {} (all of them: trc compensate --help)", "--set: {} (alle: trc compensate --help)"},
     {"--set: {}", "--set: {}"},
+    {"{}: {} has an option of its own: write {}", "{}: {} hat eine eigene Option: {} schreiben"},
+    {"note: the environment variable {} is not read; did you mean {}?",
+     "Hinweis: die Umgebungsvariable {} wird nicht gelesen; ist {} gemeint?"},
     {"unknown setting {}; nearest: {}", "unbekannte Einstellung {}; am ähnlichsten: {}"},
     // Tables of tools and subprograms.
     {"--tools: {}", "--tools: {}"},
