@@ -55,7 +55,7 @@ class ServerInfoReactor final : public grpc::ServerUnaryReactor {
   ServerInfoReactor(Backend& backend, grpc::CallbackServerContext& context,
                     grpc::ByteBuffer& response)
       : peer_(backend.peers.of(peer_of(context))), place_(*peer_) {
-    CallRecord record(backend.telemetry, Method::get_server_info, context.peer(),
+    CallRecord record(backend.telemetry, Method::get_server_info, origin_of(context),
                       trace_of(context));
     const Ending ending = answer(backend, context, response);
     record.ended(ending);

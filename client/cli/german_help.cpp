@@ -60,7 +60,7 @@ constexpr auto rows = std::to_array<Row>({
      "Was vor der ersten Zeile gilt, wie in tool_radius=5; auch mehrmals"},
     {"Language of the program; isg without it", "Sprache des Programms; ohne Angabe isg"},
     {"What lengths count in before the program says; mm without it",
-     "Worin Längen zählen, bis das Programm es sagt; ohne Angabe mm"},
+     "Worin Längen zählen, solange das Programm nichts anderes vorgibt; ohne Angabe mm"},
     {"copy: lines with unknown G functions come out as they are while TRC is off",
      "copy: Zeilen mit unbekannten G-Funktionen bleiben, wie sie sind, solange die "
      "Korrektur aus ist"},

@@ -1,12 +1,17 @@
 #include "client/cli/job_record.h"
 
+#include <google/protobuf/struct.pb.h>
 #include <google/protobuf/util/json_util.h>
 #include <google/protobuf/util/message_differencer.h>
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <fstream>
+#include <sstream>
+#include <system_error>
 
+#include "client/cli/file_name.h"
 #include "proto/wire/json.h"
 #include "server/job_record.h"
 #include "server/sha256.h"
@@ -70,11 +75,31 @@ std::string text_of(const v1::JobRecord& record) {
 }
 
 std::string record_from(const std::string& text, v1::JobRecord& record) {
-  if (const std::string fault = wire::Json().read(text, record); !fault.empty())
-    return "it is no record of a job: " + fault;
+  const std::string fault = wire::Json().read(text, record);
+  if (!fault.empty())
+    return (is_record(text) ? "it has been changed: " : "it is no record of a job: ") + fault;
   if (record.format() != server::job_record_format)
     return "it is no record of a job: format is \"" + record.format() + "\"";
   return {};
+}
+
+bool is_record(const std::string& text) {
+  google::protobuf::Struct object;
+  if (!google::protobuf::util::JsonStringToMessage(text, &object).ok()) return false;
+  const auto format = object.fields().find("format");
+  return format != object.fields().end() &&
+         format->second.string_value() == server::job_record_format;
+}
+
+std::string file_of_record(const v1::JobFile& filed, const std::string& record) {
+  namespace fs = std::filesystem;
+  const fs::path named = name_of_text(filed.name());
+  const fs::path folder = fs::path(record).parent_path();
+  for (const fs::path& path : {named, folder / named, folder / named.filename()}) {
+    std::error_code missing;
+    if (fs::exists(path, missing)) return path;
+  }
+  return named;
 }
 
 std::string fault_of_seal(const std::string& text, const v1::JobRecord& record) {
@@ -96,7 +121,10 @@ std::vector<std::string> differences(const v1::JobRecord& filed, const v1::JobRe
   differencer.ReportDifferencesToString(&report);
   const auto compare = [&](const char* what, const auto& a, const auto& b) {
     report.clear();
-    if (!differencer.Compare(a, b)) found.push_back(std::string(what) + ": " + report);
+    if (differencer.Compare(a, b)) return;
+    std::istringstream lines(report);
+    for (std::string line; std::getline(lines, line);)
+      found.push_back(std::string(what) + ": " + line);
   };
   compare("summary", without_times(filed.summary()), without_times(again.summary()));
   v1::JobRecord told_then;
@@ -106,8 +134,6 @@ std::vector<std::string> differences(const v1::JobRecord& filed, const v1::JobRe
   *told_now.mutable_diagnostics() = again.diagnostics();
   *told_now.mutable_all_diagnostics() = again.all_diagnostics();
   compare("diagnostics", told_then, told_now);
-  for (std::string& sentence : found)
-    while (!sentence.empty() && sentence.back() == '\n') sentence.pop_back();
   return found;
 }
 

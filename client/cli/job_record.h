@@ -13,6 +13,13 @@ namespace trc::cli {
 // Returns what is wrong with the text, as a sentence; empty: it is in `record`.
 [[nodiscard]] std::string record_from(const std::string& text, v1::JobRecord& record);
 
+// Whether the text declares itself a record, whatever else it holds.
+[[nodiscard]] bool is_record(const std::string& text);
+
+// The file that a record names: by its name, in the working directory or in the folder of the
+// record, or by the last part of that name beside the record. Where there is none, the name.
+[[nodiscard]] std::string file_of_record(const v1::JobFile& filed, const std::string& record);
+
 // Whether the text of a readable record is as it was written, apart from its layout: a sentence
 // about the difference, or empty.
 [[nodiscard]] std::string fault_of_seal(const std::string& text, const v1::JobRecord& record);

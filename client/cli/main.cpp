@@ -46,6 +46,11 @@ trc::Language language_of(std::span<char* const> words) {
   return trc::cli::language_of_environment();
 }
 
+bool is_given(const CLI::App& command, const std::string& name) {
+  const CLI::Option* const option = command.get_option_no_throw(name);
+  return option != nullptr && !option->empty();
+}
+
 int run(int argc, char** argv) {
   const trc::Language language = language_of({argv, static_cast<std::size_t>(argc)});
   trc::cli::speak(language);
@@ -84,6 +89,10 @@ int run(int argc, char** argv) {
     std::cerr << trc::cli::text_of_wrong_call(app, error);
     return static_cast<int>(trc::cli::Exit::wrong_call);
   }
+  const CLI::App& command = *app.get_subcommands().front();
+  if (!is_given(command, "--quiet") && !is_given(command, "--worker"))
+    if (const std::string note = trc::cli::note_on_environment(command); !note.empty())
+      trc::cli::complain(note);
   return ended(static_cast<int>(action()));
 }
 

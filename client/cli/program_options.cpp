@@ -64,6 +64,22 @@ wire::GivenSettings given_by_options(const ProgramOptions& options) {
   return given;
 }
 
+bool is_setting(std::string_view key) {
+  return std::ranges::any_of(wire::settings(), [&](const wire::SettingRow& row) {
+    return row.key == key || row.key.substr(row.key.rfind('.') + 1) == key;
+  });
+}
+
+// Of --set: what is no setting, but an option of the command. Empty: it is not that.
+std::string meant_option(const CLI::App& command, const std::string& assignment) {
+  const std::string key(key_of(assignment));
+  std::string option = "--" + key;
+  std::ranges::replace(option, '_', '-');
+  if (is_setting(key) || command.get_option_no_throw(option) == nullptr) return {};
+  const std::string value = assignment.substr(std::min(key.size() + 1, assignment.size()));
+  return key + " has an option of its own: write " + option + " " + value;
+}
+
 bool says_a_radius(const ProgramOptions& options) {
   constexpr std::array<std::string_view, 5> of_tools{"tool_radius", "tools", "wear", "allowance",
                                                      "nominal_radius"};
@@ -152,6 +168,7 @@ void add_settings_options(CLI::App& command, ProgramOptions& options) {
       .add_option("--set", options.assignments,
                   "What holds before the first line, as in tool_radius=5; may be repeated")
       ->type_name("KEY=VALUE")
+      ->check([&command](const std::string& given) { return meant_option(command, given); })
       ->allow_extra_args(false);
   add_reading_options(command, options);
   add_tool_options(command, options);
@@ -225,7 +242,7 @@ bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup) {
       complain("--tools: " + fault);
       return false;
     }
-    if (unit_unsaid && counts_in_inch(options, setup))
+    if (unit_unsaid && !options.loudness.quiet && counts_in_inch(options, setup))
       complain("note: the radii of " + options.tools +
                " are read in mm, as the file names no unit, though the program counts in inch; a "
                "first line unit,inch or a column unit of a CSV says otherwise, --unit inch of "
@@ -235,7 +252,7 @@ bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup) {
     complain("--wear is of the tool of --radius: tools of a table have a wear of their own");
     return false;
   }
-  if (says_a_radius(options) && counts_in_inch(options, setup))
+  if (!options.loudness.quiet && says_a_radius(options) && counts_in_inch(options, setup))
     complain(
         "note: radii and wear of --radius, --wear and --set are in mm, though the program counts "
         "in inch: 0.25 inch are 6.35");

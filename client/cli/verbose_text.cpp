@@ -93,7 +93,7 @@ constexpr Words german{
     .dialect = "Dialekt ",
     .lengths_in = ", Längen in ",
     .inch = "Zoll",
-    .until_said = ", bis das Programm es sagt",
+    .until_said = ", solange das Programm nichts anderes vorgibt",
     .setup = "Vorgaben:",
     .defaults = " keine",
     .tools = "Werkzeuge:",

@@ -79,10 +79,10 @@ struct Call {
 
 // The file that was written then, as it is now: empty, or how it differs. A refused program may
 // have left none, or an older one. Where it has been moved away, that is said.
-std::string fault_of_output(const v1::JobRecord& filed) {
+std::string fault_of_output(const v1::JobRecord& filed, const std::string& record) {
   if (filed.output().name().empty() || filed.output().name() == "-" || filed.outcome() != "DONE")
     return {};
-  const std::string path = name_of_text(filed.output().name());
+  const std::string path = file_of_record(filed.output(), record);
   std::error_code missing;
   if (!std::filesystem::exists(path, missing)) {
     std::cout << told(filed.output().name() +
@@ -92,27 +92,41 @@ std::string fault_of_output(const v1::JobRecord& filed) {
   }
   // A device keeps nothing.
   if (!std::filesystem::is_regular_file(path) || is_output_of(filed, path)) return {};
-  return filed.output().name() + " does not hold what came out when this record was made";
+  return text_of_name(path) + " does not hold what came out when this record was made";
+}
+
+// Says what is wrong. Refused: it is a record, but changed into one that nothing can be made of.
+Exit read_record(const std::string& name, std::string& text, v1::JobRecord& filed) {
+  Input file(name);
+  if (!file.open()) return Exit::wrong_call;
+  for (std::string_view piece = file.read(); !piece.empty(); piece = file.read()) text += piece;
+  if (file.failed()) return Exit::wrong_call;
+  const std::string fault = record_from(text, filed);
+  if (fault.empty()) return Exit::done;
+  complain(name + ": " + fault);
+  return is_record(text) ? Exit::refused : Exit::wrong_call;
+}
+
+// The program of a record: the one that is given, or the one it names.
+bool open_program(const Call& call, Input& input) {
+  if (input.open()) return true;
+  if (call.program.file.empty())
+    complain("name the program: trc verify --record " + call.record + " FILE");
+  return false;
 }
 
 // Does the job again. What comes out otherwise is told, and what became of the file since.
 Exit check_record(const Call& call) {
-  Input file(call.record);
-  if (!file.open()) return Exit::wrong_call;
   std::string text;
-  for (std::string_view piece = file.read(); !piece.empty(); piece = file.read()) text += piece;
   v1::JobRecord filed;
-  if (const std::string fault = record_from(text, filed); file.failed() || !fault.empty()) {
-    if (!fault.empty()) complain(call.record + ": " + fault);
-    return Exit::wrong_call;
-  }
+  if (const Exit exit = read_record(call.record, text, filed); exit != Exit::done) return exit;
   // Told first: what it names may have been changed, too.
   const std::string changed = fault_of_seal(text, filed);
   if (!changed.empty()) complain(call.record + ": " + changed);
   const std::string name =
-      call.program.file.empty() ? name_of_text(filed.input().name()) : call.program.file;
+      call.program.file.empty() ? file_of_record(filed.input(), call.record) : call.program.file;
   Input input(name);
-  if (!input.open()) return Exit::wrong_call;
+  if (!open_program(call, input)) return Exit::wrong_call;
   Job job{.service = call.program.service,
           .setup = filed.setup(),
           .format = filed.output_format(),
@@ -127,7 +141,8 @@ Exit check_record(const Call& call) {
   const Exit exit = do_job(job, input, reporter, [](const std::string&) { return true; });
   if (exit != Exit::done && exit != Exit::refused) return exit;
   std::vector<std::string> found = differences(filed, job.record);
-  if (std::string fault = fault_of_output(filed); !fault.empty()) found.push_back(std::move(fault));
+  if (std::string fault = fault_of_output(filed, call.record); !fault.empty())
+    found.push_back(std::move(fault));
   for (const std::string& sentence : found) complain(call.record + ": " + sentence);
   const bool same_version = filed.server_version() == job.record.server_version() &&
                             filed.server_commit() == job.record.server_commit();

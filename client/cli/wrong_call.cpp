@@ -1,5 +1,7 @@
 #include "client/cli/wrong_call.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -153,6 +155,22 @@ std::string text_of_wrong_call(const CLI::App& app, const CLI::ParseError& fault
   if (const std::string number = meant_number(fault.what()); !number.empty())
     return name + ": " + number;
   return name + ": " + told(with_meant_choice(fault.what())) + "\n" + more_about(name);
+}
+
+std::string note_on_environment(const CLI::App& command) {
+  constexpr std::string_view known = "TRC_SERVER";
+  const CLI::Option* const server = command.get_option_no_throw("--server");
+  if (server == nullptr || !server->empty()) return {};
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    const std::string_view whole = *entry;
+    const std::string_view name = whole.substr(0, whole.find('='));
+    // Tests, builds and the packages for other languages have variables of that beginning too.
+    constexpr std::size_t most_letters = 2;
+    if (name.starts_with("TRC_") && edit_distance(name, known) <= most_letters)
+      return "note: the environment variable " + std::string(name) + " is not read; did you mean " +
+             std::string(known) + "?";
+  }
+  return {};
 }
 
 }  // namespace trc::cli

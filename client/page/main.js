@@ -55,7 +55,7 @@ $('save-record').addEventListener('click', async () => {
   } catch (error) { fail(error); }
 });
 
-$('form').addEventListener('submit', event => { event.preventDefault(); compute(false); });
+$('form').addEventListener('submit', event => { event.preventDefault(); compute(); });
 $('form').addEventListener('input', event => {
   event.target.setCustomValidity('');
   const {view, settings} = shown.current ?? {};
@@ -100,7 +100,7 @@ $('language').addEventListener('change', () => {
   translate($('language').value);
   shown.options?.translate();
   // Messages come in the language they were asked for in.
-  if (shown.current?.view) { if (inside) showSaid(shown.current.view); else compute(false); }
+  if (shown.current?.view) { if (inside) showSaid(shown.current.view); else compute(); }
 });
 
 async function begin() {

@@ -82,10 +82,17 @@ export const isShown = (style, rapid) => (shown.layers >> style & 1) === 1 && (!
 
 const corner = point => ({x: point?.x ?? 0, y: point?.y ?? 0});
 
-// What the camera shows where all is seen; a window of another size shows all again.
+// What the camera showed where all was seen; null: what comes next is seen as a whole.
 let whole = null;
+export function seeAllNext() { whole = null; }
+
+// Shows all again, unless somebody has looked closer or elsewhere since.
+export function showAllAgain() {
+  if (!whole || ['x', 'y', 'scale'].every(name => camera[name] === whole[name])) showAll();
+}
+
 export function resized() {
-  if (whole && ['x', 'y', 'scale'].every(name => camera[name] === whole[name])) showAll();
+  showAllAgain();
   redraw();
 }
 

@@ -1,7 +1,7 @@
 // Programs, and what the service makes of them: views, compared two at a time.
 import {api, inside} from './api.js';
 import {fail, hasOwnRadius, input, lengthOf, output, reasonOf, say, showSaid, Unreadable} from './found.js';
-import {redraw, showAll} from './picture.js';
+import {redraw, seeAllNext, showAllAgain} from './picture.js';
 import {Tiles} from './scene.js';
 import {settingName, settingWord} from './settings_texts.js';
 import {$, shown, withUnit} from './shown.js';
@@ -24,11 +24,12 @@ export async function choose(program) {
   shown.current = program;
   $('programs').value = shown.programs.indexOf(program);
   if (program.settings && shown.options) shown.options.values = program.settings;
-  await compute(true);
+  seeAllNext();
+  await compute();
 }
 
 let latest = null;
-export async function compute(fit) {
+export async function compute() {
   const program = shown.current;
   if (!program) return;
   latest?.abort();
@@ -55,7 +56,7 @@ export async function compute(fit) {
     showNothing();
     return fail(error.problem || await isReadable(program) ? error : new Unreadable());
   }
-  await Promise.all([show(program, fit), learn(program, program.view), program.compareWith && compare(program)]);
+  await Promise.all([show(program), learn(program, program.view), program.compareWith && compare(program)]);
 }
 
 const isReadable = ({text}) => !(text instanceof Blob) || text.slice(0, 1).arrayBuffer().then(() => true, () => false);
@@ -87,7 +88,7 @@ async function learn(program, view) {
 function tilesOf(view) {
   const tiles = new Tiles(view, redraw);
   // The server has given the view up: it is made again.
-  tiles.lost = error => { if (error.problem?.reason === 'VIEW_GONE' && shown.current?.view === view) compute(false); };
+  tiles.lost = error => { if (error.problem?.reason === 'VIEW_GONE' && shown.current?.view === view) compute(); };
   return tiles;
 }
 
@@ -100,7 +101,7 @@ function forget(program) {
   program.view = program.tiles = null;
 }
 
-async function show(program, fit) {
+async function show(program) {
   const {view, tiles} = program;
   shown.line = 0;
   shown.place = null;
@@ -120,7 +121,8 @@ async function show(program, fit) {
   $('survey').disabled = inside !== null;
   $('largest').replaceChildren();
   showSaid(view);
-  if (fit) showAll();
+  // Another path may reach farther.
+  showAllAgain();
   redraw();
   document.body.dataset.view = view.id;
   await input.show(view);

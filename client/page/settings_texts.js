@@ -87,6 +87,7 @@ const germanWords = {
   inside_corner: 'in der Innenecke', without_block: 'ohne Satz', linear: 'linear', circular: 'zirkular',
   absolute: 'absolut', start: 'Startpunkt', axis: 'Achse', path: 'Bahn', pre: 'Anwahl', post: 'Abwahl',
   combined: 'beide', enforce: 'und ablehnen, was zu nah kommt', report: 'und melden', refuse: 'ablehnen', copy: 'übernehmen', execute: 'ausführen', leave_out: 'weglassen',
+  units: 'ganze Einheiten', increments: 'kleinste Schritte',
   inch: 'Zoll', degrees: 'Grad',
 };
 const englishWords = {true: 'yes', false: 'no', on_path: 'on the path', inside_corner: 'inside corner', without_block: 'without block'};
@@ -152,8 +153,8 @@ const germanMeanings = {
   'number the blocks anew, also those that are inserted': 'die Sätze neu nummerieren, auch die eingefügten',
   'lines that a program with loops and calls executes at most (900301)':
     'so viele Zeilen führt ein Programm mit Schleifen und Aufrufen höchstens aus (900301)',
-  'what variables hold that the program does not set itself; not isg, heidenhain':
-    'was Variablen enthalten, die das Programm nicht selbst setzt; nicht isg, heidenhain',
+  'what variables hold that the program does not set itself':
+    'was Variablen enthalten, die das Programm nicht selbst setzt',
   'the tools of D words, and of T words in a program without D': 'die Werkzeuge der D-Wörter, ohne D im Programm der T-Wörter',
   'the control the program is for': 'die Steuerung, für die das Programm ist',
   'what the program counts in where it does not say so itself': 'worin das Programm zählt, wo es das nicht selbst sagt',

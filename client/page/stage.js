@@ -1,7 +1,7 @@
 // Pointer, fingers and keys on the picture, and the tool on its way.
 import {api} from './api.js';
 import {input, mark, output} from './found.js';
-import {camera, redraw, showAll} from './picture.js';
+import {camera, redraw, seeAllNext, showAll} from './picture.js';
 import {axesOf} from './planes.js';
 import {compute} from './results.js';
 import {$, inUnit, positionText, shown, unitOf, withUnit} from './shown.js';
@@ -149,5 +149,6 @@ stage.addEventListener('focus', redraw);
 stage.addEventListener('blur', redraw);
 $('plane').addEventListener('change', () => {
   shown.current.plane = {PLANE_XY: 'xy', PLANE_ZX: 'zx', PLANE_YZ: 'yz'}[$('plane').value];
-  compute(true);
+  seeAllNext();
+  compute();
 });

@@ -1008,7 +1008,7 @@ constexpr auto rows = std::to_array<Explanation>({
                 "G0 X0. Y0.\n"
                 "#500=#1\n"
                 "M30\n",
-     .options = "--dialect fanuc --variable #500=7"},
+     .options = "--dialect fanuc --variable '#500=7'"},
     {.code = Code::way_crosses_contour,
      .meaning =
          "Approach and retract run as programmed, and are measured beside the path: here the "

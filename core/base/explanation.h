@@ -18,7 +18,8 @@ struct Explanation {
   // The remedy in the names of the command line; empty: the row applies.
   std::string_view on_command_line{};
   std::string_view example{};  // a program that raises it, of ISG unless the options say otherwise
-  std::string_view options{};  // of `trc compensate`, which the example needs
+  // Of `trc compensate`, which the example needs, as a shell takes them.
+  std::string_view options{};
   // A part of the example that repeats too often to be shown in full; empty: none.
   std::string_view repeated{};
   std::uint32_t times = 1;

@@ -228,7 +228,8 @@ constexpr auto rows = std::to_array<GermanRow>({
      .title = "das ist ein Drehprogramm: Drehen wird hier nicht korrigiert",
      .help = "Die Schneidenradiuskorrektur der Drehmaschine überlassen."},
     {.code = Code::motion_unknown,
-     .title = "eine Kontur fährt, obwohl das Programm nicht gesagt hat, ob im Vorschub oder im "
+     .title = "in einer Kontur wird gefahren, obwohl das Programm nicht gesagt hat, ob im Vorschub "
+              "oder im "
               "Eilgang",
      .help = "G01 (oder G00) vor der Kontur oder in ihrem ersten Satz programmieren."},
 
@@ -408,7 +409,7 @@ constexpr auto rows = std::to_array<GermanRow>({
      .on_command_line = "Nach einer Schleife suchen, die nie endet. Ist das Programm so lang "
                         "gemeint: --max-executed-lines."},
     {.code = Code::calls_too_deep,
-     .title = "Unterprogramme rufen einander zu tief auf",
+     .title = "Unterprogramme sind zu tief verschachtelt",
      .help = "Nach einem Unterprogramm suchen, das sich selbst aufruft. Keine Steuerung erlaubt "
              "mehr als einige Ebenen."},
     {.code = Code::variable_unset,

@@ -118,8 +118,7 @@ constexpr auto rows = std::to_array<SettingMeaning>({
     {"max_executed_lines", "lines that a program with loops and calls executes at most (900301)",
      "", "10000000", 1, 1e9},
     {"tools", "the tools of D words, and of T words in a program without D", "", ""},
-    {"variables", "what variables hold that the program does not set itself; not isg, heidenhain",
-     "", ""},
+    {"variables", "what variables hold that the program does not set itself", "", ""},
 });
 
 // Those of options, made of what is said of the #TRC words.

@@ -36,9 +36,9 @@ std::optional<std::string> fault_of_plain_port(const std::string& name, const st
 
 std::optional<std::string> fault_of_file(const std::string& name, const std::string& path) {
   if (path.empty()) return std::nullopt;
-  const std::string fault = PlainFile::read(path).fault;
+  std::string fault = PlainFile::read(path).fault_of(name, path);
   if (fault.empty()) return std::nullopt;
-  return name + ": cannot read '" + path + "': " + fault;
+  return fault;
 }
 
 std::optional<std::string> fault_of_http(const Config& config, bool tls) {

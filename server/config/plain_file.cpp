@@ -33,4 +33,8 @@ PlainFile PlainFile::read(const std::string& path) {
   return result;
 }
 
+std::string PlainFile::fault_of(const std::string& setting, const std::string& path) const {
+  return fault.empty() ? fault : setting + ": cannot read '" + path + "': " + fault;
+}
+
 }  // namespace trc::server

@@ -15,6 +15,8 @@ struct PlainFile {
 
   // Never blocks.
   static PlainFile read(const std::string& path);
+  // What is wrong with the file of a setting, for whoever gave it; empty: nothing.
+  [[nodiscard]] std::string fault_of(const std::string& setting, const std::string& path) const;
 };
 
 }  // namespace trc::server

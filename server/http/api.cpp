@@ -169,7 +169,8 @@ Service::Admission Api::admit(const Request& head) {
 void Api::handle(const ExchangePointer& exchange) {
   const Stay stay(*this);
   if (stopping()) return exchange->break_off();
-  const Request& request = exchange->request();
+  Request& request = exchange->request();
+  request.trace = trace_of(request.header("traceparent"));
   if (request.method == "OPTIONS")
     return exchange->answer(
         {.status = 204, .headers = {{"Allow", methods_at(request.path) + ", OPTIONS"}}}, {});
@@ -242,19 +243,19 @@ void Api::decorate(const Request& request, Head& head) {
 }
 
 void Api::log(const Request& request, unsigned status, std::uint64_t bytes, double ms) {
-  backend_.telemetry.log.info(LogLine("http")
-                                  .text("method", request.method)
-                                  .text("path", request.path)
-                                  .text("peer", request.peer)
-                                  .number("status", std::uint64_t{status})
-                                  .number("bytes_out", bytes)
-                                  .number("ms", ms));
+  LogLine line("http");
+  line.text("method", request.method).text("path", request.path).text("peer", request.peer);
+  // None of a request that was refused by its head.
+  if (!request.trace.trace_id.empty()) add_trace(line, request.trace);
+  line.number("status", std::uint64_t{status}).number("bytes_out", bytes).number("ms", ms);
+  backend_.telemetry.log.info(line);
 }
 
 std::shared_ptr<RpcCall> Api::call(RpcCall::Options options, const Request& request,
                                    RpcCall::Done done) {
-  options.traceparent = std::string(request.header("traceparent"));
+  options.traceparent = traceparent_of(request.trace);
   options.client = client_of(request.peer);
+  options.address = request.peer;
   (void)read_timeout(request.header("connect-timeout-ms"), options.timeout);
   begin();
   auto call = RpcCall::start(channel_, options,

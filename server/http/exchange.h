@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "server/telemetry/trace.h"
+
 namespace trc::server::http {
 
 // Names and values in the order they came or go.
@@ -25,6 +27,7 @@ struct Request {
   Pairs headers{};   // names in lower case
   std::string body{};
   std::string peer;
+  Trace trace{};  // RPCs made of it are part of; empty before it is handled
 
   // Empty when there is none.
   [[nodiscard]] std::string_view header(std::string_view name) const;

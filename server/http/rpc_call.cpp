@@ -15,6 +15,7 @@ std::shared_ptr<RpcCall> RpcCall::start(const std::shared_ptr<grpc::Channel>& ch
   call->done_ = std::move(done);
   if (!options.traceparent.empty()) call->context_.AddMetadata("traceparent", options.traceparent);
   if (!options.client.empty()) call->context_.AddMetadata(client_of_http, options.client);
+  if (!options.address.empty()) call->context_.AddMetadata(address_of_http, options.address);
   if (!options.run_tap.empty()) call->context_.AddMetadata(RunTaps::metadata, options.run_tap);
   if (options.timeout)
     call->context_.set_deadline(std::chrono::system_clock::now() + *options.timeout);

@@ -30,6 +30,7 @@ class RpcCall final : public grpc::ClientBidiReactor<grpc::ByteBuffer, grpc::Byt
     std::optional<std::chrono::milliseconds> timeout{};
     std::string run_tap{};  // as of RunTaps; empty: none
     std::string client{};   // whose limits it counts to, as peer_of has it; empty: this process
+    std::string address{};  // where that one is, for the log; empty: this process
   };
 
   // `done` comes last, after reading has ended.

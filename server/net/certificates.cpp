@@ -148,14 +148,27 @@ std::string fault_of_dates(const Certificates::Files& files, const Certificate& 
   return {};
 }
 
+// What keeps a file from being read, of the first one that is not.
+std::string read_files(const Certificates::Files& files, Certificate& read) {
+  std::string fault;
+  const auto take = [&](const char* setting, const std::string& path, std::string& content) {
+    PlainFile file = PlainFile::read(path);
+    if (fault.empty()) fault = file.fault_of(setting, path);
+    content = std::move(file.content);
+  };
+  take("tls-cert-file", files.chain, read.chain);
+  take("tls-key-file", files.key, read.key);
+  if (!files.client_authorities.empty())
+    take("tls-client-ca-file", files.client_authorities, read.client_authorities);
+  return fault;
+}
+
 }  // namespace
 
 Certificates::Reload Certificates::reload(std::string& fault) {
-  Certificate read{.chain = PlainFile::read(files_.chain).content,
-                   .key = PlainFile::read(files_.key).content};
-  if (!files_.client_authorities.empty())
-    read.client_authorities = PlainFile::read(files_.client_authorities).content;
-
+  Certificate read;
+  fault = read_files(files_, read);
+  if (!fault.empty()) return Reload::refused;
   const auto before = current();
   if (before != nullptr && before->chain == read.chain && before->key == read.key &&
       before->client_authorities == read.client_authorities)

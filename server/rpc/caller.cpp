@@ -15,6 +15,14 @@ namespace {
 // its own transport there. Who comes through a port has an address, whatever he says.
 bool is_own_process(std::string_view peer) { return peer == "inproc" || peer == "unknown"; }
 
+// What a call of this process' own says in its metadata; of all others, and else, `otherwise`.
+std::string said_by_own_process(const grpc::CallbackServerContext& context, const char* name,
+                                std::string otherwise) {
+  const auto found = context.client_metadata().find(name);
+  if (!is_own_process(context.peer()) || found == context.client_metadata().end()) return otherwise;
+  return {found->second.data(), found->second.size()};
+}
+
 // Whether a certificate carries a name. A URI is taken for one only where the list says a URI: one
 // that reads like the name of a machine must not pass for that machine.
 bool carries(const grpc::AuthContext& certificate, const std::string& name) {
@@ -46,10 +54,11 @@ std::string peer_of(const grpc::CallbackServerContext& context) {
       if (!names.empty() && !names.front().empty())
         return "certificate:" + std::string(names.front().data(), names.front().size());
     }
-  std::string peer = peer_of_address(context.peer());
-  const auto client = context.client_metadata().find(client_of_http);
-  const bool is_of_http = is_own_process(peer) && client != context.client_metadata().end();
-  return is_of_http ? std::string(client->second.data(), client->second.size()) : peer;
+  return said_by_own_process(context, client_of_http, peer_of_address(context.peer()));
+}
+
+std::string origin_of(const grpc::CallbackServerContext& context) {
+  return said_by_own_process(context, address_of_http, context.peer());
 }
 
 std::optional<Ending> refuse_caller(const grpc::CallbackServerContext& context,

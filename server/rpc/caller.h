@@ -17,6 +17,12 @@ namespace trc::server {
 // Metadata of calls of this process: the client of HTTP that the call is made for.
 inline constexpr const char* client_of_http = "trc-client-of-http";
 
+// And the address of that client, as in "192.0.2.7:40000".
+inline constexpr const char* address_of_http = "trc-address-of-http";
+
+// The address of the caller as the log names it, also for HTTP.
+[[nodiscard]] std::string origin_of(const grpc::CallbackServerContext& context);
+
 // The peer whose limits and share the call counts to: the name in the client's certificate, else
 // the address, also for HTTP.
 [[nodiscard]] std::string peer_of(const grpc::CallbackServerContext& context);

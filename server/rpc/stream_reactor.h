@@ -50,7 +50,7 @@ class StreamReactor
         context_(context),
         peer_(backend.peers.of(peer_of(context))),
         account_(backend, *peer_),
-        record_(backend.telemetry, method, context.peer(), trace_of(context)) {}
+        record_(backend.telemetry, method, origin_of(context), trace_of(context)) {}
 
   // Admits the stream or refuses it. The reactor keeps itself alive until OnDone.
   void start(std::unique_ptr<Work> work) {

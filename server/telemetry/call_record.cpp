@@ -85,7 +85,7 @@ void CallRecord::log_end(const Ending& ending, double seconds) const {
   if (!ending.reason.empty()) line.text("reason", ending.reason);
   if (!ending.status.ok()) line.text("message", ending.status.error_message());
   if (!client_tag_.empty()) line.text("client_tag", client_tag_);
-  add_trace(line);
+  add_trace(line, trace_);
   line.number("blocks_in", blocks_in_)
       .number("blocks_out", blocks_out_)
       .number("messages_in", messages_in_)
@@ -94,17 +94,12 @@ void CallRecord::log_end(const Ending& ending, double seconds) const {
   telemetry_.log.info(line);
 }
 
-void CallRecord::add_trace(LogLine& line) const {
-  line.text("trace_id", trace_.trace_id).text("span_id", trace_.span_id);
-  if (!trace_.parent_id.empty()) line.text("parent_id", trace_.parent_id);
-}
-
 Ending CallRecord::incident(std::string_view what) noexcept {
   try {
     const std::string id = new_incident_id();
     LogLine line("incident");
     line.text("incident_id", id).text("method", name_of(method_)).text("what", what);
-    add_trace(line);
+    add_trace(line, trace_);
     telemetry_.log.error(line);
     return refuse(Refusal::internal, "incident " + id, {{"incident_id", id}});
   } catch (const std::exception&) {

@@ -41,7 +41,6 @@ class CallRecord {
   [[nodiscard]] static Ending out_of_memory() noexcept;
 
  private:
-  void add_trace(LogLine& line) const;
   void log_end(const Ending& ending, double seconds) const;
 
   using Clock = std::chrono::steady_clock;

@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <random>
 
+#include "server/telemetry/log.h"
+
 namespace trc::server {
 namespace {
 
@@ -52,6 +54,15 @@ Trace trace_of(std::string_view traceparent) {
   if (trace.trace_id.empty()) trace.trace_id = random_id(32);
   trace.span_id = random_id(16);
   return trace;
+}
+
+std::string traceparent_of(const Trace& trace) {
+  return "00-" + trace.trace_id + "-" + trace.span_id + "-00";
+}
+
+void add_trace(LogLine& line, const Trace& trace) {
+  line.text("trace_id", trace.trace_id).text("span_id", trace.span_id);
+  if (!trace.parent_id.empty()) line.text("parent_id", trace.parent_id);
 }
 
 }  // namespace trc::server

@@ -182,6 +182,13 @@ TEST(Certificates, PairThatDoesNotMatchLeavesTheOldOne) {
     EXPECT_TRUE(call(secure_channel(server.address(), trusting)).status.ok());
   }
   EXPECT_TRUE(has_line(server, "\"certificate_refused\""));
+  // In the words of the start.
+  ASSERT_EQ(std::remove(folder.path("key.pem").c_str()), 0);
+  server.signal(SIGHUP);
+  EXPECT_TRUE(eventually([&] {
+    return has_line(server, "tls-key-file: cannot read '" + folder.path("key.pem") +
+                                "': No such file or directory");
+  }));
   // No secret has reached the log.
   EXPECT_EQ(server.log().find("PRIVATE"), std::string::npos);
 }

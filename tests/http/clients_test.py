@@ -55,6 +55,24 @@ class Programs(unittest.TestCase):
             self.assertEqual(answer.read(), self.expected("--set", "tool_radius=5"))
             self.assertEqual(answer.headers["Trc-Status"], "OK")
 
+    def test_lines_of_the_log_say_who_asked_and_are_joined_by_their_trace(self):
+        trace = "4bf92f3577b34da6a3ce929d0e0e4736"
+        for given in ({"traceparent": f"00-{trace}-00f067aa0ba902b7-01"}, {}):
+            path = f"/v1/programs:compensate?tool_radius=5&client_tag=joined{len(given)}"
+            self.assertEqual(self.server.ask("POST", path, SQUARE, {**TEXT, **given})[0], 200)
+            said = self.server.said_soon(rf'"rpc".*"client_tag":"joined{len(given)}"')
+            rpc = [json.loads(line) for line in said.splitlines()
+                   if f'"client_tag":"joined{len(given)}"' in line][-1]
+            self.assertRegex(rpc["peer"], r"^127\.0\.0\.1:\d+$")
+            said = self.server.said_soon(rf'"event":"http".*"trace_id":"{rpc["trace_id"]}"')
+            http_line = [json.loads(line) for line in said.splitlines() if '"event":"http"' in line
+                         and rpc["trace_id"] in line][-1]
+            self.assertEqual(http_line["peer"], rpc["peer"])
+            self.assertEqual(http_line["span_id"], rpc["parent_id"])
+            if given:
+                self.assertEqual((rpc["trace_id"], http_line["parent_id"]),
+                                 (trace, "00f067aa0ba902b7"))
+
     def test_nc_text_tells_its_warnings_beside_its_status(self):
         clean = self.server.ask("POST", "/v1/programs:compensate?tool_radius=5", SQUARE, TEXT)
         self.assertEqual(clean[1]["Trc-Warnings"], "0")

@@ -409,10 +409,11 @@ const tests = {
         withoutMeaning: parameters.filter(p => !p['x-meaning']).map(p => p.name),
         unmeant: parameters.filter(p => meaning(p) === p['x-meaning']).map(p => p.name),
         otherNumbers: parameters.filter(p => digits(meaning(p)) !== digits(p['x-meaning'])).map(p => p.name),
+        asTheyAre: parameters.flatMap(p => p.schema.enum ? p['x-values'].split(', ') : []).filter(word => settingWord(word, 'de') === word),
         unsaid: parameters.map(p => p['x-values']).filter(text => / /.test(text) && !/, |in mm/.test(text) && text !== 'true or false' && settingWord(text, 'de') === text),
       };
     });
-    assert.deepEqual(found, {missing: [], unused: [], unnamed: [], saidTwice: [], withoutMeaning: [], unmeant: [], otherNumbers: [], unsaid: []});
+    assert.deepEqual(found, {missing: [], unused: [], unnamed: [], saidTwice: [], withoutMeaning: [], unmeant: [], otherNumbers: [], asTheyAre: ['xy (G17)', 'zx (G18)', 'yz (G19)', 'linear (G25)', 'linear (0)', 'utf8', 'latin1', 'mm'], unsaid: []});
     const axis = page.locator('#more-settings label', {has: page.locator('[name="options.split.axis"]')});
     const tools = page.locator('#main-settings label', {has: page.locator('[name=tools]')});
     assert.match(await tools.textContent(), /the tools of D words.*as in 1:5,2:3\.5/);
@@ -767,6 +768,34 @@ const tests = {
     await page.click('#zoom-in');
     await resize({width: 1400, height: 900});
     assert.ok(Math.abs((await seen()).scale / scale - 1.4) < 1e-9);
+  },
+
+  async 'what reaches farther than what was refused is shown as a whole'(page) {
+    const isWhole = () => page.evaluate(async () => {
+      const {camera} = await import('/page/picture.js'), {shown} = await import('/page/shown.js');
+      const {low, high} = shown.current.view, [left, bottom] = camera.toScreen({x: low.x ?? 0, y: low.y ?? 0});
+      const [right, above] = camera.toScreen({x: high.x ?? 0, y: high.y ?? 0});
+      const share = Math.max((right - left) / camera.width, (bottom - above) / camera.height);
+      return left > 0 && above > 0 && right < camera.width && bottom < camera.height && share > 0.85;
+    });
+    const compute = async radius => {
+      await page.fill('[name=tool_radius]', radius);
+      await page.click('#compute');
+      await page.waitForFunction(() => document.body.dataset.changed === 'false');
+      await page.waitForSelector('body[data-complete=true]');
+    };
+    // It lacks its radius: nothing of it is seen but the way to where the selection is.
+    await show(page, file('far.nc', 'G0 X0 Y0\nG41 G1 X10 Y0 F500\nX400\nY300\nG40 X380 Y320\nM30\n'), {tool_radius: ''});
+    assert.match(await page.textContent('#state'), /Refused/);
+    await compute('5');
+    assert.match(await page.textContent('#state'), /Compensated/);
+    assert.ok(await isWhole());
+    // Nobody who looks closer is taken away from there.
+    await page.click('#zoom-in');
+    const seen = () => page.evaluate(async () => ({...(await import('/page/picture.js')).camera}));
+    const before = await seen();
+    await compute('8');
+    assert.deepEqual(await seen(), before);
   },
 
   async 'on a small screen all of it is there'(page) {

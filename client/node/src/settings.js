@@ -1,12 +1,22 @@
 // Options of a call as the setup of the protocol. Each field of ProgramSetup, PathSetup and
 // TrcOptions has its own name, in camel case; enums also by the word of the control.
 
+/** Of a setting given under both names: which of the values is meant is not guessed. */
+function twoNames(one, other) {
+  return new TypeError(`${one} and ${other} are one setting; give it under one of these names`);
+}
+
 /** With those `subprograms` that are bytes, as a file has them, in `subprogramFiles`. */
 function withFilesOfBytes({ subprograms, ...given }) {
   if (subprograms === null || typeof subprograms !== "object") return { subprograms, ...given };
   const [files, texts] = [true, false].map((isBytes) => Object.fromEntries(
     Object.entries(subprograms).filter(([, text]) => ArrayBuffer.isView(text) === isBytes)));
-  return { ...given, subprograms: texts, subprogramFiles: { ...given.subprogramFiles, ...files } };
+  const named = given.subprogramFiles ?? {};
+  for (const name of Object.keys(files)) {
+    if (named[name] !== undefined)
+      throw twoNames(`subprograms["${name}"]`, `subprogramFiles["${name}"]`);
+  }
+  return { ...given, subprograms: texts, subprogramFiles: { ...named, ...files } };
 }
 
 /** In how many letters two names differ: one more, one less or another. */
@@ -40,20 +50,24 @@ export class Settings {
     const path = this.#schema.fieldsOf("PathSetup");
     const options = this.#schema.fieldsOf("TrcOptions");
     const setup = {};
+    const short = {};
     for (const [name, value] of Object.entries(given)) {
       const field = name === "radius" ? "toolRadius" : name;
       if (value === undefined) continue;
+      if (setup[field] !== undefined) throw twoNames("radius", "toolRadius");
       if (path.has(field)) {
         setup[field] = this.#schema.value(path.get(field), value, name);
       } else if (options.has(field)) {
-        const option = this.#schema.value(options.get(field), value, name);
-        setup.options = { ...setup.options, [field]: option };
+        short[field] = this.#schema.value(options.get(field), value, name);
       } else {
         const own = this.#schema.fieldsOf("ProgramSetup").keys();
         const known = ["radius", ...path.keys(), ...options.keys(), ...own];
         throw new TypeError(`"${name}" is no setting; ${likely(name, known)}`);
       }
     }
+    for (const name of Object.keys(short))
+      if (setup.options?.[name] !== undefined) throw twoNames(name, `options.${name}`);
+    if (Object.keys(short).length) setup.options = { ...setup.options, ...short };
     return setup;
   }
 

@@ -84,6 +84,30 @@ test("settings of another type", async () => {
     await isRefused(compensate(pocket, { tools }), /tools/);
 });
 
+test("a setting under two names", async () => {
+  const path = [left, to(10, 0), to(50, 0), off, to(60, -20)];
+  const calls = [(setup) => compensate(pocket, setup), (setup) => compensatePath(path, setup),
+    (setup) => surveyRadii(pocket, { radii: [3], ...setup }),
+    (setup) => surveyRadii(path, { radii: [3], ...setup })];
+  for (const [given, words] of [
+    [{ radius: 5, toolRadius: 4 }, /radius and toolRadius/],
+    [{ options: { reverse: true }, reverse: false }, /reverse and options\.reverse/]]) {
+    for (const order of [given, Object.fromEntries(Object.entries(given).reverse())])
+      for (const call of calls) await isRefused(call(order), words);
+  }
+  await isRefused(compensate(pocket, {
+    radius: 5, dialect: "FANUC", subprograms: { "O7.nc": Buffer.from("O7\nM99\n") },
+    subprogramFiles: { "O7.nc": Buffer.from("O7\nG4\nM99\n") },
+  }), /subprograms\["O7.nc"\] and subprogramFiles/);
+});
+
+test("options of both forms are joined", async () => {
+  const both = { stretchFactor: 20, options: { reverse: true } };
+  for (const order of [both, Object.fromEntries(Object.entries(both).reverse())])
+    await assert.rejects(compensate(pocket, { radius: 5, toolRadius: undefined, ...order }),
+      /stretch_factor is 20/);
+});
+
 test("blocks whose members are misspelled or of another type", async () => {
   for (const block of [{ linear: { end: { X: 10 } } }, { lineer: {} }, { linear: { end: { x: "1" } } },
     to(NaN, 0), null, 5, {}, { ...to(1, 2), circular: {} }, { passthrough: { text: 5 } },

@@ -21,7 +21,7 @@ import numpy as np
 
 import trc
 import trc.aio
-from trc import local
+from trc import local, settings
 from trc.v1 import setup_pb2, trc_service_pb2
 
 POCKET = """%POCKET
@@ -170,6 +170,28 @@ class WrongArguments(unittest.TestCase):
         self.is_refused(TypeError, "did you mean 'transition'", trc.compensate, POCKET, radius=5,
                         transitions="G26")
         self.is_refused(TypeError, "did you mean 'radius'", trc.compensate, POCKET, radiuss=5)
+
+    def test_setting_under_two_names(self):
+        two = {"radius": 5, "tool_radius": 4}
+        nested = {"options": {"reverse": True}, "reverse": False}
+        path = trc.Path().left().line(10, 0).line(50).off().line(60, -20)
+        for given, words in (two, "radius and tool_radius"), (nested, r"reverse and options\["):
+            for order in given, dict(reversed(given.items())):
+                for call, *of in ((trc.compensate, POCKET), (trc.compensate_path, path),
+                                  (trc.survey_radii, POCKET, [3]), (trc.survey_radii, path, [3])):
+                    with self.subTest(call=call, given=order):
+                        self.is_refused(TypeError, words, call, *of, **order)
+        self.is_refused(TypeError, "subprograms.*and subprogram_files", trc.compensate, POCKET,
+                        radius=5, dialect="FANUC", subprograms={"O7.nc": b"O7\nM99\n"},
+                        subprogram_files={"O7.nc": b"O7\nG4\nM99\n"})
+
+    def test_options_of_both_forms_are_joined(self):
+        both = {"options": {"reverse": True}, "stretch_factor": 2}
+        for order in both, dict(reversed(both.items())):
+            self.assertEqual(settings.path_setup(order),
+                             settings.path_setup({"reverse": True, "stretch_factor": 2}))
+        self.assertEqual(trc.compensate(POCKET, radius=5, tool_radius=None).text,
+                         trc.compensate(POCKET, radius=5).text)
 
     def test_computed_coordinate_that_is_no_number(self):
         self.is_refused(ValueError, "x is nan", trc.Path().left().line, NAN, 0)

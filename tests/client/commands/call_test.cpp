@@ -43,6 +43,24 @@ TEST(WrongCall, SaysWhatWasLikelyMeant) {
             std::string::npos);
 }
 
+// What has an option of its own is no setting of --set.
+TEST(WrongCall, SaysWhichOptionIsMeantBySet) {
+  for (const auto& [given, meant] : std::to_array<std::array<const char*, 2>>(
+           {{"dialect=fanuc", "write --dialect fanuc\n"},
+            {"unit=inch", "write --unit inch\n"},
+            {"radius=5", "write --radius 5\n"},
+            {"unknown_words=copy", "write --unknown-words copy\n"}})) {
+    const Ended ended = trc({"compensate", "part.nc", "--set", given});
+    EXPECT_EQ(ended.code, 2);
+    EXPECT_NE(ended.err.find(meant), std::string::npos) << ended.err;
+    EXPECT_EQ(ended.err.find("nearest"), std::string::npos) << ended.err;
+  }
+  EXPECT_EQ(trc({"compensate", "-", "--set", "tool_radius=5", "--set", "wear=0"}, demo).code, 0);
+  const Ended german = trc({"--lang", "de", "compensate", "part.nc", "--set", "lang=de"});
+  EXPECT_NE(german.err.find("lang hat eine eigene Option: --lang de schreiben"), std::string::npos)
+      << german.err;
+}
+
 // Shops call controls and units by other names.
 TEST(WrongCall, SaysWhichChoiceWasLikelyMeant) {
   for (const auto& [option, given, meant] :

@@ -210,6 +210,7 @@ TEST(Compensate, SaysThatItTookRadiiInMmForAProgramInInch) {
     return ended.err.find("are read in mm") != std::string::npos;
   };
   EXPECT_TRUE(told(program, tools));
+  EXPECT_FALSE(told(program, tools, {"-q"}));
   EXPECT_TRUE(told("-", tools, {"--unit", "inch"}));
   EXPECT_FALSE(told("-", tools));
   EXPECT_FALSE(told(program, inches));

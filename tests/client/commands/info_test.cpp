@@ -77,16 +77,18 @@ TEST(Explain, SaysWhatACodeMeansAndWhatHelps) {
   EXPECT_EQ(trc({"explain", "--example"}).code, 2);
 }
 
-// Words of a call behind "| trc compensate -" in what explains a code; nothing: no example.
+// Words of a call behind "| trc compensate -" in what explains a code, as a shell takes them;
+// nothing: no example.
 std::optional<std::vector<std::string>> call_of(const std::string& explained,
                                                 const std::string& command = "compensate") {
   const std::string before = "--example | trc " + command + " -";
   const std::size_t at = explained.find(before);
   if (at == std::string::npos) return std::nullopt;
   const std::size_t begin = at + before.size();
-  std::istringstream line(explained.substr(begin, explained.find('\n', begin) - begin));
+  const std::string words = explained.substr(begin, explained.find('\n', begin) - begin);
   std::vector<std::string> call{command, "-"};
-  for (std::string word; line >> word;) call.push_back(word);
+  for (std::string& word : lines_of(run({"/bin/sh", "-c", "printf '%s\\n'" + words}).out))
+    if (!word.empty()) call.push_back(std::move(word));
   return call;
 }
 

@@ -174,7 +174,7 @@ TEST(Verbose, SpeaksGermanAndInTheUnitOfTheProgram) {
       trc({"compensate", file, "-v", "--lang", "de", "--set", "tools=1:5,2:3.5:-0.02"});
   EXPECT_EQ(ended.code, 0) << ended.err;
   for (const char* said :
-       {": Dialekt isg, Längen in mm, bis das Programm es sagt\n",
+       {": Dialekt isg, Längen in mm, solange das Programm nichts anderes vorgibt\n",
         ": Vorgaben: verify=report language=de\n",
         ": Werkzeuge: 1: Radius 5.000 mm; 2: Radius 3.500 mm, Verschleiß -0.020 mm\n",
         ": Dienst: dieser Prozess, trc ", ": 6 Zeilen, ", " 1 Anfahren",

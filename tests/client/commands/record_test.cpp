@@ -90,6 +90,78 @@ TEST(Record, ShowsWhatWasTamperedWith) {
   EXPECT_EQ(trc({"verify"}).code, 2);
 }
 
+// A record stays one, whatever was written into it: what it then says is no wrong call.
+TEST(Record, NamesAMemberThatWasAddedRenamedOrMadeSomethingElse) {
+  const Folder folder;
+  const std::string part = folder.write("part.nc", demo);
+  const std::string record = folder.path("part.json");
+  ASSERT_EQ(trc({"compensate", part, "-o", folder.path("out"), "--record", record}).code, 0);
+  const std::string filed = content_of(record);
+  const auto expect_shown = [&](const char* old, const char* changed, const std::string& place) {
+    SCOPED_TRACE(changed);
+    write_file(record, std::regex_replace(filed, std::regex(old), changed,
+                                          std::regex_constants::format_first_only));
+    const Ended shown = trc({"verify", "--record", record});
+    EXPECT_EQ(shown.code, 1) << shown.out;
+    EXPECT_NE(shown.err.find(record + ": it has been changed: " + place), std::string::npos)
+        << shown.err;
+  };
+  expect_shown("\\{", "{\"note\": \"ok\",", "note: there is no such field");
+  expect_shown("\"outcome\"", "\"outcom\"", "outcom: there is no such field");
+  expect_shown("\"seconds\": [^,]*", "\"seconds\": \"long\"", "seconds: \"long\" is not possible");
+  for (const std::string& none : {std::string("{"), std::string("[]"), filed.substr(1)}) {
+    write_file(record, none);
+    const Ended refused = trc({"verify", "--record", record});
+    EXPECT_EQ(refused.code, 2) << none;
+    EXPECT_NE(refused.err.find("it is no record of a job"), std::string::npos) << refused.err;
+  }
+}
+
+TEST(Record, FindsItsFilesBesideItselfToo) {
+  const Folder folder;
+  folder.write("part.nc", demo);
+  ASSERT_EQ(run({"/bin/sh", "-c",
+                 "cd \"$0\" && exec \"$1\" compensate part.nc -o out.nc --record out.json",
+                 folder.path(""), trc_program()})
+                .code,
+            0);
+  const std::string record = folder.path("out.json");
+  const Ended held = trc({"verify", "--record", record});
+  EXPECT_EQ(held.code, 0) << held.err;
+  EXPECT_EQ(held.out.find("is not here"), std::string::npos) << held.out;
+  write_file(folder.path("out.nc"), "M30\n");
+  const Ended changed = trc({"verify", "--record", record});
+  EXPECT_EQ(changed.code, 1) << changed.out;
+  EXPECT_NE(changed.err.find("out.nc does not hold what came out"), std::string::npos)
+      << changed.err;
+  ASSERT_EQ(std::remove(folder.path("part.nc").c_str()), 0);
+  const Ended lost = trc({"verify", "--record", record});
+  EXPECT_EQ(lost.code, 2);
+  EXPECT_NE(lost.err.find("name the program: trc verify --record " + record + " FILE"),
+            std::string::npos)
+      << lost.err;
+}
+
+TEST(Record, SaysInGermanWhatDiffers) {
+  const Folder folder;
+  const std::string part = folder.write("part.nc", demo);
+  const std::string record = folder.path("part.json");
+  ASSERT_EQ(trc({"compensate", part, "-o", folder.path("out"), "--record", record}).code, 0);
+  const std::string filed = content_of(record);
+  const auto said = [&](const char* old, const char* changed) {
+    write_file(record, std::regex_replace(filed, std::regex(old), changed));
+    return trc({"--lang", "de", "verify", "--record", record}).err;
+  };
+  EXPECT_NE(said("\"clearance\": 10", "\"clearance\": 11").find(": Zusammenfassung: geändert: "),
+            std::string::npos);
+  EXPECT_NE(said("\"outcome\"", "\"note\"").find(": es wurde verändert: note: dieses Feld gibt es"),
+            std::string::npos);
+  folder.write("part.nc", violating);
+  const std::string other = said("\"format\"", "\"format\"");
+  EXPECT_NE(other.find(": Programm: SHA-256 ist "), std::string::npos) << other;
+  EXPECT_NE(other.find(": Ergebnis: SHA-256 ist "), std::string::npos) << other;
+}
+
 TEST(Record, TellsOfARefusedProgramToo) {
   const Folder folder;
   const std::string part = folder.path("part.nc");

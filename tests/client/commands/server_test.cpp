@@ -275,6 +275,30 @@ TEST(Server, ThatShutsDownIsToldFromOneThatIsNotThere) {
   EXPECT_NE(down.err.find("cannot reach a server at"), std::string::npos) << down.err;
 }
 
+TEST(Server, OfAMisspeltVariableIsToldToBeNone) {
+  const Folder folder;
+  const std::string program = folder.write("part.nc", demo);
+  const auto told = [&](const std::string& variable, std::vector<std::string> call) {
+    call.insert(call.begin(), trc_program());
+    Process process(call, 0, {variable + "=127.0.0.1:1"});
+    EXPECT_EQ(process.wait(), 0) << variable;
+    return process.err();
+  };
+  EXPECT_EQ(
+      told("TRC_SEVER", {"compensate", program}),
+      "trc: note: the environment variable TRC_SEVER is not read; did you mean TRC_SERVER?\n");
+  EXPECT_NE(told("TRC_SEVER", {"compensate", program, "--output-dir", folder.path("out")})
+                .find("did you mean TRC_SERVER"),
+            std::string::npos);
+  EXPECT_EQ(told("TRC_SEVER", {"compensate", program, "-q"}), "");
+  EXPECT_EQ(told("TRC_SEVER", {"compensate", program, "--server", ""}), "");
+  EXPECT_EQ(told("TRC_SEVER", {"explain", "90019"}), "");
+  // Of tests, of packages for other languages, of Kubernetes beside a service named trc.
+  for (const char* other : {"TRC_TEST_LONG", "TRC_TRCD", "TRC_CLI", "TRC_TEST_SEED", "TRC_BENCH",
+                            "TRC_SERVICE_HOST", "TRC_SERVICE_PORT"})
+    EXPECT_EQ(told(other, {"compensate", program}), "") << other;
+}
+
 TEST(Server, IsThatOfTheEnvironmentUnlessAnotherIsNamed) {
   const Folder folder;
   const std::string program = folder.write("part.nc", demo);

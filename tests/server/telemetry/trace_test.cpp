@@ -28,6 +28,13 @@ TEST(Trace, BeginsANewOneWithoutHeader) {
   EXPECT_NE(first.trace_id, second.trace_id);
 }
 
+TEST(Trace, IsGoneOnWithByWhatItsHeaderSays) {
+  const Trace outer = trace_of("");
+  const Trace inner = trace_of(traceparent_of(outer));
+  EXPECT_EQ(inner.trace_id, outer.trace_id);
+  EXPECT_EQ(inner.parent_id, outer.span_id);
+}
+
 TEST(Trace, IgnoresWhatIsNoTraceparent) {
   const std::string good = example;
   for (const std::string& bad : {

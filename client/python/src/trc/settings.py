@@ -38,6 +38,11 @@ def _fault(name: str, takes: str, value: Any) -> TypeError:
     return TypeError(f"{name} takes {takes}, not {value!r}")
 
 
+def _two_names(one: str, other: str) -> TypeError:
+    """Of a setting given under both names: which of the values is meant is not guessed."""
+    return TypeError(f"{one} and {other} are one setting; give it under one of these names")
+
+
 def _number(descriptor: Any, value: Any) -> Any:
     """A finite number, whole where the field is; of Python or numpy."""
     name = descriptor.name
@@ -130,17 +135,26 @@ def path_setup(settings: Mapping[str, Any]) -> setup_pb2.PathSetup:
     fields = setup_pb2.PathSetup.DESCRIPTOR.fields_by_name
     options = options_pb2.TrcOptions.DESCRIPTOR.fields_by_name
     json: dict[str, Any] = {}
-    for name, value in settings.items():
-        name = {"radius": "tool_radius"}.get(name, name)
+    short: dict[str, Any] = {}
+    for given, value in settings.items():
+        name = {"radius": "tool_radius"}.get(given, given)
         if value is None:
             continue
+        if name in json:
+            raise _two_names("radius", "tool_radius")
         if name in fields:
             json[name] = _value(fields[name], value)
         elif name in options:
-            json.setdefault("options", {})[name] = _value(options[name], value)
+            short[name] = _value(options[name], value)
         else:
             known = _known(name, ["radius", *fields, *options])
             raise TypeError(f"{name!r} is no setting; {known}")
+    if short:
+        nested = json.setdefault("options", {})
+        for name, value in short.items():
+            if name in nested:
+                raise _two_names(name, f"options[{name!r}]")
+            nested[name] = value
     return _parsed(json, setup_pb2.PathSetup())
 
 
@@ -183,9 +197,13 @@ def _with_files_of_bytes(settings: Mapping[str, Any]) -> Mapping[str, Any]:
     if not isinstance(texts, Mapping):
         return settings
     files = {name: text for name, text in texts.items() if not isinstance(text, str)}
+    given = settings.get("subprogram_files") or {}
+    for name in files:
+        if name in given:
+            raise _two_names(f"subprograms[{name!r}]", f"subprogram_files[{name!r}]")
     return {**settings,
             "subprograms": {name: text for name, text in texts.items() if name not in files},
-            "subprogram_files": {**(settings.get("subprogram_files") or {}), **files}}
+            "subprogram_files": {**given, **files}}
 
 
 def survey_setup(radii: Iterable[float], is_path: bool, uncut: bool, largest: bool,
