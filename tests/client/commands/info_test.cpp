@@ -3,8 +3,8 @@
 #include <optional>
 #include <regex>
 #include <set>
-#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/client/commands/called.h"
