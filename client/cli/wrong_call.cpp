@@ -166,7 +166,7 @@ std::string note_on_environment(const CLI::App& command) {
     const std::string_view name = whole.substr(0, whole.find('='));
     // Tests, builds and the packages for other languages have variables of that beginning too.
     constexpr std::size_t most_letters = 2;
-    if (name.starts_with("TRC_") && edit_distance(name, known) <= most_letters)
+    if (name != known && name.starts_with("TRC_") && edit_distance(name, known) <= most_letters)
       return "note: the environment variable " + std::string(name) + " is not read; did you mean " +
              std::string(known) + "?";
   }
