@@ -9,8 +9,8 @@ namespace trc::program {
 namespace {
 
 bool is_statement_at(std::string_view line, std::size_t at) {
-  return has_word_at(line, at, "IF") || has_word_at(line, at, "WHILE") ||
-         has_word_at(line, at, "GOTO") || has_word_at(line, at, "DO") ||
+  return has_word_at(line, at, "IF") || length_of_word_at(line, at, "WHILE") > 0 ||
+         length_of_word_at(line, at, "GOTO") > 0 || has_word_at(line, at, "DO") ||
          has_word_at(line, at, "END") || has_word_at(line, at, "ELSE");
 }
 
