@@ -164,6 +164,19 @@ TEST(FanucStatements, AreKnownByTheirFirstTwoLetters) {
   EXPECT_EQ(flat("G0 X[SI[90]+CO[0]+TA[45]] Y[AC[0]+AS[1]+AT[1]/[1]]\n"), "G0 X3. Y225.\n");
 }
 
+// D-169
+TEST(FanucVariables, KnowTheRegistersThatTheProgramHasWritten) {
+  const auto told = [](const std::string& text) { return refusal_of(text, fanuc()); };
+  EXPECT_EQ(flat("G21 G90\nG10 L12 P5 R5.\n#100=#13005\nG0 X#100\n"),
+            "G21 G90\nG10 L12 P5 R5.\nG0 X5.\n");
+  EXPECT_EQ(flat("G21 G90\n#13005=3.\nG10 L12 P5 R5.\nG10 L13 P5 R.1\nG0 X[#13005+#12005]\n"),
+            "G21 G90\nG10 L12 P5 R3.\nG10 L12 P5 R5.\nG10 L13 P5 R.1\nG0 X5.1\n");
+  EXPECT_EQ(told("G21 G90\n#100=#13005\n"), std::pair(900307, 2U));
+  EXPECT_EQ(told("G21 G90\nG10 L12 P5 R5.\n#100=#13006\n"), std::pair(900307, 3U));
+  EXPECT_EQ(told("G21 G90\nG10 L12 P5 R5.\nG20\n#100=#13005\n"), std::pair(900307, 4U));
+  EXPECT_EQ(told("G21 G90\nG10 L12 P5 R5.\nM98 P9000\n#100=#13005\n"), std::pair(900307, 4U));
+}
+
 TEST(FanucStatements, JumpForwardFirst) {
   EXPECT_EQ(flat("N5 G0 X1.\n#1=#1+1\nIF [#1 GT 1] GOTO 9\nGOTO 5\nG0 X2.\nN5 G0 X3.\nN9 M30\n"),
             "N5 G0 X1.\nN5 G0 X3.\nN9 M30\n");
