@@ -285,8 +285,9 @@ bool ProgramState::append_between_corners(const MoveRequest& request, const Shap
 // program moves it all the same: programs go back there and begin the next pass (D-123).
 bool ProgramState::leads_back(const MoveRequest& request) const {
   const PlaneAxes axes = axes_of(mode_.plane);
-  return setup_.dialect != DialectName::isg && mode_.deselection == Selection::direct &&
-         last_mode_ != nullptr && last_mode_->plane == mode_.plane &&
+  return setup_.dialect != DialectName::isg && setup_.dialect != DialectName::fanuc &&
+         mode_.deselection == Selection::direct && last_mode_ != nullptr &&
+         last_mode_->plane == mode_.plane &&
          (request.end[axes.first] || request.end[axes.second]) &&
          (to_plane(mode_.plane, target_) - trc::end_of(last_path_)).norm() <=
              tolerances_.same_point;
