@@ -391,7 +391,19 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "CT, G1, G2 oder G3 in den ersten Satz hinter der Kontur schreiben."},
     {"CT while TRC is active", "Write the arc with its centre or its radius.",
      "Den Bogen mit seinem Mittelpunkt oder seinem Radius schreiben."},
-    {"CT, TURN=", "Write the motion with both axes of the plane, an arc with its centre or radius.",
+    {"a variable without a value",
+     "Give the value of the variable: --variable NAME=VALUE; or write the number in its place.",
+     "Den Wert der Variablen angeben: --variable NAME=VALUE; oder an ihre Stelle die Zahl "
+     "schreiben."},
+    {"a centre or a radius of an arc beside AP=, RP=",
+     "Leave it out: the centre of such an arc is the pole, its radius RP=.",
+     "Sie weglassen: Der Mittelpunkt eines solchen Bogens ist der Pol, sein Radius RP=."},
+    {", set by the program",
+     "Take the line out. The radius of a tool is set by G10 L12 P… R…, its wear by G10 L13.",
+     "Die Zeile streichen. Den Radius eines Werkzeugs setzt G10 L12 P… R…, seinen Verschleiß "
+     "G10 L13."},
+    {"which is not followed here",
+     "Write the motion with both axes of the plane, an arc with its centre or radius.",
      "Die Bewegung mit beiden Achsen der Ebene schreiben, einen Bogen mit Mittelpunkt oder "
      "Radius."},
     {"a position of a drilling cycle",

@@ -53,7 +53,7 @@ bool may_move_at_the_feed(const Reading& reading, const BlockWords& block) {
            !(moves_as_g00_says && reading.motion == MotionKind::rapid);
   }
   if (block.has(cycle) || reading.gcode.cycle) return true;
-  return (block.axis || block.center || block.unfollowed_word) &&
+  return (block.axis || block.center || block.moves_unfollowed()) &&
          reading.motion != MotionKind::rapid;
 }
 
@@ -64,6 +64,26 @@ void forget_position(Reading& reading, const ProgramLine& line, const BlockWords
   for (std::size_t axis = 0; axis < axes.size(); ++axis)
     axes[axis] = !block.axis || !block.of(GGroup::zero_shift).is(92) || block.move.end[axis];
   reading.state.forget_position(axes, line.source);
+}
+
+std::array<bool, 3> axes_of_bits(AxisBits bits) {
+  std::array<bool, 3> axes{};
+  for (std::size_t axis = 0; axis < axes.size(); ++axis) axes[axis] = (bits >> axis & 1) != 0;
+  return axes;
+}
+
+// Where the axes stand behind a line that is copied.
+void follow_copied_axes(Reading& reading, const ProgramLine& line, const BlockWords& block) {
+  if (block.forget != 0) reading.state.forget_position(axes_of_bits(block.forget), line.source);
+  if (block.without_value.axes != 0)
+    reading.state.forget_position(axes_of_bits(block.without_value.axes), line.source,
+                                  Unknown::without_value);
+  if (!block.coordinates.ends_above_hole) return;
+  std::array<std::optional<double>, 3> hole = block.move.end;
+  hole.at(axes_of(reading.state.mode().plane).third).reset();
+  for (auto& coordinate : hole)
+    if (coordinate) *coordinate *= reading.length_unit();
+  reading.state.arrive_by_copy(hole);
 }
 
 bool apply_modes(Reading& reading, const ProgramLine& line, const BlockWords& block) {
@@ -96,12 +116,7 @@ bool apply_modes(Reading& reading, const ProgramLine& line, const BlockWords& bl
   }
   if (block.has(circle_check)) reading.state.set_circle_correction(block.of(circle_check).is(165));
   if (block.has(zero_shift)) forget_position(reading, line, block);
-  if (block.forget != 0) {
-    std::array<bool, 3> axes{};
-    for (std::size_t axis = 0; axis < axes.size(); ++axis)
-      axes[axis] = (block.forget >> axis & 1) != 0;
-    reading.state.forget_position(axes, line.source);
-  }
+  follow_copied_axes(reading, line, block);
   if (block.coordinates.sets_position) {
     std::array<std::optional<double>, 3> place = block.move.end;
     for (auto& coordinate : place)
