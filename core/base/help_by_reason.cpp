@@ -362,6 +362,19 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "absolutely (G90) behind the change.",
      "Davor G90 programmieren, wenn seine Koordinaten absolut sind; sonst hinter dem Wechsel die "
      "genannte Achse absolut (G90)."},
+    {", unknown since the variable",
+     "Give the value of the variable: --variable NAME=VALUE; or program the axis that is named "
+     "absolutely behind it, before G91, circles or G41.",
+     "Den Wert der Variablen angeben: --variable NAME=VALUE; oder die genannte Achse dahinter "
+     "absolut programmieren, vor G91, Kreisen oder G41."},
+    {", read in mm",
+     "Say what lengths count in before the program does, --unit inch or --unit mm, or write the "
+     "unit in front of all lengths.",
+     "Angeben, worin Längen zählen, bevor das Programm es sagt: --unit inch oder --unit mm; oder "
+     "die Maßeinheit vor alle Längen schreiben."},
+    {", in the unit of the machine, which nobody has said",
+     "Say the unit of the machine: --unit inch or --unit mm.",
+     "Die Maßeinheit der Maschine angeben: --unit inch oder --unit mm."},
     {", unknown since the change",
      "Program the axis that is named absolutely (G90, G00 or G01) behind the change, and so each "
      "other one of the plane, before G91, circles or G41.",

@@ -93,7 +93,9 @@ bool apply_modes(Reading& reading, const ProgramLine& line, const BlockWords& bl
     reading.motion_given = true;
   }
   if (block.has(unit)) {
-    reading.count_in(line, reading.counts_in_inch(*block.of(unit).function));
+    const bool in_inch = reading.counts_in_inch(*block.of(unit).function);
+    if (!reading.say_unit(line, block.of(unit).begin, in_inch)) return false;
+    reading.count_in(line, in_inch);
     reading.feed_in_mm =
         reading.dialect.name == DialectName::sinumerik && block.of(unit).function->number < 100;
   }
@@ -137,6 +139,10 @@ bool apply_modes(Reading& reading, const ProgramLine& line, const BlockWords& bl
 bool apply_tool(Reading& reading, const ProgramLine& line, const BlockWords& block) {
   const Source& source = line.source;
   const auto at = [&](std::uint32_t begin) { return reading.place(line, begin), true; };
+  if (block.tools.radius && block.tools.radius->value != 0)
+    reading.keep_length(line, "a tool radius");
+  if (block.tools.allowance && block.tools.allowance->value != 0)
+    reading.keep_length(line, "an allowance");
   if (block.tools.radius && at(block.tools.radius->begin)) {
     const double value = block.tools.radius->value * reading.length_unit();
     if (!(block.tools.radius_is_change ? reading.state.change_tool_radius(value, source)
@@ -207,6 +213,7 @@ bool apply_trc(Reading& reading, const ProgramLine& line, const BlockWords& bloc
   if (ends && at(block.of(side).begin) && !reading.state.select(Side::off, source)) return false;
   if (!apply_tool(reading, line, block)) return false;
   if (!has(side) || block.deselects()) return true;
+  reading.keep_length(line, "a contour");
   return reading.state.select(side_of(block.of(side).function->number), source);
 }
 

@@ -68,6 +68,9 @@ bool read_edge_data(Reading& reading, const NamedWord& word, ProgramLine& line, 
   // Under G70 and G71 such data are in the unit of the machine.
   const bool inch = reading.feed_in_mm ? reading.state.setup().inch : reading.inch;
   const double value = word.value * (inch ? mm_per_inch : 1);
+  const bool is_guessed =
+      reading.feed_in_mm && reading.inch && reading.state.setup().unit_is_assumed;
+  if (is_guessed && value != 0) return refused("in the unit of the machine, which nobody has said");
   if (word.name == "$TC_DP6") {
     GcodeModes::Tools& tools = reading.gcode.tools;
     const std::int64_t called = tools.changed_by_m6 ? tools.in_spindle : tools.next;
@@ -87,6 +90,7 @@ bool read_edge_data(Reading& reading, const NamedWord& word, ProgramLine& line, 
 
 bool take_tool_data(Reading& reading, ProgramLine& line, BlockWords& block) {
   for (const auto& edge : block.tools.edge_radii) {
+    if (edge.radius != 0) reading.keep_length(line, "a tool radius");
     reading.place(line, edge.begin);
     if (reading.faults.empty() && !reading.state.define_tool(edge.row, edge.radius, line.source))
       return false;
@@ -111,6 +115,8 @@ bool take_tool_data(Reading& reading, ProgramLine& line, BlockWords& block) {
   if (!reading.faults.empty()) return true;
   const bool inch =
       block.has(unit) ? reading.counts_in_inch(*block.of(unit).function) : reading.inch;
+  if (!block.has(unit) && *block.move.radius != 0)
+    reading.keep_length(line, is_wear ? "a wear" : "a tool radius");
   const std::int64_t number = register_number(block.p_word->value);
   const double value = *block.move.radius * (inch ? mm_per_inch : 1);
   if (is_wear) {

@@ -75,6 +75,7 @@ struct ProgramSetup {
   bool masking_switches_kerf = false;
   DialectName dialect = DialectName::isg;  // of NC text
   bool inch = false;                       // NC text counts in inch before it says
+  bool unit_is_assumed = false;            // nobody has said `inch`: D-167
   bool copies_unknown_words = false;       // lines with unknown G functions, while TRC is off
   // Of a program that computes: what variables hold that it does not set itself, by their names as
   // it writes them; and texts of subprograms that it calls, by the names of their files.
