@@ -84,10 +84,13 @@ struct BlockWords {
 
   // Which tool the line names, and what it says of the radius.
   struct Tools {
-    // $TC_DP6[t,d]= of Sinumerik, V.G.WZ[t].R of ISG: its row_of_edge() and its radius, mm.
-    struct EdgeRadius {
+    // $TC_DP6[t,d]= and $TC_DP15[t,d]= of Sinumerik, V.G.WZ[t].R of ISG: its row_of_edge() and
+    // its radius or wear, mm.
+    enum class EdgeLength : std::uint8_t { radius, wear };
+    struct EdgeData {
       std::int64_t row = 0;
-      double radius = 0;
+      EdgeLength kind = EdgeLength::radius;
+      double length = 0;
       std::uint32_t begin = 0;
     };
 
@@ -102,7 +105,7 @@ struct BlockWords {
     std::optional<Value> radius{};          // V.G.WZ_AKT.R
     bool radius_is_change = false;          // it is what that one grows by
     std::optional<Value> allowance{};       // OFFN
-    std::vector<EdgeRadius> edge_radii{};
+    std::vector<EdgeData> edges{};
   };
   // What the words make of coordinates.
   struct Coordinates {
