@@ -230,7 +230,8 @@ bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup) {
   if (!options.whole_numbers.empty())
     setup.set_whole_numbers(options.whole_numbers == "units" ? v1::WHOLE_NUMBERS_UNITS
                                                              : v1::WHOLE_NUMBERS_INCREMENTS);
-  if (options.unit == "inch") setup.set_unit(v1::LENGTH_UNIT_INCH);
+  if (!options.unit.empty())
+    setup.set_unit(options.unit == "inch" ? v1::LENGTH_UNIT_INCH : v1::LENGTH_UNIT_MM);
   if (setup.path().language().empty() && language_for(options.language) == Language::german)
     setup.mutable_path()->set_language("de");
   if (options.radius) setup.mutable_path()->set_tool_radius(*options.radius);

@@ -362,6 +362,19 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "absolutely (G90) behind the change.",
      "Davor G90 programmieren, wenn seine Koordinaten absolut sind; sonst hinter dem Wechsel die "
      "genannte Achse absolut (G90)."},
+    {", unknown since the variable",
+     "Give the value of the variable: --variable NAME=VALUE; or program the axis that is named "
+     "absolutely behind it, before G91, circles or G41.",
+     "Den Wert der Variablen angeben: --variable NAME=VALUE; oder die genannte Achse dahinter "
+     "absolut programmieren, vor G91, Kreisen oder G41."},
+    {", read in mm",
+     "Say what lengths count in before the program does, --unit inch or --unit mm, or write the "
+     "unit in front of all lengths.",
+     "Angeben, worin Längen zählen, bevor das Programm es sagt: --unit inch oder --unit mm; oder "
+     "die Maßeinheit vor alle Längen schreiben."},
+    {", in the unit of the machine, which nobody has said",
+     "Say the unit of the machine: --unit inch or --unit mm.",
+     "Die Maßeinheit der Maschine angeben: --unit inch oder --unit mm."},
     {", unknown since the change",
      "Program the axis that is named absolutely (G90, G00 or G01) behind the change, and so each "
      "other one of the plane, before G91, circles or G41.",
@@ -391,7 +404,19 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "CT, G1, G2 oder G3 in den ersten Satz hinter der Kontur schreiben."},
     {"CT while TRC is active", "Write the arc with its centre or its radius.",
      "Den Bogen mit seinem Mittelpunkt oder seinem Radius schreiben."},
-    {"CT, TURN=", "Write the motion with both axes of the plane, an arc with its centre or radius.",
+    {"a variable without a value",
+     "Give the value of the variable: --variable NAME=VALUE; or write the number in its place.",
+     "Den Wert der Variablen angeben: --variable NAME=VALUE; oder an ihre Stelle die Zahl "
+     "schreiben."},
+    {"a centre or a radius of an arc beside AP=, RP=",
+     "Leave it out: the centre of such an arc is the pole, its radius RP=.",
+     "Sie weglassen: Der Mittelpunkt eines solchen Bogens ist der Pol, sein Radius RP=."},
+    {", set by the program",
+     "Take the line out. The radius of a tool is set by G10 L12 P… R…, its wear by G10 L13.",
+     "Die Zeile streichen. Den Radius eines Werkzeugs setzt G10 L12 P… R…, seinen Verschleiß "
+     "G10 L13."},
+    {"which is not followed here",
+     "Write the motion with both axes of the plane, an arc with its centre or radius.",
      "Die Bewegung mit beiden Achsen der Ebene schreiben, einen Bogen mit Mittelpunkt oder "
      "Radius."},
     {"a position of a drilling cycle",

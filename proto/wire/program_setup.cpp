@@ -137,6 +137,7 @@ void read_dialect(const v1::ProgramSetup& message, const FieldPath& path, Progra
                         .value_or(program.dialect);
   program.inch =
       units.from_proto(message.unit(), FieldPath(path, "unit"), faults).value_or(program.inch);
+  program.unit_is_assumed = message.unit() == v1::LENGTH_UNIT_UNSPECIFIED;
   program.copies_unknown_words =
       unknown_words.from_proto(message.unknown_words(), FieldPath(path, "unknown_words"), faults)
           .value_or(program.copies_unknown_words);

@@ -30,7 +30,7 @@ std::string read_one(const std::string& name, const std::string& value, v1::Prog
   }
   if (name == "unit") {
     if (value != "mm" && value != "inch") return "unit: it takes mm, inch";
-    setup.set_unit(value == "inch" ? v1::LENGTH_UNIT_INCH : v1::LENGTH_UNIT_UNSPECIFIED);
+    setup.set_unit(value == "inch" ? v1::LENGTH_UNIT_INCH : v1::LENGTH_UNIT_MM);
     return {};
   }
   if (name == "unknown_words") {

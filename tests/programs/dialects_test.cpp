@@ -1243,10 +1243,10 @@ TEST(Klartext, LeavesTheSideOfATextAndOfAComment) {
 // program is a motion, 4 mm here.
 TEST(ABareG40, LetsTheToolGoBackToWhereItEndedInTheProgram) {
   ProgramSessionSetup setup;
-  setup.session.program.dialect = DialectName::fanuc;
+  setup.session.program.dialect = DialectName::linuxcnc;
   setup.session.program.mode.tool_radius = 4;
   setup.session.program.mode.selection = Selection::direct;
-  const std::string pass = "G41 D1 G1 X10. F100\nX50.\nG40\nG0 Z5.\nX50.\n";
+  const std::string pass = "G41 G1 X10. F100\nX50.\nG40\nG0 Z5.\nX50.\n";
   const ProgramRun written = to_blocks("G0 X0 Y0\n" + pass + "G0 X0\n" + pass + "M30\n", setup);
   ASSERT_FALSE(written.stopped) << written.report();
   const auto path = moving(written.blocks, 1e-3);
@@ -1254,6 +1254,31 @@ TEST(ABareG40, LetsTheToolGoBackToWhereItEndedInTheProgram) {
   EXPECT_LT((start_of(path[2].path) - Point(50, 4)).norm(), 1e-9) << text_of(path[2]);
   EXPECT_LT((end_of(path[2].path) - Point(50, 0)).norm(), 1e-9) << text_of(path[2]);
   EXPECT_LT((start_of(path[3].path) - Point(50, 0)).norm(), 1e-9) << text_of(path[3]);
+}
+
+// FANUC keeps the offset over blocks without a distance in the plane: the next one that has one
+// leads back.
+TEST(ABareG40, OfFanucWaitsForAMotionThatHasALength) {
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = DialectName::fanuc;
+  setup.session.program.mode.tool_radius = 4;
+  setup.session.program.mode.selection = Selection::direct;
+  const std::string contour = "G90 G0 X-20. Y0\nG41 D1 G1 X0 F100\nY50.\n";
+  for (const std::string end : {"G40\nG0 Z5.\n", "G40 X0\nG0 Z5.\n", "G91 G40 X0 Y0\nG90 G0 Z5.\n",
+                                "G40\nG1 X0\nG0 Z5.\n", "G40 G1 X0 Z1.\nG0 Z5.\n"}) {
+    const ProgramRun written = to_blocks(contour + end + "X-20.\nM30\n", setup);
+    ASSERT_FALSE(written.stopped) << end << written.report();
+    const auto path = moving(written.blocks, 1e-3);
+    ASSERT_EQ(path.size(), 4u) << end << written.listing();
+    EXPECT_LT((start_of(path[3].path) - Point(-4, 50)).norm(), 1e-9) << end << text_of(path[3]);
+    EXPECT_LT((end_of(path[3].path) - Point(-20, 50)).norm(), 1e-9) << end << text_of(path[3]);
+    const std::string text = to_text(contour + end + "X-20.\nM30\n", setup).text;
+    EXPECT_EQ(text.find("X0", text.find("Y50")), std::string::npos) << text;
+  }
+  // As behind a bare G40.
+  const ProgramRun unended = to_blocks(contour + "G40 X0\nG0 Z5.\nM30\n", setup);
+  ASSERT_FALSE(unended.diagnostics.empty());
+  EXPECT_EQ(unended.diagnostics.front().code, Code::ended_while_active);
 }
 
 TEST(UnknownFunctions, AreCopiedWhereTheSetupSaysSo) {

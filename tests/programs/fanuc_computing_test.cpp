@@ -156,6 +156,27 @@ TEST(FanucStatements, LeaveTheirCommentsAndNumbers) {
             "N2 (SIX)\nN3 (NO)\nN9 M30\n");
 }
 
+TEST(FanucStatements, AreKnownByTheirFirstTwoLetters) {
+  EXPECT_EQ(flat("#1=0\nWH[#1 LT 2]DO1\n#1=#1+1\nG0 X#1\nEND1\nGO10\nG0 X9.\nN10 M30\n"),
+            "G0 X1.\nG0 X2.\nN10 M30\n");
+  EXPECT_EQ(flat("#1=1\nIF[#1 EQ 1]GO 10\nG0 X9.\nN10 M30\n"), "N10 M30\n");
+  EXPECT_EQ(flat("G0 X[AB[-3]+SQ[4]+RO[1.6]+FI[1.9]+FU[1.1]]\n"), "G0 X9.6\n");
+  EXPECT_EQ(flat("G0 X[SI[90]+CO[0]+TA[45]] Y[AC[0]+AS[1]+AT[1]/[1]]\n"), "G0 X3. Y225.\n");
+}
+
+// D-169
+TEST(FanucVariables, KnowTheRegistersThatTheProgramHasWritten) {
+  const auto told = [](const std::string& text) { return refusal_of(text, fanuc()); };
+  EXPECT_EQ(flat("G21 G90\nG10 L12 P5 R5.\n#100=#13005\nG0 X#100\n"),
+            "G21 G90\nG10 L12 P5 R5.\nG0 X5.\n");
+  EXPECT_EQ(flat("G21 G90\n#13005=3.\nG10 L12 P5 R5.\nG10 L13 P5 R.1\nG0 X[#13005+#12005]\n"),
+            "G21 G90\nG10 L12 P5 R3.\nG10 L12 P5 R5.\nG10 L13 P5 R.1\nG0 X5.1\n");
+  EXPECT_EQ(told("G21 G90\n#100=#13005\n"), std::pair(900307, 2U));
+  EXPECT_EQ(told("G21 G90\nG10 L12 P5 R5.\n#100=#13006\n"), std::pair(900307, 3U));
+  EXPECT_EQ(told("G21 G90\nG10 L12 P5 R5.\nG20\n#100=#13005\n"), std::pair(900307, 4U));
+  EXPECT_EQ(told("G21 G90\nG10 L12 P5 R5.\nM98 P9000\n#100=#13005\n"), std::pair(900307, 4U));
+}
+
 TEST(FanucStatements, JumpForwardFirst) {
   EXPECT_EQ(flat("N5 G0 X1.\n#1=#1+1\nIF [#1 GT 1] GOTO 9\nGOTO 5\nG0 X2.\nN5 G0 X3.\nN9 M30\n"),
             "N5 G0 X1.\nN5 G0 X3.\nN9 M30\n");

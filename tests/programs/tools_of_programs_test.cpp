@@ -234,6 +234,18 @@ TEST(ToolsOfPrograms, CountInTheUnitThatSinumerikWritesThemIn) {
   EXPECT_EQ(distance("G70\n$TC_DP6[1,1]=6\n" + wall, setup), 6);
 }
 
+TEST(ToolsOfPrograms, HaveTheWearThatSinumerikWritesBesideTheirRadius) {
+  const std::string wall = "T1 D1\nG90 G0 X-20 Y0\nG41 G1 X0 F10\nY20\nG40 X-20\nM30\n";
+  ProgramSessionSetup setup = setup_of(sinumerik);
+  setup.session.program.mode.tool_radius = 0;
+  const std::string radius = "$TC_DP6[1,1]=6\n";
+  EXPECT_EQ(distance(radius + "$TC_DP15[1,1]=-0.05\n" + wall, setup), 5.95);
+  EXPECT_EQ(distance("$TC_DP15[1,1]=-0.05\n" + radius + wall, setup), 5.95);
+  setup.session.program.tools[1] = 6;
+  EXPECT_EQ(told(radius + "$TC_DP15[1,1]=-0.05\n" + wall, setup),
+            "900003 2 $TC_DP15[1,1], another wear than the setup gives that tool\n");
+}
+
 TEST(ToolsOfPrograms, AreToldWhereOtherDialectsWriteAnotherRadius) {
   ProgramSessionSetup setup = setup_of(fanuc);
   setup.session.program.tools[1] = 5;

@@ -53,7 +53,7 @@ bool may_move_at_the_feed(const Reading& reading, const BlockWords& block) {
            !(moves_as_g00_says && reading.motion == MotionKind::rapid);
   }
   if (block.has(cycle) || reading.gcode.cycle) return true;
-  return (block.axis || block.center || block.unfollowed_word) &&
+  return (block.axis || block.center || block.moves_unfollowed()) &&
          reading.motion != MotionKind::rapid;
 }
 
@@ -66,6 +66,26 @@ void forget_position(Reading& reading, const ProgramLine& line, const BlockWords
   reading.state.forget_position(axes, line.source);
 }
 
+std::array<bool, 3> axes_of_bits(AxisBits bits) {
+  std::array<bool, 3> axes{};
+  for (std::size_t axis = 0; axis < axes.size(); ++axis) axes[axis] = (bits >> axis & 1) != 0;
+  return axes;
+}
+
+// Where the axes stand behind a line that is copied.
+void follow_copied_axes(Reading& reading, const ProgramLine& line, const BlockWords& block) {
+  if (block.forget != 0) reading.state.forget_position(axes_of_bits(block.forget), line.source);
+  if (block.without_value.axes != 0)
+    reading.state.forget_position(axes_of_bits(block.without_value.axes), line.source,
+                                  Unknown::without_value);
+  if (!block.coordinates.ends_above_hole) return;
+  std::array<std::optional<double>, 3> hole = block.move.end;
+  hole.at(axes_of(reading.state.mode().plane).third).reset();
+  for (auto& coordinate : hole)
+    if (coordinate) *coordinate *= reading.length_unit();
+  reading.state.arrive_by_copy(hole);
+}
+
 bool apply_modes(Reading& reading, const ProgramLine& line, const BlockWords& block) {
   using enum GGroup;
   if (block.has(motion)) {
@@ -73,7 +93,9 @@ bool apply_modes(Reading& reading, const ProgramLine& line, const BlockWords& bl
     reading.motion_given = true;
   }
   if (block.has(unit)) {
-    reading.count_in(line, reading.unit_of(*block.of(unit).function));
+    const LengthUnit lengths = reading.unit_of(*block.of(unit).function);
+    if (!reading.say_unit(line, block.of(unit).begin, lengths)) return false;
+    reading.count_in(line, lengths);
     reading.feed_in_mm =
         reading.dialect.name == DialectName::sinumerik && block.of(unit).function->number < 100;
   }
@@ -96,12 +118,7 @@ bool apply_modes(Reading& reading, const ProgramLine& line, const BlockWords& bl
   }
   if (block.has(circle_check)) reading.state.set_circle_correction(block.of(circle_check).is(165));
   if (block.has(zero_shift)) forget_position(reading, line, block);
-  if (block.forget != 0) {
-    std::array<bool, 3> axes{};
-    for (std::size_t axis = 0; axis < axes.size(); ++axis)
-      axes[axis] = (block.forget >> axis & 1) != 0;
-    reading.state.forget_position(axes, line.source);
-  }
+  follow_copied_axes(reading, line, block);
   if (block.coordinates.sets_position) {
     std::array<std::optional<double>, 3> place = block.move.end;
     for (auto& coordinate : place)
@@ -122,6 +139,10 @@ bool apply_modes(Reading& reading, const ProgramLine& line, const BlockWords& bl
 bool apply_tool(Reading& reading, const ProgramLine& line, const BlockWords& block) {
   const Source& source = line.source;
   const auto at = [&](std::uint32_t begin) { return reading.place(line, begin), true; };
+  if (block.tools.radius && block.tools.radius->value != 0)
+    reading.keep_length(line, "a tool radius");
+  if (block.tools.allowance && block.tools.allowance->value != 0)
+    reading.keep_length(line, "an allowance");
   if (block.tools.radius && at(block.tools.radius->begin)) {
     const double value = block.tools.radius->value * reading.length_unit();
     if (!(block.tools.radius_is_change ? reading.state.change_tool_radius(value, source)
@@ -195,6 +216,7 @@ bool apply_trc(Reading& reading, const ProgramLine& line, const BlockWords& bloc
   if (ends && at(block.of(side).begin) && !reading.state.select(Side::off, source)) return false;
   if (!apply_tool(reading, line, block)) return false;
   if (!has(side) || block.deselects()) return true;
+  reading.keep_length(line, "a contour");
   return reading.state.select(side_of(block.of(side).function->number), source);
 }
 

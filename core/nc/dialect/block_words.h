@@ -84,10 +84,13 @@ struct BlockWords {
 
   // The tool that the line names, and its words about the radius.
   struct Tools {
-    // $TC_DP6[t,d]= of Sinumerik, V.G.WZ[t].R of ISG: its row_of_edge() and its radius, mm.
-    struct EdgeRadius {
+    // $TC_DP6[t,d]= and $TC_DP15[t,d]= of Sinumerik, V.G.WZ[t].R of ISG: its row_of_edge() and
+    // its radius or wear, mm.
+    enum class EdgeLength : std::uint8_t { radius, wear };
+    struct EdgeData {
       std::int64_t row = 0;
-      double radius = 0;
+      EdgeLength kind = EdgeLength::radius;
+      double length = 0;
       std::uint32_t begin = 0;
     };
 
@@ -102,7 +105,7 @@ struct BlockWords {
     std::optional<Value> radius{};          // V.G.WZ_AKT.R
     bool radius_is_change = false;          // it is what that one grows by
     std::optional<Value> allowance{};       // OFFN
-    std::vector<EdgeRadius> edge_radii{};
+    std::vector<EdgeData> edges{};
   };
   // Words that change what coordinates mean.
   struct Coordinates {
@@ -112,6 +115,8 @@ struct BlockWords {
     std::string frame{};          // of Sinumerik: which one the line sets as a whole, $P_UIFR[1]
     bool changes_length = false;  // G43, G44, G49
     bool sets_position = false;   // G92: the axis words say where the machine stands
+    // A drilling cycle, which ends above the hole that its words name in the plane.
+    bool ends_above_hole = false;
   };
   // # commands and other words of ISG only.
   struct Isg {
@@ -169,6 +174,17 @@ struct BlockWords {
     double feed_before = 0;
   };
 
+  // Axis words of Sinumerik whose variable nobody has given a value: Z=R1.
+  struct WithoutValue {
+    std::optional<std::uint32_t> begin{};  // of the first
+    AxisBits axes = 0;
+  };
+
+  // Words that move something by what only the control knows.
+  [[nodiscard]] bool moves_unfollowed() const {
+    return unfollowed_word.has_value() || without_value.begin.has_value();
+  }
+
   std::array<Function, g_group_count> functions{};
   MoveRequest move{};                     // in the unit of the program
   std::optional<std::uint32_t> axis{};    // where the first axis word stands
@@ -196,9 +212,10 @@ struct BlockWords {
   // The line is copied as it stands; where it leads the axes of `forget` only the control knows.
   bool copied = false;
   AxisBits forget = 0;
-  std::optional<std::uint32_t> unfollowed_word{};  // CT, TURN=, AP=, RP=, ,A, X=R1
-  std::optional<std::uint32_t> way_round{};        // C=DC(…)
-  bool measures = false;                           // MEAS=, MEAW= of Sinumerik
+  std::optional<std::uint32_t> unfollowed_word{};  // TURN=, AP=, RP=, ANG=, ,A
+  WithoutValue without_value{};
+  std::optional<std::uint32_t> way_round{};  // C=DC(…)
+  bool measures = false;                     // MEAS=, MEAW= of Sinumerik
   bool calls_the_machine = false;     // NAME(…) of Sinumerik, which the program does not have
   bool side_of_machine = false;       // G41 or G42 beside a cycle that compensates by itself
   std::optional<bool> masks{};        // CDON; CDOF and CDOF2

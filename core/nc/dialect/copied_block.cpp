@@ -18,11 +18,13 @@ namespace {
 
 using enum GGroup;
 
-// "G16, " in front of what the function does; of axis words nothing.
+// "G16, " in front of what the function does, "Z=R1, " of a value that is no number; of plain axis
+// words nothing.
 std::string name_of_function(const ProgramLine& line, std::uint32_t begin) {
   const auto word = std::ranges::find(line.words, begin, &WordRange::begin);
   if (word == line.words.end()) return {};
   const std::string_view text = line.word(*word);
+  if (text.size() > 1 && text[1] == '=') return std::string(text) + ", ";
   const bool is_function = text.size() > 1 && (upper(text[0]) == 'G' || is_letter(text[1]));
   if (!is_function) return {};
   return std::string(text.substr(0, text.find_first_of("(=["))) + ", ";
@@ -89,10 +91,12 @@ void follow_tool_offset(Reading& reading, BlockWords& block, AxisBits named,
 
 // Copies a line that moves, unless another reason does so already.
 void copy_motion(const char* why, AxisBits forget, BlockWords& block, NotWhileActive& found) {
-  const bool moves = block.axis || block.center || block.unfollowed_word;
+  const bool moves = block.axis || block.center || block.moves_unfollowed();
   if (block.copied || !moves || block.has(dwell)) return;
-  found.begin = std::min(
-      {block.axis.value_or(~0U), block.center.value_or(~0U), block.unfollowed_word.value_or(~0U)});
+  found.begin = block.unfollowed_word ? *block.unfollowed_word
+                : block.without_value.begin
+                    ? *block.without_value.begin
+                    : std::min(block.axis.value_or(~0U), block.center.value_or(~0U));
   found.meaning = why;
   block.copied = true;
   block.forget |= forget;
@@ -135,8 +139,8 @@ void copy_for_words_of_line(Reading& reading, BlockWords& block, AxisBits named,
   }
   // Where the axes stop only the machine knows.
   if (block.measures) copy_motion("measuring", named, block, found);
-  if (block.unfollowed_word)
-    copy_motion("CT, TURN=, AP=, RP=, ANG=, ,A or a variable", all_axes, block, found);
+  if (block.unfollowed_word) copy_motion("which is not followed here", all_axes, block, found);
+  if (block.without_value.begin) copy_motion("a variable without a value", named, block, found);
   // In a contour they have centres (take_tangent).
   const bool follows_tangent = reading.trc_active() && !block.has(side);
   if (reading.gcode.tangent_arcs.in_force && !follows_tangent)
@@ -149,6 +153,26 @@ void copy_for_words_of_line(Reading& reading, BlockWords& block, AxisBits named,
     copy_motion("a motion that may be skipped", named, block, found);
     if (block.copied) found.code = Code::block_skip_undecided;
   }
+}
+
+// The hole that a drilling cycle ends above, where its words name it: not a repeated one, not what
+// G91 or a frame moves elsewhere (D-168).
+bool ends_above_hole(const Reading& reading, const BlockWords& block) {
+  constexpr std::array cycles{73, 74, 76, 81, 82, 83, 84, 85, 86, 87, 88, 89};
+  const bool drills = block.has(cycle) && std::ranges::any_of(cycles, [&](int number) {
+                        return block.of(cycle).is(number, 0);
+                      });
+  const bool goes_on = !block.has(cycle) && reading.gcode.cycle && block.axis;
+  const bool is_absolute = block.has(dimension) ? block.of(dimension).is(90) : !reading.incremental;
+  const bool repeats = block.l_word || block.move.center[2];  // K of FANUC
+  const bool is_elsewhere = reading.machine_follows || block.to_skip ||
+                            reading.gcode.coordinates.turned != 0 ||
+                            !reading.gcode.coordinates.unfollowed.empty();
+  const bool stands_alone = !block.has(plane) && !block.has(single_move) && !block.has(frame) &&
+                            !block.has(tool_data) && !block.has(unfollowed) &&
+                            !block.has(unfollowed_end) && !block.has(zero_shift) &&
+                            !block.calls_the_machine && !block.moves_unfollowed();
+  return (drills || goes_on) && is_absolute && !repeats && !is_elsewhere && stands_alone;
 }
 
 // Decides whether the line is copied as it stands, and which axes it may move. Returns what must
@@ -285,6 +309,9 @@ bool copy_gcode_block(Reading& reading, ProgramLine& line, BlockWords& block) {
                                           .begin = block.of(side).begin,
                                           .detail = "TRC beside axis words that are no positions"});
   if (!block.copied) return true;
+  block.coordinates.ends_above_hole = (reading.dialect.name == DialectName::fanuc ||
+                                       reading.dialect.name == DialectName::linuxcnc) &&
+                                      ends_above_hole(reading, block);
   const PlaneAxes axes = axes_of(reading.state.mode().plane);
   const bool says_place = block.has(axis_technology) || block.has(frame) || block.has(dwell) ||
                           block.has(tool_data) || block.has(zero_shift);

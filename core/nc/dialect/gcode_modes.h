@@ -230,6 +230,18 @@ struct GcodeModes {
     }
   };
 
+  // What of lengths was taken over in a unit that nobody has said (D-167).
+  struct AssumedUnit {
+    bool holds = false;      // neither the setup nor the program has said it so far
+    std::uint32_t line = 0;  // of the first such length that stays in force; 0: none
+    std::string kept{};      // what it is
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(holds, line, kept);
+    }
+  };
+
   Tools tools{};
   LastRegister last_register{};
   Skipped skipped{};
@@ -242,6 +254,7 @@ struct GcodeModes {
   SoftLeads soft{};
   Calls calls{};
   Seen seen{};
+  AssumedUnit assumed_unit{};
   bool cycle = false;  // each position is one of a drilling cycle
   std::optional<KeptModes> kept{};
   std::uint32_t feed_mode_line = 0;  // of the last G93 … G95
@@ -251,8 +264,8 @@ struct GcodeModes {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(tools, last_register, skipped, coordinates, corners, tangent_arcs, through_arcs,
-            leaves_contour, polar, soft, calls, seen, cycle, kept, feed_mode_line, tooth_feed,
-            enters_parameters);
+            leaves_contour, polar, soft, calls, seen, assumed_unit, cycle, kept, feed_mode_line,
+            tooth_feed, enters_parameters);
   }
 };
 

@@ -49,7 +49,7 @@ bool check_what_may_be_skipped(Reading& reading, const ProgramLine& line, const 
   const bool names_tool =
       block.tools.t_word || block.tools.named || block.tools.loads || block.tools.q_word_names_tool;
   const bool gives_radius = (block.has(tool_data) && block.move.radius) || block.tools.allowance ||
-                            !block.tools.edge_radii.empty();
+                            !block.tools.edges.empty();
   const bool leads = block.has(selection) || block.has(transition);
   if (block.tools.t_word || block.tools.named) reading.gcode.skipped.next_tool = skipped;
   // An edge of Sinumerik is one of the tool.

@@ -175,9 +175,9 @@ bool read_passing_line(Reading& reading, ProgramLine& line, BlockWords& block) {
       calls_alone || (!reading.reads_flat && calls_by_function(words, reading.isg_word_seen));
   const auto tool = tool_data_of(words);
   if (tool)
-    block.tools.edge_radii.push_back({.row = tool->first,
-                                      .radius = tool->second * reading.length_unit(),
-                                      .begin = static_cast<std::uint32_t>(begin)});
+    block.tools.edges.push_back({.row = tool->first,
+                                 .length = tool->second * reading.length_unit(),
+                                 .begin = static_cast<std::uint32_t>(begin)});
   const bool passes = (calls || tool || assigns_variable(words)) &&
                       first_byte_that_is_no_text(text) == std::string_view::npos;
   if (!passes) {

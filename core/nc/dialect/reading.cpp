@@ -42,6 +42,7 @@ Reading::Reading(const ReaderLimits& limits_of_text, ProgramState& state_of_prog
       reads_plain_lines(dialect.name == DialectName::isg) {
   diagnostics.units().count_in(unit, 0);
   state.set_length_unit(unit);
+  gcode.assumed_unit.holds = state.setup().unit_is_assumed;
   if (dialect.name == DialectName::heidenhain) {
     state.set_absolute_center(true);
     for (const auto& [name, value] : state.setup().variables) {
@@ -66,6 +67,28 @@ void Reading::count_in(const ProgramLine& line, LengthUnit lengths) {
   unit = lengths;
   state.set_length_unit(unit);
   diagnostics.units().count_in(unit, line.source.index);
+}
+
+void Reading::keep_length(const ProgramLine& line, std::string_view what) {
+  GcodeModes::AssumedUnit& assumed = gcode.assumed_unit;
+  if (!assumed.holds || assumed.line > 0) return;
+  assumed.line = line.source.line;
+  assumed.kept = what;
+}
+
+bool Reading::say_unit(const ProgramLine& line, std::uint32_t begin, LengthUnit lengths) {
+  const GcodeModes::AssumedUnit assumed = std::exchange(gcode.assumed_unit, {});
+  if (!assumed.holds || lengths == unit) return true;
+  if (assumed.line > 0) {
+    const std::size_t end = line.text.find_first_not_of("Gg0123456789", begin);
+    return refuse(line, TextFault{.code = Code::nc_unsupported,
+                                  .begin = begin,
+                                  .detail = line.text.substr(begin, end - begin) + ", behind " +
+                                            assumed.kept + " in line " +
+                                            std::to_string(assumed.line) + ", read in mm"});
+  }
+  state.forget_lengths(line.source);
+  return true;
 }
 
 void Reading::place(const ProgramLine& line, std::uint32_t begin) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/diagnostics.h"
@@ -68,6 +69,11 @@ struct Reading {
   [[nodiscard]] WordPlace place_of_word(const ProgramLine& line, std::uint32_t begin) const;
   // The unit of lengths from this line on.
   void count_in(const ProgramLine& line, LengthUnit lengths);
+  // A length of the program stays in force, in a unit that may only be assumed (D-167).
+  void keep_length(const ProgramLine& line, std::string_view what);
+  // The program says the unit. 900003 where it is another one than a length that is kept was read
+  // in; false then.
+  bool say_unit(const ProgramLine& line, std::uint32_t begin, LengthUnit lengths);
   [[nodiscard]] double length_unit() const { return mm_of(unit); }
   // One unit of feed, mm/min. Under G70 of Sinumerik feeds stay in mm.
   [[nodiscard]] double feed_unit(LengthUnit lengths) const {

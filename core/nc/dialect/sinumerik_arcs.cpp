@@ -182,6 +182,11 @@ bool resolve_polar_words(Reading& reading, ProgramLine& line, BlockWords& block)
   const bool followed = polar.pole && polar.angle && polar.radius && !x && !y && !block.center &&
                         !reading.incremental && !block.of(dimension).is(91) && angle_known &&
                         radius_known && !block.to_skip && (!circle || start_known);
+  if (circle && block.center && reading.trc_active())
+    return reading.refuse(line,
+                          TextFault{.code = Code::nc_unsupported,
+                                    .begin = *block.center,
+                                    .detail = "a centre or a radius of an arc beside AP=, RP="});
   if (!followed) {
     block.unfollowed_word = begin;
     polar.angle.reset();

@@ -69,27 +69,39 @@ bool read_edge_data(Reading& reading, const NamedWord& word, ProgramLine& line, 
   const LengthUnit lengths =
       reading.feed_in_mm ? reading.state.setup().length_unit() : reading.unit;
   const double value = word.value * mm_of(lengths);
-  if (word.name == "$TC_DP6") {
-    GcodeModes::Tools& tools = reading.gcode.tools;
-    const std::int64_t called = tools.changed_by_m6 ? tools.in_spindle : tools.next;
-    const auto before = reading.state.tool().row_of_tool(*row);
-    const bool is_called = called > 0 && *row == row_of_edge(called, register_number(tools.edge));
-    if (is_called && (!before || before->radius != value)) tools.changed_row = *row;
-    block.tools.edge_radii.push_back({.row = *row, .radius = value, .begin = word.begin});
-    return true;
-  }
-  const auto known = reading.state.tool().row_of_tool(*row);
+  const bool is_guessed =
+      reading.feed_in_mm && reading.unit == LengthUnit::inch &&
+      reading.state.setup().unit_is_assumed;
+  if (is_guessed && value != 0) return refused("in the unit of the machine, which nobody has said");
+  using enum BlockWords::Tools::EdgeLength;
+  const ToolInForce& tools = reading.state.tool();
+  const bool is_wear = word.name == "$TC_DP15";
+  const bool is_of_setup = reading.has_one_radius() || reading.state.setup().tools.contains(*row);
+  const auto before = tools.row_of_tool(*row);
   constexpr double alike = 1e-9;
-  const double wear = known                                 ? known->wear
-                      : reading.state.setup().tools.empty() ? reading.state.setup().wear
-                                                            : 0;
-  return std::abs(value - wear) <= alike || refused("another wear than the setup gives that tool");
+  if (is_wear && is_of_setup)
+    return std::abs(value - (before ? before->wear : tools.wear_of(*row))) <= alike ||
+           refused("another wear than the setup gives that tool");
+  GcodeModes::Tools& named = reading.gcode.tools;
+  const std::int64_t called = named.changed_by_m6 ? named.in_spindle : named.next;
+  const bool is_called = called > 0 && *row == row_of_edge(called, register_number(named.edge));
+  const std::optional<double> old =
+      !before ? std::nullopt : std::optional(is_wear ? before->wear : before->radius);
+  if (is_called && old != value) named.changed_row = *row;
+  block.tools.edges.push_back(
+      {.row = *row, .kind = is_wear ? wear : radius, .length = value, .begin = word.begin});
+  return true;
 }
 
 bool take_tool_data(Reading& reading, ProgramLine& line, BlockWords& block) {
-  for (const auto& edge : block.tools.edge_radii) {
+  using enum BlockWords::Tools::EdgeLength;
+  for (const auto& edge : block.tools.edges) {
+    if (edge.length != 0) reading.keep_length(line, edge.kind == wear ? "a wear" : "a tool radius");
+    if (!reading.faults.empty()) continue;
     reading.place(line, edge.begin);
-    if (reading.faults.empty() && !reading.state.define_tool(edge.row, edge.radius, line.source))
+    if (edge.kind == wear)
+      reading.state.define_wear(edge.row, edge.length);
+    else if (!reading.state.define_tool(edge.row, edge.length, line.source))
       return false;
   }
   // Controls with one table for lengths and radii have no L word.
@@ -112,6 +124,8 @@ bool take_tool_data(Reading& reading, ProgramLine& line, BlockWords& block) {
   if (!reading.faults.empty()) return true;
   const LengthUnit lengths =
       block.has(unit) ? reading.unit_of(*block.of(unit).function) : reading.unit;
+  if (!block.has(unit) && *block.move.radius != 0)
+    reading.keep_length(line, is_wear ? "a wear" : "a tool radius");
   const std::int64_t number = register_number(block.p_word->value);
   const double value = *block.move.radius * mm_of(lengths);
   if (is_wear) {

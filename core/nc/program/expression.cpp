@@ -255,12 +255,24 @@ Value ExpressionReader::bracket() {
   return value;
 }
 
+// FANUC: the first two letters of a function do, or more: RO[ ], ROU[ ].
+std::span<const FunctionRow>::iterator ExpressionReader::row_of_function(
+    std::string_view name) const {
+  const auto row = std::ranges::find(grammar_.functions, name, &FunctionRow::spelling);
+  constexpr std::size_t shortest = 2;
+  if (row != grammar_.functions.end() || grammar_.dialect != DialectName::fanuc ||
+      name.size() < shortest)
+    return row;
+  return std::ranges::find_if(
+      grammar_.functions, [&](const FunctionRow& each) { return each.spelling.starts_with(name); });
+}
+
 Value ExpressionReader::function() {
   const std::size_t begin = at_;
   std::size_t end = at_;
   while (end < line_.size() && is_letter(line_[end])) ++end;
   const std::string name = in_upper_case(line_.substr(begin, end - begin));
-  const auto row = std::ranges::find(grammar_.functions, name, &FunctionRow::spelling);
+  const auto row = row_of_function(name);
   if (row == grammar_.functions.end()) return fail(Code::expression_invalid, begin, name);
   at_ = end;
   pass_blanks();

@@ -170,6 +170,7 @@ class ExpressionReader {
   [[nodiscard]] Value number_of_digits(int base);
   [[nodiscard]] Value named_operand();
   [[nodiscard]] Value function();
+  [[nodiscard]] std::span<const FunctionRow>::iterator row_of_function(std::string_view name) const;
   [[nodiscard]] Value function_of_list(const FunctionRow& row, std::size_t begin);
   [[nodiscard]] double applied(Function function, double argument, std::size_t begin);
   [[nodiscard]] double arc_tangent_of_two(double opposite, std::size_t begin);

@@ -8,6 +8,12 @@
 namespace trc::program {
 namespace {
 
+bool pass_word(std::string_view line, std::string_view word, ExpressionReader& expression) {
+  const std::size_t length = length_of_word_at(line, expression.at(), word);
+  if (length > 0) expression.go_to(expression.at() + length);
+  return length > 0;
+}
+
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
 // IF [ ] THEN with nothing behind it: the lines up to ELSE or ENDIF.
@@ -52,8 +58,8 @@ const FanucFlow::Outline& FanucFlow::outline_of(const Frame& frame) {
       branches.push_back(line);
       continue;
     }
-    const bool begins =
-        has_word_at(content, head.behind, "WHILE") || has_word_at(content, head.behind, "DO");
+    const bool begins = length_of_word_at(content, head.behind, "WHILE") > 0 ||
+                        has_word_at(content, head.behind, "DO");
     const bool ends = has_word_at(content, head.behind, "END");
     if (!begins && !ends) continue;
     const std::size_t number = number_of_loop(content, head.behind);
@@ -91,13 +97,13 @@ std::size_t FanucFlow::number_of_loop(std::string_view line, std::size_t at) con
 bool FanucFlow::execute_statement(std::string& flat) {
   ExpressionReader expression = expression_at(head_.behind);
   if (expression.pass("IF")) return branch(flat, expression);
-  if (expression.pass("WHILE")) return loop(flat, expression, LoopHead::with_condition);
+  if (pass_word(line_, "WHILE", expression)) return loop(flat, expression, LoopHead::with_condition);
   if (expression.pass("DO")) return loop(flat, expression, LoopHead::endless);
   if (expression.pass("ENDIF")) return finish_statement(flat, expression.at());
   if (expression.pass("ELSE"))  // behind a branch that was taken
     return go_behind_foot("ELSE without ENDIF") && finish_statement(flat, expression.at());
   if (expression.pass("END")) return end_loop(flat, expression);
-  expression.pass("GOTO");
+  pass_word(line_, "GOTO", expression);
   return jump(expression) && finish_statement(flat, expression.at());
 }
 
@@ -118,7 +124,7 @@ bool FanucFlow::branch(std::string& flat, ExpressionReader& expression) {
       return refuse(Code::nc_unsupported, then, "THEN without an assignment");
     return holds ? assign(flat, expression.at()) : true;
   }
-  if (!expression.pass("GOTO"))
+  if (!pass_word(line_, "GOTO", expression))
     return refuse(Code::expression_invalid, then, "IF without GOTO or THEN");
   if (holds) return jump(expression) && finish_statement(flat, expression.at());
   static_cast<void>(expression.whole_operand());

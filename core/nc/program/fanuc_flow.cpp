@@ -9,8 +9,8 @@ namespace trc::program {
 namespace {
 
 bool is_statement_at(std::string_view line, std::size_t at) {
-  return has_word_at(line, at, "IF") || has_word_at(line, at, "WHILE") ||
-         has_word_at(line, at, "GOTO") || has_word_at(line, at, "DO") ||
+  return has_word_at(line, at, "IF") || length_of_word_at(line, at, "WHILE") > 0 ||
+         length_of_word_at(line, at, "GOTO") > 0 || has_word_at(line, at, "DO") ||
          has_word_at(line, at, "END") || has_word_at(line, at, "ELSE");
 }
 
@@ -169,9 +169,27 @@ Flow::Step FanucFlow::execute_next(std::string& flat) {
 
 void FanucFlow::note_line(std::string_view line) {
   said_.take(line);
+  note_registers(line);
   if (returns_to_.empty()) return;
   const auto found = returns_to_.find(head_of(line).number);
   if (found != returns_to_.end()) ++found->second;
+}
+
+// What the program has written into the register of a tool it may ask for (D-169).
+void FanucFlow::note_registers(std::string_view line) {
+  const auto setting = register_set_by(line, modes_.incremental);
+  if (setting && setting->value)
+    common_[setting->variable] = setting->value;
+  else if (setting)
+    common_.erase(setting->variable);
+  if (has_function(line, 'G', 20, 21) || has_function(line, 'G', 70, 71)) forget_registers();
+}
+
+// They count in another unit, or the machine may have set them.
+void FanucFlow::forget_registers() {
+  constexpr std::int64_t first = 12'001;
+  constexpr std::int64_t last = 13'999;
+  common_.erase(common_.lower_bound(first), common_.upper_bound(last));
 }
 
 // Where M99 P of the main program leads to.
@@ -189,7 +207,9 @@ void FanucFlow::note_what_is_said(std::string_view flat) {
     note_line(flat.substr(begin, end - begin));
     begin = end + 1;
   }
-  if (calls_the_machine_ || machine_follows_) said_.forget();
+  if (!calls_the_machine_ && !machine_follows_) return;
+  said_.forget();
+  forget_registers();
 }
 
 Flow::Step FanucFlow::copy_next(std::string& flat) {

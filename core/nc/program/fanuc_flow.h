@@ -77,6 +77,8 @@ class FanucFlow : public GcodeFlow {
   Step copy_next(std::string& flat);
   void note_what_is_said(std::string_view flat);
   void note_line(std::string_view line);
+  void note_registers(std::string_view line);
+  void forget_registers();
   void note_returns(const Unit& main);
 
   // fanuc_control.cpp: branches, loops and jumps.

@@ -114,8 +114,9 @@ bool FanucFlow::set(std::int64_t number, const Value& value, std::size_t begin) 
     return refuse(Code::program_alarm, begin,
                   std::string(without_blanks_behind(line_.substr(begin))));
   } else {
-    return refuse(number >= 1000 ? Code::machine_state : Code::value_invalid, begin,
-                  told_variable(number));
+    const std::string set_here = told_variable(number) + ", set by the program";
+    return number >= 1000 ? refuse(Code::machine_state, begin, set_here)
+                          : refuse(Code::value_invalid, begin, told_variable(number));
   }
   return true;
 }

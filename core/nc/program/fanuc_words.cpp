@@ -354,7 +354,8 @@ bool FanucFlow::never_leaves(std::size_t first, std::size_t last) const {
   for (std::size_t line = first; line <= last; ++line) {
     const std::string_view content = text.line(line);
     const std::size_t begin = head_of(content).behind;
-    const bool jumps = has_word_at(content, begin, "IF") || has_word_at(content, begin, "GOTO");
+    const bool jumps =
+        has_word_at(content, begin, "IF") || length_of_word_at(content, begin, "GOTO") > 0;
     const bool ends = has_function(content, 'M', 2, 30);
     const bool returns = line < last && has_function(content, 'M', 99, 99);
     if (jumps || ends || returns) return false;

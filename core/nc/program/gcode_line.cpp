@@ -73,6 +73,14 @@ bool has_word_at(std::string_view line, std::size_t at, std::string_view word) {
   return true;
 }
 
+std::size_t length_of_word_at(std::string_view line, std::size_t at, std::string_view word) {
+  constexpr std::size_t shortest = 2;
+  std::size_t length = word.size();
+  while (length >= shortest && !has_word_at(line, at, word.substr(0, length))) --length;
+  const bool goes_on = at + length < line.size() && is_letter(line[at + length]);
+  return length < shortest || (goes_on && length < word.size()) ? 0 : length;
+}
+
 bool has_function(std::string_view line, char letter, int first, int second) {
   for (std::size_t at = 0; at < line.size() && line[at] != ';';) {
     if (line[at] == '(') {

@@ -51,6 +51,10 @@ struct LineHead {
 [[nodiscard]] std::string comments_of(std::string_view line, std::size_t at);
 // Whether the word stands there, whatever its case.
 [[nodiscard]] bool has_word_at(std::string_view line, std::size_t at, std::string_view word);
+// How much of the word stands there, two letters at least, as FANUC has it: WHILE, WH; 0: it does
+// not.
+[[nodiscard]] std::size_t length_of_word_at(std::string_view line, std::size_t at,
+                                            std::string_view word);
 // Whether the letter stands in the line with one of the two numbers, whatever decimals that has,
 // outside of comments.
 [[nodiscard]] bool has_function(std::string_view line, char letter, int first, int second);

@@ -6,6 +6,7 @@
 
 #include "core/nc/program/gcode_line.h"
 #include "core/nc/text/characters.h"
+#include "core/nc/text/words.h"
 
 namespace trc::program {
 
@@ -14,6 +15,7 @@ struct LineWords {
   struct Word {
     char letter = 0;
     double value = 0;
+    bool whole = false;  // without a decimal point
   };
   std::vector<Word> words{};
   bool may_be_skipped = false;
@@ -24,9 +26,11 @@ struct LineWords {
       return word.letter == letter && std::ranges::find(values, word.value) != values.end();
     });
   }
-  [[nodiscard]] bool has(char letter) const {
-    return std::ranges::find(words, letter, &Word::letter) != words.end();
+  [[nodiscard]] const Word* word(char letter) const {
+    const auto found = std::ranges::find(words, letter, &Word::letter);
+    return found == words.end() ? nullptr : &*found;
   }
+  [[nodiscard]] bool has(char letter) const { return word(letter) != nullptr; }
 };
 
 namespace {
@@ -48,7 +52,7 @@ LineWords words_of(std::string_view line) {
     bool whole = false;
     double value = 0;
     const std::size_t length = read_number(line.substr(std::min(at, line.size())), value, whole);
-    if (length > 0) found.words.push_back({.letter = letter, .value = value});
+    if (length > 0) found.words.push_back({.letter = letter, .value = value, .whole = whole});
     at += length;
   }
   return found;
@@ -100,6 +104,25 @@ void SaidWords::take_places(const LineWords& words) {
     moves_ = true;
     if (!incremental_ && !words.may_be_skipped) placed_.at(axis) = true;
   }
+}
+
+// What a number without a decimal point counts in hangs on the control.
+std::optional<RegisterSetting> register_set_by(std::string_view line, bool incremental) {
+  if (!has_function(line, 'G', 10, 10)) return {};
+  const LineWords words = words_of(line);
+  const LineWords::Word* const number = words.word('P');
+  const LineWords::Word* const value = words.word('R');
+  const bool is_radius = words.has('L', {12});
+  if (number == nullptr || value == nullptr || !(is_radius || words.has('L', {13}))) return {};
+  constexpr double most_registers = 999;
+  if (!is_whole(number->value) || number->value < 1 || number->value > most_registers) return {};
+  constexpr std::int64_t radii = 13'000;
+  constexpr std::int64_t wears = 12'000;
+  const bool adds = words.has('G', {91}) || (incremental && !words.has('G', {90}));
+  const bool is_clear = !words.may_be_skipped && !adds && (!value->whole || value->value == 0);
+  return RegisterSetting{
+      .variable = (is_radius ? radii : wears) + static_cast<std::int64_t>(number->value),
+      .value = is_clear ? std::optional(value->value) : std::nullopt};
 }
 
 bool says_plainly(std::string_view line, char letter) { return words_of(line).has(letter); }

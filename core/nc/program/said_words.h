@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
@@ -47,6 +48,14 @@ class SaidWords {
   bool moves_frame_ = false;
   bool has_length_ = false;
 };
+
+// What a line of FANUC writes into the register of a radius or its wear: G10 L12, G10 L13.
+struct RegisterSetting {
+  std::int64_t variable = 0;      // which has that register: #13001, #12001
+  std::optional<double> value{};  // nothing: it hangs on what the line does not say
+};
+[[nodiscard]] std::optional<RegisterSetting> register_set_by(std::string_view line,
+                                                             bool incremental);
 
 // Whether the line has that letter with a plain number behind it, outside of comments.
 [[nodiscard]] bool says_plainly(std::string_view line, char letter);

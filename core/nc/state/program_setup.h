@@ -76,6 +76,7 @@ struct ProgramSetup {
   bool masking_switches_kerf = false;
   DialectName dialect = DialectName::isg;  // of NC text
   bool inch = false;                       // NC text counts in inch before it says
+  bool unit_is_assumed = false;            // nobody has said `inch`: D-167
   bool copies_unknown_words = false;       // lines with unknown G functions, while TRC is off
   // For programs that compute: the values of variables that the program does not set itself, by
   // name as it writes them; and the texts of subprograms that it calls, by file name.

@@ -70,22 +70,47 @@ void ProgramState::share_mode() {
   if (setup_.every_radius) radius_uses_.push_back(radius_use());
 }
 
-void ProgramState::forget_position(const std::array<bool, 3>& axes, const Source& source) {
+void ProgramState::forget_position(const std::array<bool, 3>& axes, const Source& source,
+                                   Unknown why) {
   for (std::size_t axis = 0; axis < known_.size(); ++axis)
-    if (axes[axis]) forget_axis(axis, source);
+    if (axes[axis]) forget_axis(axis, source, why);
   forget_what_stands_beside(source);
 }
 
-void ProgramState::forget_axis(std::size_t axis, const Source& source) {
+void ProgramState::forget_axis(std::size_t axis, const Source& source, Unknown why) {
   known_[axis] = false;
+  arrived_by_copy_[axis] = false;
   position_forgotten_[axis] = source;
+  why_unknown_[axis] = why;
+}
+
+void ProgramState::forget_lengths(const Source& source) {
+  std::array<bool, 3> axes{};
+  for (std::size_t axis = 0; axis < axes.size(); ++axis)
+    axes[axis] = (programmed_[axis] || arrived_by_copy_[axis]) && target_[axis] != 0;
+  if (axes != std::array<bool, 3>{}) forget_position(axes, source);
+}
+
+void ProgramState::arrive_by_copy(const std::array<std::optional<double>, 3>& place) {
+  if (contour_open()) return;
+  for (std::size_t axis = 0; axis < place.size(); ++axis) {
+    if (!place[axis]) continue;
+    target_[axis] = *place[axis];
+    arrived_by_copy_[axis] = true;
+  }
+  know_where_copies_led();
+}
+
+void ProgramState::know_where_copies_led() {
+  for (std::size_t axis = 0; axis < known_.size(); ++axis)
+    known_[axis] |= arrived_by_copy_[axis] && position_[axis] == target_[axis];
 }
 
 void ProgramState::forget_what_stands_beside(const Source& source) {
   if (!retract_is_lost()) return;
   const PlaneAxes axes = axes_of(mode_.plane);
-  forget_axis(axes.first, source);
-  forget_axis(axes.second, source);
+  forget_axis(axes.first, source, Unknown::coordinates_changed);
+  forget_axis(axes.second, source, Unknown::coordinates_changed);
 }
 
 void ProgramState::set_position(const std::array<std::optional<double>, 3>& place,
@@ -137,14 +162,18 @@ std::optional<Refusal> ProgramState::unknown_start(const MoveRequest& request) c
       request.end[axes.first] || request.end[axes.second] || is_circle(request.kind);
   for (std::size_t axis = 0; axis < known_.size(); ++axis) {
     if (known_[axis]) continue;
-    const bool counts_from_start = request.end[axis] && request.incremental;
+    const bool counts_from_start =
+        request.end[axis] && request.incremental && !arrived_by_copy_[axis];
     const bool needed =
         axis != axes.third && in_plane && (is_circle(request.kind) || mode_.active());
     if (counts_from_start || needed)
-      return Refusal{.code = Code::position_unknown,
-                     .detail = std::string(axis_words[axis]) + ", unknown since the change " +
-                               place_of(position_forgotten_[axis]) +
-                               (counts_from_start ? told_increments() : "")};
+      return Refusal{
+          .code = Code::position_unknown,
+          .detail = std::string(axis_words[axis]) +
+                    (why_unknown_[axis] == Unknown::without_value ? ", unknown since the variable "
+                                                                  : ", unknown since the change ") +
+                    place_of(position_forgotten_[axis]) +
+                    (counts_from_start ? told_increments() : "")};
   }
   return {};
 }
@@ -208,6 +237,7 @@ bool ProgramState::move(const MoveRequest& request) {
     return report(request.source, Code::plane_change_while_active);
   const bool goes_on =
       is_circle(request.kind) ? move_on_circle(request, end) : move_straight(request, end);
+  if (!all_known()) know_where_copies_led();
   if (next_plane_ && !retract_pending_) change_mode().plane = *std::exchange(next_plane_, {});
   return goes_on;
 }
@@ -284,8 +314,9 @@ bool ProgramState::append_between_corners(const MoveRequest& request, const Shap
 // program moves it all the same: programs go back there and begin the next pass (D-123).
 bool ProgramState::leads_back(const MoveRequest& request) const {
   const PlaneAxes axes = axes_of(mode_.plane);
-  return setup_.dialect != DialectName::isg && mode_.deselection == Selection::direct &&
-         last_mode_ != nullptr && last_mode_->plane == mode_.plane &&
+  return setup_.dialect != DialectName::isg && setup_.dialect != DialectName::fanuc &&
+         mode_.deselection == Selection::direct && last_mode_ != nullptr &&
+         last_mode_->plane == mode_.plane &&
          (request.end[axes.first] || request.end[axes.second]) &&
          (to_plane(mode_.plane, target_) - trc::end_of(last_path_)).norm() <=
              tolerances_.same_point;
