@@ -28,10 +28,6 @@ bool is_measured(Origin origin) {
   return false;
 }
 
-bool is_before(const Source& one, const Source& other) {
-  return one.index != other.index ? one.index < other.index : one.part < other.part;
-}
-
 }  // namespace
 
 std::uint32_t MeasuredPath::number_of(const std::shared_ptr<const TrcMode>& shared) {
@@ -140,10 +136,6 @@ void MeasuredPath::add(const CompensatedBlock& block) {
                      .inserted = inserted,
                      .on_contour = block.origin == Origin::programmed};
   });
-}
-
-std::size_t MeasuredPath::first_from(std::uint64_t index) const {
-  return first_from(Source{.index = index});
 }
 
 std::size_t MeasuredPath::first_from(const Source& source) const {

@@ -40,6 +40,11 @@ struct ProgrammedPiece {
   ContourRole role = ContourRole::unspecified;
 };
 
+// Whether the block of one stands before that of the other in the program.
+[[nodiscard]] inline bool is_before(const Source& one, const Source& other) {
+  return one.index != other.index ? one.index < other.index : one.part < other.part;
+}
+
 struct PathPiece {
   Piece piece{};
   double height = 0;           // of its end across the plane, mm
@@ -72,8 +77,8 @@ class MeasuredPath {
   [[nodiscard]] const Rule& rule_of(const ProgrammedPiece& piece) const {
     return rules_[piece.rule];
   }
-  // The number of the first programmed piece with this Source::index or a larger one.
-  [[nodiscard]] std::size_t first_from(std::uint64_t index) const;
+  // The number of the first programmed piece that is not before this block.
+  [[nodiscard]] std::size_t first_from(const Source& source) const;
 
   // Forgets the programmed pieces before this number, their ways, and all of the path.
   void forget_before(std::size_t number);
@@ -94,7 +99,6 @@ class MeasuredPath {
   void put_at_part(ProgrammedPiece& last);
   // The programmed piece that a path stems from; null: there is none.
   const ProgrammedPiece* find(const Source& source);
-  [[nodiscard]] std::size_t first_from(const Source& source) const;
 
   NumberedQueue<ProgrammedPiece> programmed_;
   NumberedQueue<PathPiece> path_;

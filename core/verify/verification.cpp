@@ -87,8 +87,8 @@ bool Verification::programmed(const Block& block) {
   if (motion == nullptr) return true;
   const auto& programmed = held_.programmed();
   if (!motion->mode->active()) {
-    if (!programmed.empty() && (ends_.empty() || ends_.back() < programmed.back().source.index))
-      ends_.push_back(motion->source.index);
+    if (!programmed.empty() && (ends_.empty() || is_before(ends_.back(), programmed.back().source)))
+      ends_.push_back(motion->source);
     return true;
   }
   if (motion->mode->selection_number == too_long_) return true;
@@ -120,8 +120,8 @@ bool Verification::compensated(std::span<const CompensatedBlock> path) {
     // A retract stems from the block behind its selection, but belongs to that.
     const bool leads_away = block.origin == Origin::retract;
     if (leads_away) held_.add(block);
-    if (!ends_.empty() && block.source.index >= ends_.front()) {
-      const std::uint64_t end = ends_.front();
+    if (!ends_.empty() && !is_before(block.source, ends_.front())) {
+      const Source end = ends_.front();
       ends_.pop_front();
       if (!measure_before(end)) return false;
     }
@@ -132,10 +132,10 @@ bool Verification::compensated(std::span<const CompensatedBlock> path) {
 
 bool Verification::finish() {
   if (!tell_unmeasured()) return false;
-  return measure_before(std::numeric_limits<std::uint64_t>::max());
+  return measure_before({.index = std::numeric_limits<std::uint64_t>::max()});
 }
 
-bool Verification::measure_before(std::uint64_t end) {
+bool Verification::measure_before(const Source& end) {
   const std::size_t behind = held_.first_from(end);
   const ClearanceReport found = measure_clearance(held_, behind, setup_.clearance, checkpoint_);
   report_.add(found);
@@ -167,7 +167,7 @@ std::optional<RefusedWay> Verification::way_that_closes_at(const Clearance& wors
       std::find_if(approaches_.rbegin(), approaches_.rend(),
                    [&](const MotionBlock& block) { return block.source.index < worst.path.index; });
   if (approach == approaches_.rend()) return std::nullopt;
-  const std::size_t begin = held_.first_from(approach->source.index);
+  const std::size_t begin = held_.first_from(approach->source);
   const std::uint32_t rule = programmed[begin].rule;
   RefusedWay way{.in_corner = true};
   way.blocks.push_back(*approach);

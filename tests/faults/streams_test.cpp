@@ -250,7 +250,7 @@ TEST(Streams, ManySurveysOfOneClientKeepNobodyElseWaiting) {
   std::string text = "G138 G1 G41 X20 Y0 F800\n";
   for (int i = 0; i < 40; ++i)
     text += "X" + std::to_string(20 + 10 * i) + " Y" + std::to_string(10 * (i % 2)) + "\n";
-  text += "G40 X0 Y-50\nM30\n";
+  text += "G40 X450 Y50\nM30\n";
   std::vector<std::string> told(surveys);
   std::vector<std::future<grpc::Status>> asked;
   for (std::string& answer : told)

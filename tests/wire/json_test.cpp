@@ -19,7 +19,7 @@ std::string fault_of(const std::string& json) {
 TEST(JsonFault, NamesTheFieldAndWhatItTakes) {
   EXPECT_EQ(fault_of(R"({"nix":{}})"), "nix: there is no such field");
   EXPECT_EQ(fault_of(R"({"setup":{"options":{"revers":true}}})"),
-            "setup.options.revers: there is no such field");
+            "setup.options.revers: there is no such field; did you mean reverse?");
   EXPECT_EQ(fault_of(R"({"setup":{"toolRadius":"5,5"}})"),
             "setup.tool_radius: \"5,5\" is not possible; it takes a number");
   EXPECT_EQ(fault_of(R"({"setup":{"lookAheadBlocks":1.5}})"),

@@ -69,9 +69,8 @@ bool read_edge_data(Reading& reading, const NamedWord& word, ProgramLine& line, 
   const LengthUnit lengths =
       reading.feed_in_mm ? reading.state.setup().length_unit() : reading.unit;
   const double value = word.value * mm_of(lengths);
-  const bool is_guessed =
-      reading.feed_in_mm && reading.unit == LengthUnit::inch &&
-      reading.state.setup().unit_is_assumed;
+  const bool is_guessed = reading.feed_in_mm && reading.unit == LengthUnit::inch &&
+                          reading.state.setup().unit_is_assumed;
   if (is_guessed && value != 0) return refused("in the unit of the machine, which nobody has said");
   using enum BlockWords::Tools::EdgeLength;
   const ToolInForce& tools = reading.state.tool();

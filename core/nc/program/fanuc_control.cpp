@@ -97,7 +97,8 @@ std::size_t FanucFlow::number_of_loop(std::string_view line, std::size_t at) con
 bool FanucFlow::execute_statement(std::string& flat) {
   ExpressionReader expression = expression_at(head_.behind);
   if (expression.pass("IF")) return branch(flat, expression);
-  if (pass_word(line_, "WHILE", expression)) return loop(flat, expression, LoopHead::with_condition);
+  if (pass_word(line_, "WHILE", expression))
+    return loop(flat, expression, LoopHead::with_condition);
   if (expression.pass("DO")) return loop(flat, expression, LoopHead::endless);
   if (expression.pass("ENDIF")) return finish_statement(flat, expression.at());
   if (expression.pass("ELSE"))  // behind a branch that was taken

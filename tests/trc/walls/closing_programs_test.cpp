@@ -467,7 +467,7 @@ TEST(ClosingPrograms, ALapMayEndWithinABlock) {  // D-100
 // however often it was roughed.
 TEST(ClosingPrograms, AFinishingLapMayHaveLeadsOfItsOwn) {  // D-100
   for (int laps = 1; laps <= 4; ++laps) {
-    std::string contour = "G162 G0 X20 Y20 F300\nG41 G1 X0 Y9.75\n";
+    std::string contour = "G162 G0 X2 Y2 F300\nG41 G1 X0 Y9.75\n";
     for (int lap = 0; lap < laps; ++lap) contour += "G3 X0 Y9.75 I0 J-9.75\n";
     contour += "G3 X0 Y-10 I0 J-9.875\nG3 X0 Y-10 I0 J10\nG3 X0 Y9.75 I0 J9.875\nG40 G1 X5 Y5\n";
     for (const char* modes : {removing, "G140 G26"}) {
