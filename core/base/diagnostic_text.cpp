@@ -538,7 +538,8 @@ std::string help_of(const Diagnostic& diagnostic, Language language) {
         Code::no_tool_radius,    Code::line_reversed,        Code::arc_wrapped,
         Code::clearance_violated};
     // Of these the words of expressions say little.
-    constexpr std::array<std::string_view, 7> own_reasons{", words behind a statement",
+    constexpr std::array<std::string_view, 8> own_reasons{", words behind a statement",
+                                                          ", set by the program",
                                                           " or a tool offset of Fanuc",
                                                           ", which the program itself changes",
                                                           ", an argument without a decimal point",

@@ -83,9 +83,9 @@ INSTANTIATE_TEST_SUITE_P(
         Told{fanuc, "G21 G90\n#2405=8.\nM30\n", "2:1 900307", "#2405, set by the program",
              "G10 L12"},
         Told{sinumerik, "G71 G90\nG0 X0 Y0\nG42 G1 X-10 Y0 Z=R1 F100\nY9\nG40 X9\nM30\n",
-             "3:15 900003", "Z=R1, a variable without a value", "--variable"},
+             "3:16 900003", "Z=R1, a variable without a value", "--variable"},
         Told{sinumerik, "G71 G90\nG0 X0 Y0\nG42 G1 X25 F100\nX30\nG2 AP=0 RP=25 CR=25\nM30\n",
-             "5:14 900003", "a centre or a radius of an arc beside AP=, RP=", "Leave it out"},
+             "5:15 900003", "a centre or a radius of an arc beside AP=, RP=", "Leave it out"},
         Told{fanuc, at_start + "G1 X10. F100.\nG2 X20. Y0 R0\nM30\n", "4:12 20036", "",
              "a radius other than 0"}));
 

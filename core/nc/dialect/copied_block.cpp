@@ -155,26 +155,6 @@ void copy_for_words_of_line(Reading& reading, BlockWords& block, AxisBits named,
   }
 }
 
-// The hole that a drilling cycle ends above, where its words name it: not a repeated one, not what
-// G91 or a frame moves elsewhere (D-168).
-bool ends_above_hole(const Reading& reading, const BlockWords& block) {
-  constexpr std::array cycles{73, 74, 76, 81, 82, 83, 84, 85, 86, 87, 88, 89};
-  const bool drills = block.has(cycle) && std::ranges::any_of(cycles, [&](int number) {
-                        return block.of(cycle).is(number, 0);
-                      });
-  const bool goes_on = !block.has(cycle) && reading.gcode.cycle && block.axis;
-  const bool is_absolute = block.has(dimension) ? block.of(dimension).is(90) : !reading.incremental;
-  const bool repeats = block.l_word || block.move.center[2];  // K of FANUC
-  const bool is_elsewhere = reading.machine_follows || block.to_skip ||
-                            reading.gcode.coordinates.turned != 0 ||
-                            !reading.gcode.coordinates.unfollowed.empty();
-  const bool stands_alone = !block.has(plane) && !block.has(single_move) && !block.has(frame) &&
-                            !block.has(tool_data) && !block.has(unfollowed) &&
-                            !block.has(unfollowed_end) && !block.has(zero_shift) &&
-                            !block.calls_the_machine && !block.moves_unfollowed();
-  return (drills || goes_on) && is_absolute && !repeats && !is_elsewhere && stands_alone;
-}
-
 // Decides whether the line is copied as it stands, and which axes it may move. Returns what must
 // not stand there while TRC is active.
 NotWhileActive find_what_is_copied(Reading& reading, BlockWords& block) {
@@ -309,9 +289,6 @@ bool copy_gcode_block(Reading& reading, ProgramLine& line, BlockWords& block) {
                                           .begin = block.of(side).begin,
                                           .detail = "TRC beside axis words that are no positions"});
   if (!block.copied) return true;
-  block.coordinates.ends_above_hole = (reading.dialect.name == DialectName::fanuc ||
-                                       reading.dialect.name == DialectName::linuxcnc) &&
-                                      ends_above_hole(reading, block);
   const PlaneAxes axes = axes_of(reading.state.mode().plane);
   const bool says_place = block.has(axis_technology) || block.has(frame) || block.has(dwell) ||
                           block.has(tool_data) || block.has(zero_shift);

@@ -114,9 +114,11 @@ bool FanucFlow::set(std::int64_t number, const Value& value, std::size_t begin) 
     return refuse(Code::program_alarm, begin,
                   std::string(without_blanks_behind(line_.substr(begin))));
   } else {
-    const std::string set_here = told_variable(number) + ", set by the program";
-    return number >= 1000 ? refuse(Code::machine_state, begin, set_here)
-                          : refuse(Code::value_invalid, begin, told_variable(number));
+    const std::string told = told_variable(number);
+    if (number < 1000) return refuse(Code::value_invalid, begin, told);
+    const bool has_own_reason = told.find(',') != std::string::npos;
+    return refuse(Code::machine_state, begin,
+                  has_own_reason ? told : told + ", set by the program");
   }
   return true;
 }
