@@ -42,7 +42,8 @@ Reading::Reading(const ReaderLimits& limits_of_text, ProgramState& state_of_prog
       reads_plain_lines(dialect.name == DialectName::isg) {
   diagnostics.units().count_in(unit, 0);
   state.set_length_unit(unit);
-  gcode.assumed_unit.holds = state.setup().unit_is_assumed;
+  // Programs of ISG begin with G71.
+  gcode.assumed_unit.holds = state.setup().unit_is_assumed && dialect.name != DialectName::isg;
   if (dialect.name == DialectName::heidenhain) {
     state.set_absolute_center(true);
     for (const auto& [name, value] : state.setup().variables) {
