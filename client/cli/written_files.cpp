@@ -52,7 +52,9 @@ bool may_be_written(const std::vector<WrittenFile>& written, const FilesRead& re
       if (!is_new) other = "the file of " + first->second;
     }
     if (other.empty()) continue;
-    complain(option + ' ' + path + " is " + other + "; write another file");
+    std::string text = option;
+    text.append(" ").append(path).append(" is ").append(other).append("; write another file");
+    complain(text);
     return false;
   }
   return true;

@@ -57,7 +57,8 @@ Ends ends_of(const SelectionPieces& selection, double closing_tolerance) {
 // The first wall in the program that the way leads through.
 std::optional<CrossedWall> crossed_wall(const Way& way, const SelectionPieces& selection,
                                         const ClearanceSettings& settings, Checkpoint& checkpoint) {
-  const auto& [held, begin, end, walls] = selection;
+  const MeasuredPath& held = selection.held;
+  const SelectionWalls& walls = selection.walls;
   const double least = settings.tolerances.same_point;  // mm
   const double at_end = settings.tolerances.on_top;     // mm
   const std::size_t own = held.programmed()[way.programmed].number;
