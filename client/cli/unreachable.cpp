@@ -1,48 +1,38 @@
 #include "client/cli/unreachable.h"
 
-#include <openssl/bio.h>
 #include <openssl/err.h>
 #include <openssl/pem.h>
 #include <openssl/x509.h>
 
 #include <array>
-#include <memory>
+#include <optional>
 #include <string_view>
 
 #include "client/cli/files.h"
+#include "server/net/pem.h"
 
 namespace trc::cli {
 namespace {
 
-template <auto free>
-struct Free {
-  template <class Object>
-  void operator()(Object* object) const {
-    free(object);
-  }
-};
-using Bio = std::unique_ptr<BIO, Free<BIO_free>>;
-using CertificatePointer = std::unique_ptr<X509, Free<X509_free>>;
-using KeyPointer = std::unique_ptr<EVP_PKEY, Free<EVP_PKEY_free>>;
+using server::BioPointer;
+using server::KeyPointer;
+using server::X509Pointer;
 
 constexpr std::size_t most_bytes = std::size_t{4} << 20U;
 
-// Of no file, and of one that cannot be read: null.
-Bio reader_of(const std::string& path, std::string& pem) {
-  if (path.empty() || !read_bounded(path, most_bytes, pem)) return nullptr;
-  return Bio(BIO_new_mem_buf(pem.data(), static_cast<int>(pem.size())));
+// Of no file, and of one that cannot be read: nothing.
+std::optional<std::string> text_of(const std::string& path) {
+  std::string pem;
+  if (path.empty() || !read_bounded(path, most_bytes, pem)) return std::nullopt;
+  return pem;
 }
-
-// Nobody is asked for a pass phrase.
-int no_pass_phrase(char* /*buffer*/, int /*size*/, int /*writing*/, void* /*user*/) { return -1; }
 
 // The first certificate of a file that can be read.
 std::string read_certificate(const std::string& option, const std::string& path,
-                             CertificatePointer& read) {
-  std::string pem;
-  const Bio reader = reader_of(path, pem);
-  if (reader == nullptr) return {};
-  read.reset(PEM_read_bio_X509(reader.get(), nullptr, nullptr, nullptr));
+                             X509Pointer& read) {
+  const auto pem = text_of(path);
+  if (!pem) return {};
+  read.reset(PEM_read_bio_X509(server::pem_reader(*pem).get(), nullptr, nullptr, nullptr));
   ERR_clear_error();
   return read == nullptr ? option + ": '" + path + "' holds no certificate" : std::string();
 }
@@ -50,16 +40,15 @@ std::string read_certificate(const std::string& option, const std::string& path,
 }  // namespace
 
 std::string fault_of_tls_files(const ServiceOptions& options) {
-  CertificatePointer authority;
+  X509Pointer authority;
   if (std::string fault = read_certificate("--tls-ca", options.tls_ca, authority); !fault.empty())
     return fault;
-  CertificatePointer own;
+  X509Pointer own;
   if (std::string fault = read_certificate("--tls-cert", options.tls_cert, own); !fault.empty())
     return fault;
-  std::string pem;
-  const Bio reader = reader_of(options.tls_key, pem);
-  if (reader == nullptr) return {};
-  const KeyPointer key(PEM_read_bio_PrivateKey(reader.get(), nullptr, no_pass_phrase, nullptr));
+  const auto pem = text_of(options.tls_key);
+  if (!pem) return {};
+  const KeyPointer key = server::private_key_in(*pem);
   const bool fits =
       key != nullptr && own != nullptr && X509_check_private_key(own.get(), key.get()) == 1;
   ERR_clear_error();

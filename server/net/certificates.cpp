@@ -1,6 +1,5 @@
 #include "server/net/certificates.h"
 
-#include <openssl/bio.h>
 #include <openssl/err.h>
 #include <openssl/pem.h>
 #include <openssl/x509.h>
@@ -15,25 +14,11 @@
 #include <vector>
 
 #include "server/config/plain_file.h"
+#include "server/net/pem.h"
 #include "server/net/trial_handshake.h"
 
 namespace trc::server {
 namespace {
-
-template <auto free>
-struct Free {
-  template <class Object>
-  void operator()(Object* object) const {
-    free(object);
-  }
-};
-using Bio = std::unique_ptr<BIO, Free<BIO_free>>;
-using X509Pointer = std::unique_ptr<X509, Free<X509_free>>;
-using KeyPointer = std::unique_ptr<EVP_PKEY, Free<EVP_PKEY_free>>;
-
-Bio reader_of(const std::string& pem) {
-  return Bio(BIO_new_mem_buf(pem.data(), static_cast<int>(pem.size())));
-}
 
 // All certificates of a file, in its order; a block that is none is a fault.
 struct Chain {
@@ -43,7 +28,7 @@ struct Chain {
 
 Chain certificates_in(const std::string& setting, const std::string& path, const std::string& pem) {
   Chain chain;
-  const Bio reader = reader_of(pem);
+  const BioPointer reader = pem_reader(pem);
   ERR_clear_error();
   while (X509Pointer one{PEM_read_bio_X509(reader.get(), nullptr, nullptr, nullptr)})
     chain.certificates.push_back(std::move(one));
@@ -72,9 +57,6 @@ std::string fault_of_order(const std::string& path, const Chain& chain) {
   }
   return {};
 }
-
-// Nobody is asked for a pass phrase.
-int no_pass_phrase(char* /*buffer*/, int /*size*/, int /*writing*/, void* /*user*/) { return -1; }
 
 std::int64_t seconds_of(const ASN1_TIME* time) {
   std::tm parts{};
@@ -111,8 +93,7 @@ std::string fault_of_authorities(const Certificates::Files& files, const Certifi
 std::string fault_of(const Certificates::Files& files, Certificate& read) {
   const Chain chain = certificates_in("tls-cert-file", files.chain, read.chain);
   if (!chain.fault.empty()) return chain.fault;
-  const KeyPointer key(
-      PEM_read_bio_PrivateKey(reader_of(read.key).get(), nullptr, no_pass_phrase, nullptr));
+  const KeyPointer key = private_key_in(read.key);
   if (key == nullptr) return "tls-key-file: '" + files.key + "' holds no key without pass phrase";
   if (X509_check_private_key(chain.certificates.front().get(), key.get()) != 1)
     return "tls-key-file: '" + files.key + "' does not belong to '" + files.chain + "'";

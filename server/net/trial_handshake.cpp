@@ -1,6 +1,5 @@
 #include "server/net/trial_handshake.h"
 
-#include <openssl/bio.h>
 #include <openssl/err.h>
 #include <openssl/obj_mac.h>
 #include <openssl/pem.h>
@@ -15,25 +14,13 @@
 #include <string>
 #include <utility>
 
+#include "server/net/pem.h"
+
 namespace trc::server {
 namespace {
 
-template <auto free>
-struct Free {
-  template <class Object>
-  void operator()(Object* object) const {
-    free(object);
-  }
-};
-using Bio = std::unique_ptr<BIO, Free<BIO_free>>;
-using Certificate = std::unique_ptr<X509, Free<X509_free>>;
-using Key = std::unique_ptr<EVP_PKEY, Free<EVP_PKEY_free>>;
 using Context = std::unique_ptr<SSL_CTX, Free<SSL_CTX_free>>;
 using Connection = std::unique_ptr<SSL, Free<SSL_free>>;
-
-Bio reader_of(const std::string& pem) {
-  return Bio(BIO_new_mem_buf(pem.data(), static_cast<int>(pem.size())));
-}
 
 // OpenSSL's "certificate verify failed" does not say what is wrong with the certificate.
 std::string fault_of_client(const SSL* client, const std::string& otherwise) {
@@ -61,22 +48,22 @@ Context context_as_of_grpc() {
 }
 
 bool take(SSL_CTX& context, const std::string& chain, const std::string& key) {
-  const Bio certificates = reader_of(chain);
-  const Certificate own(PEM_read_bio_X509(certificates.get(), nullptr, nullptr, nullptr));
+  const BioPointer certificates = pem_reader(chain);
+  const X509Pointer own(PEM_read_bio_X509(certificates.get(), nullptr, nullptr, nullptr));
   if (own == nullptr || SSL_CTX_use_certificate(&context, own.get()) != 1) return false;
-  while (Certificate next{PEM_read_bio_X509(certificates.get(), nullptr, nullptr, nullptr)})
+  while (X509Pointer next{PEM_read_bio_X509(certificates.get(), nullptr, nullptr, nullptr)})
     if (SSL_CTX_add1_chain_cert(&context, next.get()) != 1) return false;
   ERR_clear_error();  // the end of the file is one
-  const Key secret(PEM_read_bio_PrivateKey(reader_of(key).get(), nullptr, nullptr, nullptr));
+  const KeyPointer secret = private_key_in(key);
   return secret != nullptr && SSL_CTX_use_PrivateKey(&context, secret.get()) == 1;
 }
 
 // A client that trusts the end of the chain and looks at all else as every client does: what the
 // certificates are for, and how strong they are. Dates have messages of their own.
 bool trust_end_of(const std::string& chain, SSL_CTX& client) {
-  const Bio certificates = reader_of(chain);
-  Certificate end;
-  while (Certificate next{PEM_read_bio_X509(certificates.get(), nullptr, nullptr, nullptr)})
+  const BioPointer certificates = pem_reader(chain);
+  X509Pointer end;
+  while (X509Pointer next{PEM_read_bio_X509(certificates.get(), nullptr, nullptr, nullptr)})
     end = std::move(next);
   ERR_clear_error();  // the end of the file is one
   X509_STORE* const trusted = SSL_CTX_get_cert_store(&client);

@@ -8,9 +8,9 @@
 
 namespace trc::server {
 
-// Answers calls of RPCs that there are not: at once, with the name that was asked for and those
-// there are. gRPC itself says UNIMPLEMENTED without a word. Such a call computes nothing, takes no
-// thread and counts against what a connection may have like any other.
+// Refuses calls to RPCs that do not exist, and names the one that was asked for and those that
+// exist. gRPC itself says UNIMPLEMENTED without a word. Such a call computes nothing, takes no
+// thread and counts against the limits of its connection like any other.
 class UnknownRpc final : public grpc::CallbackGenericService {
  public:
   explicit UnknownRpc(const Backend& backend) : backend_(backend) {}

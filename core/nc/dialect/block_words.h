@@ -115,8 +115,6 @@ struct BlockWords {
     std::string frame{};          // of Sinumerik: which one the line sets as a whole, $P_UIFR[1]
     bool changes_length = false;  // G43, G44, G49
     bool sets_position = false;   // G92: the axis words say where the machine stands
-    // A drilling cycle, which ends above the hole that its words name in the plane.
-    bool ends_above_hole = false;
   };
   // # commands and other words of ISG only.
   struct Isg {

@@ -79,7 +79,6 @@ void ProgramState::forget_position(const std::array<bool, 3>& axes, const Source
 
 void ProgramState::forget_axis(std::size_t axis, const Source& source, Unknown why) {
   known_[axis] = false;
-  arrived_by_copy_[axis] = false;
   position_forgotten_[axis] = source;
   why_unknown_[axis] = why;
 }
@@ -87,23 +86,8 @@ void ProgramState::forget_axis(std::size_t axis, const Source& source, Unknown w
 void ProgramState::forget_lengths(const Source& source) {
   std::array<bool, 3> axes{};
   for (std::size_t axis = 0; axis < axes.size(); ++axis)
-    axes[axis] = (programmed_[axis] || arrived_by_copy_[axis]) && target_[axis] != 0;
+    axes[axis] = programmed_[axis] && target_[axis] != 0;
   if (axes != std::array<bool, 3>{}) forget_position(axes, source);
-}
-
-void ProgramState::arrive_by_copy(const std::array<std::optional<double>, 3>& place) {
-  if (contour_open()) return;
-  for (std::size_t axis = 0; axis < place.size(); ++axis) {
-    if (!place[axis]) continue;
-    target_[axis] = *place[axis];
-    arrived_by_copy_[axis] = true;
-  }
-  know_where_copies_led();
-}
-
-void ProgramState::know_where_copies_led() {
-  for (std::size_t axis = 0; axis < known_.size(); ++axis)
-    known_[axis] |= arrived_by_copy_[axis] && position_[axis] == target_[axis];
 }
 
 void ProgramState::forget_what_stands_beside(const Source& source) {
@@ -162,8 +146,7 @@ std::optional<Refusal> ProgramState::unknown_start(const MoveRequest& request) c
       request.end[axes.first] || request.end[axes.second] || is_circle(request.kind);
   for (std::size_t axis = 0; axis < known_.size(); ++axis) {
     if (known_[axis]) continue;
-    const bool counts_from_start =
-        request.end[axis] && request.incremental && !arrived_by_copy_[axis];
+    const bool counts_from_start = request.end[axis] && request.incremental;
     const bool needed =
         axis != axes.third && in_plane && (is_circle(request.kind) || mode_.active());
     if (counts_from_start || needed)
@@ -237,7 +220,6 @@ bool ProgramState::move(const MoveRequest& request) {
     return report(request.source, Code::plane_change_while_active);
   const bool goes_on =
       is_circle(request.kind) ? move_on_circle(request, end) : move_straight(request, end);
-  if (!all_known()) know_where_copies_led();
   if (next_plane_ && !retract_pending_) change_mode().plane = *std::exchange(next_plane_, {});
   return goes_on;
 }

@@ -171,9 +171,6 @@ class ProgramState {
   // Lengths have counted in another unit than was assumed: so of each axis that the program has led
   // away from 0 (D-167).
   void forget_lengths(const Source& source);
-  // What is copied has led the axes to these coordinates, mm, behind forget_position(). Motions go
-  // on from there; blocks show it from the end of the next one on (D-168).
-  void arrive_by_copy(const std::array<std::optional<double>, 3>& place);
   // G92 of Fanuc and LinuxCNC: from here on the machine stands at these coordinates, mm. Blocks
   // share their joints, so an axis of the plane that stood elsewhere becomes unknown.
   void set_position(const std::array<std::optional<double>, 3>& place, const Source& source);
@@ -269,18 +266,16 @@ class ProgramState {
   void serialize(Archive& archive) {
     archive(tool_, column_, mode_, shared_mode_, programmed_side_, tangential_requested_,
             absolute_center_, circle_.correct_center, circle_.last_digit, position_, target_,
-            known_, arrived_by_copy_, programmed_, position_forgotten_, why_unknown_, displaced_,
-            tracking_, selected_, selections_, in_plane_blocks_, has_approach_, last_path_,
-            last_index_, last_part_, last_mode_, retract_pending_, beside_contour_,
-            just_deselected_, next_plane_, corner_, lead_, arc_to_contour_, ended_,
-            increments_since_);
+            known_, programmed_, position_forgotten_, why_unknown_, displaced_, tracking_,
+            selected_, selections_, in_plane_blocks_, has_approach_, last_path_, last_index_,
+            last_part_, last_mode_, retract_pending_, beside_contour_, just_deselected_,
+            next_plane_, corner_, lead_, arc_to_contour_, ended_, increments_since_);
     terms_in_mode_ = tool_.terms();
   }
 
  private:
   void forget_what_stands_beside(const Source& source);
   void forget_axis(std::size_t axis, const Source& source, Unknown why);
-  void know_where_copies_led();
   bool report(const Source& source, Code code, std::string detail = {},
               std::vector<DiagnosticValue> values = {});
   bool refuse(const Source& source, Refusal refusal);
@@ -397,7 +392,6 @@ class ProgramState {
   // As programmed. Differs from position_ by steps that were too short to travel.
   Position target_{};
   std::array<bool, 3> known_{true, true, true};
-  std::array<bool, 3> arrived_by_copy_{};       // of the others: at target_, not at position_
   std::array<bool, 3> programmed_{};            // a motion has led there
   std::array<Source, 3> position_forgotten_{};  // by what, of the axes that are not known
   std::array<Unknown, 3> why_unknown_{};        // of these

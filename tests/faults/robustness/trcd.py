@@ -149,7 +149,7 @@ class Server:
         self.checked = is_checked(trcd)
         self.memory_mib = CHECKER_MEMORY_MIB if self.checked else MEMORY_MIB
         self.process, self.incarnation, self.reader = None, 0, None
-        self.port, self.admin, self.http = free_port(), free_port(), free_port()
+        self.port, self.admin, self.http, self.health = free_port(), free_port(), free_port(), free_port()
         self.clock, self.disk = Clock(folder, self.checked), SlowDisk(folder, self.checked)
         self.group = MemoryGroup(self.memory_mib)
         make_certificates(folder)
@@ -182,7 +182,8 @@ class Server:
     def flags(self, in_group):
         flags = {
             "listen": f"127.0.0.1:{self.port}", "admin-listen": f"127.0.0.1:{self.admin}",
-            "http-listen": f"127.0.0.1:{self.http}", "http-timeout-s": 5, "http-max-connections": 64,
+            "health-listen": f"127.0.0.1:{self.health}", "http-listen": f"127.0.0.1:{self.http}",
+            "http-timeout-s": 5, "http-max-connections": 64,
             "tls-cert-file": self.path("server.pem"), "tls-key-file": self.path("server.key"),
             "tls-refresh-s": 1, "resume-key-file": self.path("resume.key"),
             "max-streams": self.rng.choice([8, 24, 60]), "max-connections-per-peer": 20, "idle-timeout-s": 10,
