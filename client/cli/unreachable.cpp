@@ -27,16 +27,16 @@ using KeyPointer = std::unique_ptr<EVP_PKEY, Free<EVP_PKEY_free>>;
 
 constexpr std::size_t most_bytes = std::size_t{4} << 20U;
 
-// Of no file, and of one that cannot be read: null.
+// Null for no file, and for a file that cannot be read.
 Bio reader_of(const std::string& path, std::string& pem) {
   if (path.empty() || !read_bounded(path, most_bytes, pem)) return nullptr;
   return Bio(BIO_new_mem_buf(pem.data(), static_cast<int>(pem.size())));
 }
 
-// Nobody is asked for a pass phrase.
+// Never asks for a pass phrase.
 int no_pass_phrase(char* /*buffer*/, int /*size*/, int /*writing*/, void* /*user*/) { return -1; }
 
-// The first certificate of a file that can be read.
+// Reads the first certificate of a file; returns its fault.
 std::string read_certificate(const std::string& option, const std::string& path,
                              CertificatePointer& read) {
   std::string pem;
@@ -72,7 +72,7 @@ std::string fault_of_tls_files(const ServiceOptions& options) {
 
 std::string why_unreachable(const std::string& message) {
   struct Reason {
-    std::string_view said;  // by gRPC 1.51
+    std::string_view said;  // message of gRPC 1.51
     std::string_view meant;
   };
   static constexpr std::array reasons{
