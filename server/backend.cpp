@@ -10,7 +10,7 @@
 namespace trc::server {
 namespace {
 
-// Faults are found before a port is opened.
+// Server::start has already reported the fault of these limits, if any.
 Config filled_in(Config settings) {
   static_cast<void>(fill_in_limits(settings, memory_limit_bytes()));
   return settings;

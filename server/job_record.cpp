@@ -64,7 +64,7 @@ StreamedRecord::StreamedRecord(const v1::ProgramSetup& setup) {
   begin(record_);
   v1::ProgramSetup& kept = *record_.mutable_setup();
   kept = setup;
-  // What is a matter of this stream alone.
+  // These fields concern this stream alone.
   kept.clear_record();
   kept.mutable_path()->clear_want_resume_tokens();
   kept.mutable_path()->clear_resume_token();

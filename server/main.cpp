@@ -31,7 +31,7 @@ namespace service_manager = trc::server::service_manager;
 constexpr auto look_interval = std::chrono::seconds(1);
 constexpr auto longest_flush = std::chrono::seconds(1);
 
-// Signals are waited for, not caught: blocked in every thread that is started later.
+// Blocks these signals in this thread and all later ones: they are waited for, not caught.
 sigset_t block_signals() {
   sigset_t signals;
   sigemptyset(&signals);
@@ -47,8 +47,8 @@ const Log& grpc_log() {
   return log;
 }
 
-// Messages of gRPC and Protobuf, of a failed handshake or a text that is no UTF-8 say, join the
-// log: on standard error, where nobody reads it, they would hold up whoever writes them.
+// Sends messages of gRPC and Protobuf, such as a failed handshake or invalid UTF-8, to the log. If
+// nobody reads standard error, writing there would block their threads.
 void adopt_library_logs(const trc::server::Config& config) {
   grpc_log().set_level(config.log_level);
   grpc_log().set_most_lines_per_second(config.max_log_lines_per_s);
@@ -66,7 +66,7 @@ void adopt_library_logs(const trc::server::Config& config) {
   });
 }
 
-// The next signal, or 0 after a while.
+// The next signal, or 0 after `longest`.
 int wait_for(const sigset_t& signals, std::chrono::microseconds longest) {
   const timespec limit{.tv_sec = static_cast<time_t>(longest.count() / 1'000'000),
                        .tv_nsec = static_cast<long>(longest.count() % 1'000'000) * 1000};
@@ -74,8 +74,8 @@ int wait_for(const sigset_t& signals, std::chrono::microseconds longest) {
   return signal > 0 ? signal : 0;
 }
 
-// Log level and certificates; other settings need a restart, and the log names those of them that
-// differ from the ones at the start. A configuration that cannot be read changes nothing.
+// Reloads the log level and the certificates. Other settings need a restart; the log names those
+// that differ from the start. A configuration that cannot be read changes nothing.
 void reload(int argc, char** argv, trc::server::Config at_start, trc::server::Server& server) {
   service_manager::reloading();
   const auto& log = server.backend().telemetry.log;
@@ -96,8 +96,8 @@ void reload(int argc, char** argv, trc::server::Config at_start, trc::server::Se
   service_manager::ready();
 }
 
-// Serves until a signal says to stop; true then. False when it cannot go on: streams may wait for a
-// thread that could not be made, and go on elsewhere or behind a new start.
+// Serves until a signal asks it to stop; then true. False if streams may wait for a thread that
+// could not be made: they go on elsewhere or after a restart.
 bool serve(int argc, char** argv, const trc::server::Config& at_start, const sigset_t& signals,
            trc::server::Server& server) {
   const auto watchdog = service_manager::watchdog_interval();
@@ -117,9 +117,8 @@ bool serve(int argc, char** argv, const trc::server::Config& at_start, const sig
   }
 }
 
-// Who sends the signal twice does not want to wait for open streams, and whatever still runs when
-// draining should be over is not waited for either. Meanwhile the watchdog is told that draining is
-// no hang.
+// A second signal ends the process without waiting for open streams; so does the end of the time
+// for draining. Until then the thread feeds the watchdog, because draining is no hang.
 void exit_at_next(const sigset_t& signals, std::chrono::seconds drain_timeout, const Log& log) {
   constexpr auto grace = std::chrono::milliseconds(1500);
   const auto latest = std::chrono::steady_clock::now() + drain_timeout + grace;
@@ -137,8 +136,8 @@ void exit_at_next(const sigset_t& signals, std::chrono::seconds drain_timeout, c
   }
 }
 
-// The thread that sees to the end. It is there from the start on: when it is wanted there may be no
-// room for another one.
+// The thread that enforces the end. It exists from the start, because there may be no room for a
+// thread later.
 class Drain {
  public:
   Drain(const sigset_t& signals, std::chrono::seconds timeout, const Log& log) {
@@ -181,13 +180,12 @@ void log_start(trc::server::Server& server) {
           .number("max_streams", std::uint64_t{config.max_streams}));
 }
 
-// Streams wander from thread to thread. With a heap for each thread, as glibc gives them
-// by itself, what they leave behind adds up to a multiple of what they hold.
+// Streams move from thread to thread. With one heap per thread, the default of glibc, the memory
+// they leave behind is several times the memory they hold.
 void share_heap() {
   const unsigned threads = std::max(2U, std::thread::hardware_concurrency());
   mallopt(M_ARENA_MAX, static_cast<int>(threads));
-  // A batch is some hundred kilobytes, come and gone: the pages of the next one are those of the
-  // last.
+  // A batch takes some hundred kilobytes and is soon freed: the next one reuses its pages.
   mallopt(M_MMAP_THRESHOLD, 4 << 20);
   mallopt(M_TRIM_THRESHOLD, 8 << 20);
 }
@@ -210,15 +208,15 @@ int main(int argc, char** argv) {
     return command_line.exit->code;
   }
 
-  // Debian's Abseil looks for deadlocks of gRPC at every lock, behind one lock of its own, and ends
-  // the process where it finds no memory to note them down.
+  // Debian's Abseil looks for deadlocks of gRPC at every lock, under one lock of its own, and ends
+  // the process if it finds no memory for its notes.
   absl::SetMutexDeadlockDetectionMode(absl::OnDeadlockCycle::kIgnore);
   share_heap();
   trc::server::HeapReserve::install();
   const sigset_t signals = block_signals();
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);  // a log that may not grow any more
-  // What other servers turn their logs over for; the streams are not to die of it.
+  // Other servers rotate their logs on these signals; here they must not end the streams.
   for (const int other : {SIGUSR1, SIGUSR2, SIGALRM}) std::signal(other, SIG_IGN);
   adopt_library_logs(command_line.config);
   using trc::server::ThreadReserve;
@@ -233,7 +231,7 @@ int main(int argc, char** argv) {
   if (!ThreadReserve::refill()) return no_threads();
   log_start(*server);
   const auto& log = server->backend().telemetry.log;
-  // Lives as long as the process: so does its thread.
+  // Static, because its thread lives as long as the process.
   static Drain drain(signals, std::chrono::seconds(command_line.config.drain_timeout_s), log);
 
   service_manager::ready();
@@ -244,7 +242,7 @@ int main(int argc, char** argv) {
   log.info(LogLine("draining").number("streams", std::uint64_t{server->backend().streams.count()}));
   const std::size_t cut_off = server->drain();
   log.info(LogLine("stopped").number("streams_cut_off", std::uint64_t{cut_off}));
-  // Not for ever: where nobody reads the log, its writer never returns.
+  // With a limit: if nobody reads the log, its writer never returns.
   const int code = asked ? 0 : 1;
   if (!Log::flush(longest_flush)) _exit(code);
   return code;

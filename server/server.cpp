@@ -16,31 +16,32 @@
 namespace trc::server {
 namespace {
 
-// gRPC waits for its own end so long; by then no stream is open.
+// gRPC waits this long for its own end; no stream is open by then.
 constexpr auto shutdown_grace = std::chrono::milliseconds(100);
-// Streams that are cut off are told so, which takes no longer where their clients read.
+// Time to report the end to streams that are cut off; more would only help clients that do not
+// read.
 constexpr auto cut_off_grace = std::chrono::milliseconds(500);
 
 int milliseconds(std::uint32_t seconds) { return static_cast<int>(seconds) * 1000; }
 
-// Probes need next to nothing, and what they use is not what streams may use: a full server still
-// tells its health.
+// Probes need very little memory, which is kept apart from that of streams: a full server still
+// reports its health.
 constexpr std::uint32_t health_buffer_mib = 8;
-// The name of a service.
+// Enough for the name of a service.
 constexpr std::uint32_t health_message_bytes = 4096;
-// gRPC itself refuses without details. What is larger than allowed by less than this is refused by
-// the stream it came for, with its reason. Before gRPC looks at the size of a message it has all of
-// it: nothing more is held for that.
+// gRPC itself refuses without details. If a message exceeds the limit by less than this, its stream
+// refuses it with a reason. gRPC reads a whole message before it checks the size, so this takes no
+// further memory.
 constexpr std::uint32_t refused_message_bytes = 16U << 20U;
-// What has been read of a connection is served, whoever shuts it down meanwhile: gRPC would read
-// megabytes at a time, and thousands of streams in them.
+// gRPC serves all it has read of a connection, even if the connection is shut down meanwhile.
+// Without this limit it reads megabytes at a time, with thousands of streams in them.
 constexpr int most_read_bytes = 64 << 10;
-// A megabyte under way is what a link of a gigabit takes in 8 ms.
+// A gigabit link carries a megabyte in 8 ms.
 constexpr int stream_window_bytes = 1 << 20;
 
 void set_limits(grpc::ServerBuilder& builder, const Config& config, std::uint32_t message_bytes,
                 std::uint32_t buffer_mib) {
-  // gRPC inflates a message before it looks at its size: a megabyte would become a gigabyte.
+  // gRPC inflates a message before it checks its size: a megabyte could become a gigabyte.
   for (const auto algorithm : {GRPC_COMPRESS_GZIP, GRPC_COMPRESS_DEFLATE})
     builder.SetCompressionAlgorithmSupportStatus(algorithm, false);
   builder.SetMaxReceiveMessageSize(static_cast<int>(message_bytes));
@@ -50,13 +51,13 @@ void set_limits(grpc::ServerBuilder& builder, const Config& config, std::uint32_
   set(GRPC_ARG_MAX_CONCURRENT_STREAMS, static_cast<int>(config.max_streams_per_connection));
   set(GRPC_ARG_KEEPALIVE_TIME_MS, milliseconds(config.keepalive_time_s));
   set(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, milliseconds(config.keepalive_timeout_s));
-  // Nobody is asked before the handshake of TLS is over: it may take as long as one who is.
+  // Keepalive starts after the TLS handshake, so the handshake may take as long as a keepalive.
   set(GRPC_ARG_SERVER_HANDSHAKE_TIMEOUT_MS,
       milliseconds(config.keepalive_time_s + config.keepalive_timeout_s));
   set(GRPC_ARG_KEEPALIVE_PERMIT_WITHOUT_CALLS, 1);
   set(GRPC_ARG_HTTP2_MAX_PINGS_WITHOUT_DATA, 0);
-  // What waits in gRPC behind a stream whose turn has not come is bounded by its window. gRPC would
-  // widen it, by what it measures of the network, to more than a whole program.
+  // The stream window limits the bytes that wait in gRPC for the turn of a stream. With its probe
+  // of the network, gRPC would widen the window to more than a whole program.
   set(GRPC_ARG_HTTP2_BDP_PROBE, 0);
   set(GRPC_ARG_HTTP2_STREAM_LOOKAHEAD_BYTES, stream_window_bytes);
   set(GRPC_ARG_TCP_MAX_READ_CHUNK_SIZE, most_read_bytes);
@@ -163,7 +164,7 @@ std::string Server::open(Callers callers) {
       if (admin_ == nullptr) return "cannot listen on admin-listen " + config.admin_listen;
     }
   }
-  // gRPC starts no server whose only service is its own one of health.
+  // gRPC does not start a server that only has the built-in health service.
   health_builder.RegisterCallbackGenericService(&no_service_);
   grpc_ = builder.BuildAndStart();
   if (health_port_ > 0) health_ = health_builder.BuildAndStart();
@@ -179,7 +180,7 @@ std::string Server::open(Callers callers) {
   return {};
 }
 
-// gRPC is given connections, not addresses: see Acceptor.
+// gRPC receives connections, not addresses: see Acceptor.
 std::string Server::listen(grpc::ServerBuilder& builder, const std::string& address,
                            const std::shared_ptr<const Certificates>& certificates,
                            Acceptor::Use use, int& port) {
@@ -220,7 +221,7 @@ void Server::set_serving(bool serving) {
   for (grpc::Server* server : {grpc_.get(), health_.get()}) {
     if (server == nullptr) continue;
     server->GetHealthCheckService()->SetServingStatus(v1::TrcService::service_full_name(), serving);
-    // The status of all services, which also tells those who watch.
+    // The empty name means all services; this also notifies watchers.
     server->GetHealthCheckService()->SetServingStatus(serving);
   }
 }
@@ -282,7 +283,7 @@ void Server::reload_certificates() {
                            static_cast<std::uint64_t>(certificates_->current()->expires_s)));
       return;
     case Certificates::Reload::refused:
-      // Once a fault, not once a look.
+      // Reports each fault once, not at every look.
       if (fault == refused_certificates_) return;
       refused_certificates_ = fault;
       metrics.count_certificate_reload("refused");
@@ -324,8 +325,8 @@ std::size_t Server::drain() {
     cut_off = backend_.streams.count();
     backend_.streams.cut_off(Clock::now() + cut_off_grace);
   }
-  // The last bytes of an answer are on their way when its stream has ended, and so is the line that
-  // says why it was cut off.
+  // When a stream has ended, the last bytes of its answer are still on their way, and so is the log
+  // line that says why it was cut off.
   if (http_) http_->wait_until_idle(Clock::now() + cut_off_grace);
   stop_grpc();
   return cut_off;
@@ -336,12 +337,12 @@ void Server::stop_grpc() {
   http_.reset();
   for (std::unique_ptr<grpc::Server>* server : {&grpc_, &health_}) {
     if (*server == nullptr) continue;
-    // Shutdown waits for idle clients as long as it is allowed to, so it is allowed little.
+    // Shutdown waits for idle clients until its deadline, so the deadline is short.
     (*server)->Shutdown(std::chrono::system_clock::now() + shutdown_grace);
     (*server)->Wait();
     server->reset();
   }
-  // The last: until then it tells that the server drains.
+  // Last, because until then it reports that the server drains.
   admin_.reset();
 }
 

@@ -48,8 +48,8 @@ TrcService::BytesReactor* TrcService::SurveyRadii(grpc::CallbackServerContext* c
 
 namespace {
 
-// One answer of GetServerInfo. It is some fifty kilobytes, which a client may leave unread: it
-// takes a place of its client until it has gone.
+// One answer of GetServerInfo. A client may leave its some fifty kilobytes unread, so the answer
+// takes one of the client's places until it is gone.
 class ServerInfoReactor final : public grpc::ServerUnaryReactor {
  public:
   ServerInfoReactor(Backend& backend, grpc::CallbackServerContext& context,

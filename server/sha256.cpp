@@ -1,4 +1,4 @@
-// A digest of EVP cannot be written down half-way, as streams that go on elsewhere have to.
+// A digest of the EVP interface cannot be saved half-way, but a resumed stream needs that.
 #define OPENSSL_SUPPRESS_DEPRECATED
 
 #include "server/sha256.h"
@@ -56,7 +56,7 @@ void Sha256::save(StateWriter& archive) const {
 void Sha256::load(StateReader& archive) {
   archive(bytes_);
   serialize_state(archive, *state_);
-  // What is no state of a digest would be read beyond its end.
+  // With other values, OpenSSL would read beyond the end of the state.
   if (state_->num >= SHA256_CBLOCK || state_->md_len != SHA256_DIGEST_LENGTH)
     throw std::runtime_error("no state of a SHA-256");
 }

@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint32_t end_bits = TRC_HAS_X | TRC_HAS_Y | TRC_HAS_Z;
 constexpr std::uint32_t center_bits = TRC_HAS_I | TRC_HAS_J | TRC_HAS_K;
 
-// What a block of this kind may have; nothing: there is no such kind.
+// The fields that a block of this kind may have; none: the kind does not exist.
 std::optional<std::uint32_t> allowed_bits(std::int32_t kind) {
   switch (kind) {
     case TRC_RAPID:
@@ -36,7 +36,7 @@ std::optional<std::uint32_t> allowed_bits(std::int32_t kind) {
 
 bool is_motion(std::int32_t kind) { return kind >= TRC_RAPID && kind <= TRC_COUNTER_CLOCKWISE; }
 
-// What is wrong with the block itself, whatever its values.
+// The fault of the block itself, whatever its values; empty: none.
 std::string fault_in(const trc_block& block) {
   const auto allowed = allowed_bits(block.kind);
   if (!allowed) return "kind is " + std::to_string(block.kind) + ", allowed are 1 to 9 (trc_kind)";

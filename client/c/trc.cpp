@@ -26,18 +26,18 @@
 namespace wire = trc::wire;
 namespace v1 = trc::v1;
 
-// One of the two sessions of the core, and what it has said that was not taken yet.
+// One of the two sessions of the core, and its answers that have not been taken yet.
 struct trc_session {
   std::optional<trc::PathSession> path{};
   std::optional<trc::ProgramSession> program{};
 
-  // Of blocks.
+  // For blocks.
   std::optional<wire::BlockReader> reader{};
   v1::BlockBatch batch{};
   wire::Json json{};
 
   trc::Answers answers{};
-  trc::Answer taken{};  // the part that leaves at present
+  trc::Answer taken{};  // the part being taken
   bool text_has_left = false;
   std::size_t next_block = 0;  // of that part
   std::size_t next_diagnostic = 0;
@@ -45,8 +45,8 @@ struct trc_session {
   trc::c::AnswerOut last{};
 
   bool finished = false;
-  std::string refusal{};  // why, once it is refused
-  int unusable = TRC_OK;  // TRC_MEMORY or TRC_INTERNAL, once something was thrown
+  std::string refusal{};  // empty: not refused
+  int unusable = TRC_OK;  // TRC_MEMORY or TRC_INTERNAL after an exception
 
   template <class Use>
   decltype(auto) with(Use use) {
@@ -60,12 +60,12 @@ struct trc_session {
 
 namespace {
 
-// Of a size, so that saying what is wrong takes no memory.
+// Of fixed size, so that an error message needs no memory.
 thread_local std::array<char, 1024> last_error{};
 
 int fail(int status, std::string_view text) {
   std::size_t size = std::min(text.size(), last_error.size() - 1);
-  // Not within a character.
+  // Does not cut a character in two.
   if (size < text.size())
     while (size > 0 && (static_cast<unsigned char>(text[size]) & 0xc0U) == 0x80U) --size;
   std::copy_n(text.data(), size, last_error.data());
@@ -73,7 +73,7 @@ int fail(int status, std::string_view text) {
   return status;
 }
 
-// What is thrown leaves no session that could go on.
+// After an exception the session cannot go on.
 template <class Work>
 int guarded(trc_session* session, Work work) noexcept {
   int status = TRC_INTERNAL;
@@ -164,7 +164,8 @@ int fault_of_block(const trc_session& session, const std::string& fault) {
   return fail(TRC_ARGUMENT, "block " + std::to_string(session.reader->next_block()) + ": " + fault);
 }
 
-// Behind "batch.blocks[3].": the place in a batch of ours tells the caller nothing.
+// The part after "batch.blocks[3].": an index in the library's own batch means nothing to the
+// caller.
 std::string without_batch(const wire::FieldFault& fault) {
   const std::size_t bracket = fault.field.find("].");
   const std::string field =
@@ -172,7 +173,7 @@ std::string without_batch(const wire::FieldFault& fault) {
   return field + fault.description;
 }
 
-// The error that has just stopped the session, in one sentence.
+// Fails with the error that has just stopped the session, in one sentence.
 int refuse(trc_session& session) {
   if (session.refusal.empty()) {
     session.refusal = "refused";
@@ -186,7 +187,7 @@ int refuse(trc_session& session) {
   return fail(TRC_REFUSED, session.refusal);
 }
 
-// Gives what is in the batch to the session.
+// Gives the blocks in the batch to the session.
 int give_batch(trc_session& session) {
   wire::FieldFaults faults;
   trc::PathSession& path = *session.path;
@@ -199,7 +200,7 @@ int give_batch(trc_session& session) {
 
 int feed_blocks(trc_session& session, const unsigned char* blocks, std::size_t count,
                 std::size_t block_size) {
-  // So many at once: few enough to lie in the caches still.
+  // Few enough blocks to stay in the caches.
   constexpr std::size_t group = 256;
   for (std::size_t first = 0; first < count; first += group) {
     session.batch.Clear();
@@ -211,7 +212,7 @@ int feed_blocks(trc_session& session, const unsigned char* blocks, std::size_t c
       fault = trc::c::is_zero_behind(given, sizeof block, block_size)
                   ? trc::c::write_block(block, session.json, *session.batch.add_blocks())
                   : "it holds what only a newer library knows";
-      // What has begun to be written is not given.
+      // A block that is only partly written is not given.
       if (!fault.empty() && session.batch.blocks_size() > static_cast<int>(i - first))
         session.batch.mutable_blocks()->RemoveLast();
     }
@@ -223,7 +224,7 @@ int feed_blocks(trc_session& session, const unsigned char* blocks, std::size_t c
 
 // --- Answers out
 
-// Whether there was another part.
+// Takes the next part; false: there is none.
 bool take_part(trc_session& session) {
   auto& parts = session.answers.parts();
   while (parts.size() > 1 && parts.front().empty()) parts.pop_front();
@@ -231,7 +232,7 @@ bool take_part(trc_session& session) {
   session.taken.text.clear();
   session.taken.blocks.clear();
   session.taken.diagnostics.clear();
-  // What is next has the memory of what has left.
+  // Swapping lets the next part reuse the memory of the last one.
   std::swap(session.taken, parts.front());
   if (parts.size() > 1) parts.pop_front();
   session.text_has_left = session.taken.text.empty();
@@ -299,7 +300,8 @@ trc_summary summary_of(const trc_session& session) {
   return summary;
 }
 
-// What keeps a session from taking more, or TRC_OK. `takes`: whether it is of that kind.
+// The fault that keeps a session from taking more input, or TRC_OK. `takes`: whether the session
+// takes input of this kind.
 int check_feeding(trc_session& session, bool takes, const char* other) {
   if (session.unusable != TRC_OK) return unusable(session);
   if (!takes)
@@ -312,7 +314,7 @@ int check_feeding(trc_session& session, bool takes, const char* other) {
 }  // namespace
 
 const char* trc_version(void) {
-  // "major.minor.patch" of a literal: with its NUL.
+  // A literal "major.minor.patch", so it ends with NUL.
   return trc::version().data();
 }
 

@@ -39,10 +39,10 @@ struct Call {
   std::string record;
   std::string to;
   bool force = false;
-  bool worker = false;  // of a folder
+  bool worker = false;  // for a folder
 };
 
-// The program a path came from is worth more than the path.
+// False if the output would replace the program, which is worth more than its path.
 bool may_write(const Call& call) {
   if (!call.force && is_same_file(call.program.file, call.output)) {
     complain("-o " + call.output + " is the program itself; write another file, or say --force");
@@ -64,7 +64,7 @@ bool setup_for(const Call& call, v1::ProgramSetup& setup) {
   return true;
 }
 
-// The words of the call that hold for every program.
+// The words of the call that apply to every program.
 std::vector<std::string> words_for_all(const CLI::App& command) {
   const std::set<std::string> own{"file",     "--output-dir", "--jobs", "--output",
                                   "--record", "--worker",     "--lang"};
@@ -97,7 +97,7 @@ Exit run_folder(const Call& call, const std::vector<std::string>& words) {
   return compensate_folder(run);
 }
 
-// The program as it was compensated, in the words of another dialect.
+// Writes the compensated program in the words of another dialect.
 Exit write_converted(const Call& call, const v1::ProgramSetup& setup, const std::string& text,
                      Output& output) {
   wire::FieldFaults faults;
@@ -113,7 +113,7 @@ Exit write_converted(const Call& call, const v1::ProgramSetup& setup, const std:
   return output.write(converted.text) && output.commit() ? Exit::done : Exit::wrong_call;
 }
 
-// On standard error, behind all that came out: to somebody who looks, or who asked for it.
+// Writes the summary to standard error, after all output: for a user at a terminal, or on request.
 void tell_done(const Call& call, const Job& job, const Input& input, double seconds) {
   const Loudness& loudness = call.program.loudness;
   if (!job.summary || loudness.quiet) return;
@@ -169,8 +169,8 @@ Exit run(const Call& call) {
     if (written == Exit::done) tell_done(call, job, input, seconds);
     return written;
   }
-  // Half a program must not look like a whole one. Listings and JSON lines of what was certain
-  // before a refusal are shown on the screen: no control runs them.
+  // A partial program must not look like a whole one. On the screen, listings and JSON lines from
+  // before a refusal remain: no control runs them.
   const bool keep = exit == Exit::done || (output.is_standard_output() && !as_nc);
   if (keep && !output.commit()) return Exit::wrong_call;
   tell_done(call, job, input, seconds);
@@ -207,7 +207,7 @@ void add_output_options(CLI::App& command, Call& call) {
       ->capture_default_str();
 }
 
-// Returns the one that names the folder.
+// Returns the option that names the folder.
 CLI::Option* add_folder_options(CLI::App& command, Call& call) {
   auto* directory =
       command
@@ -220,7 +220,7 @@ CLI::Option* add_folder_options(CLI::App& command, Call& call) {
       ->check(CLI::Range(1, 256))
       ->capture_default_str()
       ->needs(directory);
-  // How --output-dir calls the processes beside it; for nobody else.
+  // Hidden: --output-dir starts its worker processes with it.
   command.add_flag("--worker", call.worker)->group("")->needs(directory);
   command
       .add_option("--record", call.record,

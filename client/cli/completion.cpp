@@ -19,7 +19,7 @@ std::vector<const CLI::App*> commands_of(const CLI::App& app) {
   return app.get_subcommands([](const CLI::App*) { return true; });
 }
 
-// "--server", "-o"
+// For example "--server", "-o".
 std::vector<std::string> spellings_of(const CLI::Option& option) {
   std::vector<std::string> names;
   for (const std::string& name : option.get_snames()) names.push_back("-" + name);
@@ -29,7 +29,7 @@ std::vector<std::string> spellings_of(const CLI::Option& option) {
 
 bool takes_a_value(const CLI::Option& option) { return option.get_items_expected_max() > 0; }
 
-// As the help shows them: "TEXT:{mm,inch}", or what settings begin with. Empty: any value.
+// The values in the help, "TEXT:{mm,inch}", or the beginnings of settings. Empty: any value.
 std::vector<std::string> values_of(const CLI::Option& option) {
   if (option.check_lname("set")) {
     std::vector<std::string> keys;
@@ -49,7 +49,7 @@ std::vector<std::string> values_of(const CLI::Option& option) {
   return values;
 }
 
-// By the value, as tool_radius= is.
+// Whether the value follows without a blank, as for tool_radius=.
 bool are_followed_at_once(const std::vector<std::string>& words) {
   return !words.empty() && words.front().ends_with('=');
 }
@@ -61,7 +61,7 @@ std::string joined(const std::vector<std::string>& words, std::string_view betwe
   return text;
 }
 
-// Those of the words behind the command; empty: files.
+// The words that may follow the command; empty: file names.
 std::vector<std::string> words_of(const CLI::App& command) {
   if (command.get_name() == "explain") {
     std::vector<std::string> codes;
@@ -81,7 +81,7 @@ std::string names_of(const std::vector<const CLI::App*>& commands) {
   return joined(names, " ");
 }
 
-// Between single quotes of all three shells nothing but the quote itself stands out.
+// In single quotes only the quote itself is special, in all three shells.
 std::string quoted(const std::string& text) {
   std::string result = "'";
   for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -138,7 +138,7 @@ std::string for_bash(const CLI::App& app) {
          "complete -F _trc trc\n";
 }
 
-// Brackets and colons have a meaning in the specifications of _arguments.
+// Brackets and colons have a meaning in specifications of _arguments.
 std::string zsh_text(const std::string& text) {
   std::string result;
   for (const char c : text)
@@ -147,7 +147,7 @@ std::string zsh_text(const std::string& text) {
   return result;
 }
 
-// What _arguments offers as the value of an option.
+// The part of an _arguments specification that offers values for an option.
 std::string zsh_values(const std::vector<std::string>& words) {
   if (words.empty()) return ":value:_files";
   if (are_followed_at_once(words)) return ":value:{compadd -S \"\" - " + joined(words, " ") + "}";

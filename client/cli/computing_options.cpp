@@ -16,11 +16,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Together with the rest of the setup they fit a message.
+// Leaves room in the message for the rest of the setup.
 constexpr std::size_t most_bytes = 900 * 1024;
 
-// Pictures, archives and the like stand beside subprograms, too. What serial lines leave, zeros at
-// the begin and the end of a text, makes it none of them.
+// Folders of subprograms may also hold pictures or archives, which are no text. Zeros at the begin
+// and the end, as serial lines leave them, are allowed in a text.
 bool is_text(std::string_view bytes) {
   constexpr std::string_view zero("\0", 1);
   const std::size_t begin = bytes.find_first_not_of(zero);

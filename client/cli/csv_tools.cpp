@@ -58,7 +58,7 @@ std::string CsvTools::read_header(std::string_view line) {
   return {};
 }
 
-// Where semicolons part the columns, a comma stands for the decimal point.
+// If semicolons separate the columns, a comma is a decimal point.
 std::optional<double> CsvTools::number_in(std::string_view cell) const {
   std::string number(cell);
   if (separator_ == semicolon) std::ranges::replace(number, ',', '.');
@@ -67,7 +67,7 @@ std::optional<double> CsvTools::number_in(std::string_view cell) const {
 
 std::string CsvTools::read(std::string_view line) {
   const auto cells = split(line, separator_);
-  // A decimal comma makes two cells of one number, and the first of them would count.
+  // A decimal comma splits a number into two cells, and only the first would count.
   for (std::size_t i = columns_.size(); i < cells.size(); ++i)
     if (!cells[i].empty())
       return "it has more values than the header; decimals have a point, or semicolons stand "
@@ -112,7 +112,7 @@ std::string CsvTools::read_cell(const std::string& column, std::string_view cell
 
 std::string CsvTools::read_number(const std::string& column, std::string_view cell,
                                   Row& row) const {
-  if (column == "NUMBER" && cell.empty()) return {};  // the name tells
+  if (column == "NUMBER" && cell.empty()) return {};  // the name identifies the tool
   const auto read = number_in(cell);
   if (!read && !(column == "WEAR" && cell.empty()))
     return column + " is \"" + std::string(cell) + "\", which is no number";

@@ -22,7 +22,7 @@ std::string length_text(double length, const Writing& writing) {
   return text + (writing.inch ? " in" : " mm");
 }
 
-// Writes the words of one help.
+// Writes one help text.
 class Words {
  public:
   Words(const EntryHelp& help, const Writing& writing)
@@ -32,7 +32,7 @@ class Words {
         german_(writing.language == Language::german),
         points_(dialect_of(writing.dialect).writes_points) {}
 
-  // The axes of the plane, and the third one where it changes.
+  // The axes of the plane, and the third axis if it changes.
   [[nodiscard]] std::string place(const Axes& point, double height) const {
     constexpr std::array<char, 3> letters{'X', 'Y', 'Z'};
     std::string text;
@@ -61,7 +61,7 @@ class Words {
   }
 
  private:
-  // In the unit of the program, without zeros at its end.
+  // In the unit of the program, without trailing zeros.
   [[nodiscard]] std::string number(double value) const {
     std::string text;
     append_fixed(text, inch_ ? value / mm_per_inch : value, inch_ ? 5 : 4);
@@ -90,12 +90,12 @@ std::string line_of(const EntryProposal& proposal, bool leaves, const Words& wor
     if (leaves && i + 1 == proposal.blocks.size()) text += words.in(" with G40", " mit G40");
     from = axes_of(block.end);
   }
-  // The contour may go on without a G word of its own.
+  // The next contour block may have no G word of its own.
   if (!leaves && !proposal.blocks.empty() && proposal.blocks.back().center) text += ", G1";
   return text;
 }
 
-// "the block", "the 2 blocks"
+// For example "the block", "the 2 blocks".
 std::string blocks(const std::string& which, std::uint32_t count) {
   return count == 1 ? which + "block" : which + std::to_string(count) + " blocks";
 }
@@ -167,7 +167,7 @@ std::vector<std::string> lines_of(const EntryHelp& help, const Writing& writing)
   std::vector<std::string> lines{first_line(help, words, writing)};
   if (writing.dialect == DialectName::heidenhain) return lines;
   for (const EntryProposal& proposal : help.proposals) {
-    // Of other dialects G238 is no word.
+    // Other dialects have no G238.
     if (is_in_corner(proposal) && writing.dialect != DialectName::isg) continue;
     lines.push_back((help.leaves ? words.in("proposed exit, ", "Vorschlag zum Abfahren, ")
                                  : words.in("proposed entry, ", "Vorschlag zum Anfahren, ")) +

@@ -29,7 +29,7 @@ std::string_view word_for(Severity severity, Language language) {
   return (language == Language::german ? german : words).at(static_cast<std::size_t>(severity));
 }
 
-// A number, or the reason of a row in letters of either case; null: there is no such code.
+// A row by its number, or by its reason in any case; null: there is no such code.
 const CodeRow* row_named(std::string name) {
   name = in_upper_case(name);
   int number = 0;
@@ -42,7 +42,7 @@ const CodeRow* row_named(std::string name) {
   return found == rows.end() ? nullptr : &*found;
 }
 
-// In lines of at most 96 characters, all but the first behind `indent` blanks.
+// Folds the text into lines of at most 96 characters, indented except for the first.
 std::string folded(std::string_view text, std::size_t indent) {
   constexpr std::size_t widest = 96;
   std::string lines;
@@ -77,7 +77,7 @@ void print_list(Language language) {
                       "it.\n");
 }
 
-// What an explanation says in one language.
+// An explanation in one language.
 struct Words {
   std::string_view meaning;
   std::array<std::string_view, 3> causes{};
@@ -89,8 +89,8 @@ Words words_of(const Explanation& explanation, Language language) {
                            : Words{german->meaning, german->causes};
 }
 
-// Whether something of the contour is certain before the example is refused. Of these nothing is:
-// their first word of TRC is the fault, or a limit is met, of which no picture is made.
+// Whether part of the contour is certain before the example is refused. With these codes none is:
+// the first TRC word is the fault, or a limit is exceeded, which has no picture.
 bool shows_a_contour(const Explanation& explanation) {
   constexpr std::array refused_at_once{Code::compensation_side_twice, Code::selection_mode_twice,
                                        Code::side_behind_end, Code::selection_too_long,

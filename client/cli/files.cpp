@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t piece = 64U * 1024U;
 
-// The unfinished file of this process, for the signal handler.
+// Name of the unfinished file of this process, for the signal handler.
 std::array<char, 4096> unfinished{};
 
 extern "C" void remove_unfinished(int signal_number) {
@@ -39,13 +39,13 @@ void guard_unfinished(const std::string& path) {
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction former {};
     ::sigaction(number, nullptr, &former);
-    // What nohup has this process ignore does not end it.
+    // A signal that is ignored, as under nohup, stays ignored.
     if (former.sa_handler != SIG_IGN) ::signal(number, remove_unfinished);
   }
 }
 
-// Makes a file `path`.XXXXXX, which the handler knows before it is there: nothing is left by a
-// signal in between. Below 0: it cannot be made.
+// Makes a file `path`.XXXXXX. The handler knows its name before it exists, so a signal leaves no
+// file behind. Below 0: the file cannot be made.
 int make_unfinished(const std::string& path, std::string& made) {
   constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz0123456789";
   constexpr int most_tries = 100;
@@ -56,7 +56,7 @@ int make_unfinished(const std::string& path, std::string& made) {
     made = path + '.';
     for (int i = 0; i < added; ++i) made += letters[any(random)];
     struct stat existing {};
-    // Not removed, if it is somebody else's.
+    // The file exists already, so it is somebody else's and must not be removed.
     if (::lstat(made.c_str(), &existing) == 0) continue;
     guard_unfinished(made);
     const int descriptor = ::open(made.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
@@ -85,7 +85,7 @@ mode_t mode_of_new_files() {
   return 0666 & ~mask;
 }
 
-// What is no file has nothing to keep.
+// A descriptor that is no file has nothing to keep.
 bool is_asked_in_vain() { return errno == EINVAL || errno == EROFS || errno == ENOTSUP; }
 
 }  // namespace
@@ -156,7 +156,7 @@ Output::~Output() {
 
 bool Output::complain(const char* what) {
   const int reason = errno;
-  // Who reads our output has gone; there is nobody to tell.
+  // The reader of the output has gone, so nobody needs a message.
   if (!(is_standard_output() && reason == EPIPE))
     cli::complain(std::string("cannot ") + what + ' ' +
                   (is_standard_output() ? std::string("standard output") : path_) + ": " +
@@ -166,7 +166,7 @@ bool Output::complain(const char* what) {
 }
 
 bool Output::open() {
-  // A reader that goes away is an error to report, not a reason to be killed.
+  // A reader that goes away is an error to report, not a reason to end the process.
   ::signal(SIGPIPE, SIG_IGN);
   if (is_standard_output()) {
     if (on_screen_ == OnScreen::with_commit) return open_held();
@@ -191,7 +191,7 @@ bool Output::open() {
          complain("write");
 }
 
-// In a file without a name: the program may be larger than memory.
+// Held in an unlinked file, because the program may be larger than memory.
 bool Output::open_held() {
   std::string pattern = (std::filesystem::temp_directory_path() / "trc.XXXXXX").string();
   descriptor_ = ::mkstemp(pattern.data());

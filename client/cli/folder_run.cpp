@@ -36,14 +36,14 @@ namespace fs = std::filesystem;
 
 enum class Result : std::uint8_t { not_begun, unchanged, done, refused, failed, interrupted };
 
-// A program, its result and its record (D-154).
+// A program with its result and its record (D-154).
 struct Item {
   std::string file{};
   std::string output{};
   std::string record{};
   Result result = Result::not_begun;
-  int code = 0;         // as of a process
-  std::string about{};  // what came out
+  int code = 0;         // exit code of its compensation
+  std::string about{};  // summary of its result
 };
 
 std::string text_in(const std::string& path) {
@@ -69,7 +69,7 @@ std::string about(const v1::PathSummary& path) {
   return text;
 }
 
-// The first error, where it is: in a long table that is looked for, not read above it.
+// Number and line of the first error. In a long table a reader looks that up there, not above it.
 std::string about_refused(const v1::JobRecord& record) {
   for (const v1::Diagnostic& found : record.diagnostics()) {
     if (found.severity() != v1::Diagnostic::ERROR) continue;
@@ -80,7 +80,7 @@ std::string about_refused(const v1::JobRecord& record) {
   return {};
 }
 
-// Never with jsonl, whose last line tells how long it took.
+// Never true for jsonl: its last line holds the time taken.
 bool is_unchanged(const FolderRun& run, Item& item) {
   v1::JobRecord record;
   if (run.format == "jsonl" || !read_record(item, record) || record.outcome() != "DONE")
@@ -114,7 +114,7 @@ std::vector<std::string> words_of_worker(const FolderRun& run) {
   return words;
 }
 
-// The programs one after another, so many at a time.
+// Compensates the programs in order, several at a time.
 class Work {
  public:
   Work(const FolderRun& run, std::vector<Item>& items)
@@ -123,7 +123,7 @@ class Work {
         progress_(Progress::Result::elsewhere, {.quiet = run.quiet}, language_of(run.setup)),
         workers_(words_of_worker(run), run.jobs) {}
 
-  // Returns the signal that has cut the work short; 0: none.
+  // Returns the signal that stopped the work; 0: none.
   int go_through() {
     for (std::size_t next = 0; next < items_.size(); ++next) {
       while (workers_.all_busy()) wait();
@@ -148,7 +148,7 @@ class Work {
     progress_.ended(ended_, items_.size());
   }
 
-  // The first signal asks all processes to end, the next one does not ask.
+  // The first signal asks all processes to end, the next one kills them.
   void hear() {
     const int asked = signals_.take();
     if (asked == 0) return;
@@ -170,22 +170,23 @@ class Work {
         item.about = about(record.summary().path());
       if (item.result == Result::refused && read_record(item, record))
         item.about = about_refused(record);
-      // Beside a record that says REFUSED there is no result of an earlier run.
+      // A record that says REFUSED must not lie beside the result of an earlier run.
       std::error_code none;
       if (item.result == Result::refused) fs::remove(item.output, none);
-      // It was waited for; the others would wait as long, one after another.
+      // This program has waited for the server; each further one would wait as long.
       if (item.code == static_cast<int>(Exit::unreachable)) without_server_ = true;
       return;
     }
     if (stopped_by_ == 0) await_word();
     if (stopped_by_ != 0)
-      // It may have been done with all but its end.
+      // The program may have been complete except for its end.
       count(item, is_unchanged(run_, item) ? Result::done : Result::interrupted);
     else
       fail(item, Exit::internal, "the process was ended by signal " + std::to_string(ended.signal));
   }
 
-  // A terminal tells the whole group: a process may have ended before the word is heard here.
+  // A terminal signals the whole group: a worker may have ended before this process takes its
+  // signal.
   void await_word() {
     constexpr int longest = 100;
     pollfd question{.fd = signals_.descriptor(), .events = POLLIN, .revents = 0};
@@ -251,8 +252,7 @@ void print_table(const std::vector<Item>& items) {
   std::cout << '\n';
 }
 
-// Says on standard error which result or record would be written over another one, or over what is
-// read.
+// Reports on standard error a result or record that would overwrite another one or an input.
 bool have_names_of_their_own(const FolderRun& run, const std::vector<Item>& items) {
   FilesRead read = run.read;
   for (const Item& item : items) read.add(item.file, "the program itself");
@@ -288,7 +288,7 @@ Exit compensate_folder(const FolderRun& run) {
                      .output = result_in(run.directory, file),
                      .record = record_in(run.directory, file)});
   if (!have_names_of_their_own(run, items)) return Exit::wrong_call;
-  // What goes wrong on the disk is told to who has had it open meanwhile.
+  // Opened before the work, because only then does it report write errors of the meantime.
   const int folder = ::open(run.directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   const int stopped_by = Work(run, items).go_through();
   const bool is_kept = folder >= 0 && are_kept_by_disk(folder);
@@ -313,7 +313,7 @@ Exit work_for_folder(const std::function<Exit(const std::string& file)>& compens
   for (std::string file; Workers::next_task(file);) {
     const Exit exit = compensate(file);
     std::cerr.flush();
-    // What a limit or a fault has left is for no other program.
+    // After a limit or a fault, this process compensates no further program.
     if (exit != Exit::done && exit != Exit::refused) return exit;
     Workers::tell_code(static_cast<int>(exit));
   }

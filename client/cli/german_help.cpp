@@ -304,7 +304,7 @@ void replace(std::string& text, std::string_view english, std::string_view germa
     text.replace(at, english.size(), german);
 }
 
-// What stands below the options is put together of rows and of the list of settings.
+// The text below the options consists of the rows and of the list of settings.
 std::string footer_in_german(std::string text) {
   replace(text, settings_help(Language::english), settings_help(Language::german));
   for (const Row& row : rows) replace(text, row.english, row.german);
@@ -337,7 +337,7 @@ void speak_german(CLI::App& app) {
     speak_german_of_one(*command);
     command->group("Befehle");
   }
-  // Commands share that of the program.
+  // Commands share the formatter of the program.
   const auto formatter = app.get_formatter();
   formatter->label("Usage", "Aufruf");
   formatter->label("OPTIONS", "OPTIONEN");

@@ -9,8 +9,8 @@
 namespace trc::cli {
 namespace {
 
-// O7, o<seven>, PART and 0007.nc, seven.ngc, part.spf: what names of files and of subprograms have
-// in common.
+// The common part of file names and subprogram names: O7, o<seven>, PART and 0007.nc, seven.ngc,
+// part.spf.
 std::string common_name(std::string_view name) {
   std::string common;
   for (const char sign : in_upper_case(name.substr(0, name.rfind('.'))))
@@ -20,7 +20,7 @@ std::string common_name(std::string_view name) {
   return common;
 }
 
-// Without its end; nothing: the text has no such line.
+// The line without its line end; none: the text has no such line.
 std::optional<std::string> line_of(std::string_view text, std::uint32_t number) {
   for (std::uint32_t line = 1;; ++line) {
     const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());

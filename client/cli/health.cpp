@@ -32,11 +32,11 @@ void add_health(CLI::App& app, Action& action) {
   auto options = std::make_shared<Options>();
   add_service_options(*command, options->service);
   command->get_option("--server")->required()->description("Server to ask");
-  // Of a run without a server.
+  // These options only apply to a run without a server.
   for (const char* name :
        {"--memory-limit-mib", "--max-session-memory-mib", "--max-blocks-per-selection"})
     command->remove_option(command->get_option(name));
-  // Shorter than what probes of container engines wait, so that the reason is told.
+  // Shorter than the timeout of container probes, so that the reason is still reported.
   command->add_option("--timeout-s", options->timeout_s, "How long to wait for the answer")
       ->check(CLI::Range(1, 60))
       ->capture_default_str();

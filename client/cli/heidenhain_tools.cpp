@@ -10,7 +10,7 @@
 namespace trc::cli {
 namespace {
 
-// Columns count characters.
+// The columns are counted in characters.
 std::size_t byte_of_character(std::string_view line, std::size_t character) {
   if (!is_utf8(line)) return std::min(character, line.size());
   std::size_t byte = 0;
@@ -45,7 +45,7 @@ std::string HeidenhainTools::read(std::string_view line) {
   if (columns_.empty()) return read_columns(line);
   const std::string_view place = cell(line, "T");
   const auto number = tool_number(number_from(place.substr(0, place.find('.'))));
-  // 5.2: the second index of tool 5.
+  // 5.2 is the second index of tool 5.
   const auto index = place.find('.') < place.size()
                          ? tool_number(number_from(place.substr(place.find('.') + 1)))
                          : std::optional<std::uint32_t>(0);
@@ -54,7 +54,7 @@ std::string HeidenhainTools::read(std::string_view line) {
   if (!name.empty() && *index == 0) table_.name(*number, in_capitals_as_utf8(name));
   const std::string_view radius = cell(line, "R");
   const std::string_view wear = cell(line, "DR");
-  // Places without a tool.
+  // An empty place in the magazine.
   if (radius.empty() && wear.empty()) return {};
   const auto read_radius = number_from(radius);
   const auto read_wear = wear.empty() ? std::optional(0.0) : number_from(wear);

@@ -18,7 +18,7 @@ struct Call {
   std::string markdown;
 };
 
-// What the program is, read here: no server is asked.
+// Describes the program in this process; it asks no server.
 Exit describe_file(const Call& call) {
   v1::ProgramSetup message;
   if (!setup_of(call.program, message)) return Exit::wrong_call;

@@ -17,7 +17,6 @@ namespace {
 
 using Row = std::vector<std::string>;
 
-// The first row holds the headings.
 struct Table {
   std::vector<Row> rows;
 };
@@ -43,13 +42,13 @@ std::string between(double least, double most, std::string_view unit) {
   return number(least) + " … " + number(most) + (unit.empty() ? "" : " ") + std::string(unit);
 }
 
-// Nothing for words that take no number.
+// Empty for words that take no number.
 std::string range_of(const v1::TrcKeyword& keyword) {
   if (keyword.min() == keyword.max()) return "";
   return between(keyword.min(), keyword.max(), keyword.unit());
 }
 
-// "options.split.axis" of the keyword AXIS.
+// For example of "options.split.axis", for the keyword AXIS.
 std::string_view german_meaning_of_keyword(std::string name) {
   for (char& letter : name)
     if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter + 'a' - 'A');
@@ -57,7 +56,7 @@ std::string_view german_meaning_of_keyword(std::string name) {
   return meaning.empty() ? wire::german_meaning_of("options.split." + name) : meaning;
 }
 
-// The tables of an answer, each for people of one language.
+// The tables of an answer, in one language.
 class Tables {
  public:
   Tables(const v1::GetServerInfoResponse& info, Language language)
@@ -134,7 +133,7 @@ class Tables {
   [[nodiscard]] Table diagnostics() const {
     Table table = headed({"Code", "Severity", "Cause", "Remedy"});
     for (const v1::DiagnosticRow& row : info_.diagnostics()) {
-      // Of a code that a newer server has, only what it says itself is known.
+      // The client has no words of its own for the code of a newer server.
       const GermanRow& own = german_row_of(static_cast<Code>(row.code()));
       const bool is_known = static_cast<int>(own.code) == row.code();
       table.rows.push_back({std::to_string(row.code()),
@@ -200,7 +199,7 @@ std::string markdown(const Table& table) {
   return text;
 }
 
-// What becomes of a function while TRC is off.
+// What happens to a function while TRC is off.
 std::string_view state_of(const GFunction& function) {
   constexpr int inverse_time = 93;
   switch (function.group) {

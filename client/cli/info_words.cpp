@@ -9,7 +9,7 @@ namespace trc::cli {
 namespace {
 
 constexpr auto sentences = std::to_array<Sentence>({
-    // What the tables are called, and their columns.
+    // Titles of the tables and their columns.
     {"Limits", "Grenzen"},
     {"The tool radius, the sum of", "Der Werkzeugradius, die Summe von"},
     {"Settings", "Einstellungen"},
@@ -44,14 +44,14 @@ constexpr auto sentences = std::to_array<Sentence>({
     {"idle stream", "Stream ohne Anfrage"},
     {"coordinate", "Koordinate"},
     {"{} bytes", "{} Byte"},
-    // What stands in many cells.
+    // Words in many cells.
     {"yes", "ja"},
     {"no, refused", "nein, abgelehnt"},
     {"error", "Fehler"},
     {"warning", "Warnung"},
     {"note", "Hinweis"},
     {"{} degrees", "{} Grad"},
-    // Options without a setting of their own.
+    // Options that have no setting of their own.
     {"splits selection and deselection by the travel of an axis",
      "teilt An- und Abwahl nach dem Weg einer Achse"},
     {"splits selection and deselection by the length of the path",
@@ -148,7 +148,7 @@ constexpr auto sentences = std::to_array<Sentence>({
 
 std::string cell_in(Language language, std::string_view english) {
   if (language != Language::german) return std::string(english);
-  // Of functions that are refused the table of diagnostics has the words.
+  // The table of diagnostics has the words for refused functions.
   std::string german = translated(english, {sentences});
   return german == english ? german_detail(english) : german;
 }

@@ -35,7 +35,7 @@ v1::ProgramSummary without_times(v1::ProgramSummary summary) {
   return summary;
 }
 
-// Whether the file begins with these bytes; the stream is behind them then.
+// Whether the file begins with the recorded bytes; if so, the stream is after them.
 bool begins_with(std::ifstream& stream, const v1::JobFile& filed) {
   server::Sha256 content;
   std::array<char, 65536> piece{};
@@ -69,7 +69,7 @@ std::string text_of(const v1::JobRecord& record) {
   google::protobuf::util::JsonPrintOptions options;
   options.add_whitespace = true;
   std::string text;
-  // A message of known fields always has a JSON form.
+  // Cannot fail: a message of known fields always has a JSON form.
   static_cast<void>(google::protobuf::util::MessageToJsonString(record, &text, options));
   return text;
 }

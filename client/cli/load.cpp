@@ -38,13 +38,13 @@ struct Call {
   bool json = false;
 };
 
-// A stream is a connection's guest, and servers admit some dozens of them to one.
+// Servers admit a few dozen streams to one connection.
 constexpr std::uint64_t streams_per_connection = 50;
 constexpr std::chrono::seconds grace_of_open_loop{10};
 
 std::atomic<bool> interrupted{false};
 
-// The first interrupt ends the run with its report, the next one the program.
+// The first interrupt ends the run with its report; the next one ends the program.
 class InterruptGuard {
  public:
   InterruptGuard() {
@@ -85,7 +85,7 @@ bool read_setup(const Call& call, v1::ProgramSetup& setup) {
   return true;
 }
 
-// What the server would refuse is said before anything is sent.
+// Reports a plan that the server would refuse before it sends anything.
 bool fits(const Call& call, const v1::Limits& limits) {
   const auto is_too_many = [](const std::string& option, std::uint64_t value, std::uint64_t most,
                               const std::string& limit) {
@@ -100,7 +100,7 @@ bool fits(const Call& call, const v1::Limits& limits) {
   return true;
 }
 
-// Exit::refused where anything went wrong with a stream; where servers were lost, unreachable.
+// Exit::unreachable if every error is a lost server, Exit::refused for other faults of a stream.
 Exit exit_of(const load::Tally& tally) {
   if (tally.differing > 0) return Exit::refused;
   if (tally.errors.empty()) return Exit::done;

@@ -22,19 +22,19 @@
 
 namespace {
 
-// The code to end with, when all that was said is out.
+// The exit code, after all output has been written.
 int ended(int code) {
   errno = 0;
   if (std::cout.flush()) return code;
-  // A pipe that nobody reads any more says no more than that.
+  // A pipe whose reader has gone needs no message.
   if (errno != EPIPE)
     trc::cli::complain(std::string("cannot write standard output") +
                        (errno != 0 ? std::string(": ") + std::strerror(errno) : ""));
   return code != 0 ? code : static_cast<int>(trc::cli::Exit::wrong_call);
 }
 
-// That of --lang, else of the environment. Read before the rest is: a call that cannot be read is
-// told of in it too.
+// The language of --lang or of the environment. Read before all other options, so that the fault of
+// an unreadable call is also in this language.
 trc::Language language_of(std::span<char* const> words) {
   constexpr std::string_view option = "--lang";
   for (std::size_t i = words.size(); i-- > 0;) {
@@ -63,7 +63,7 @@ int run(int argc, char** argv) {
       "Exit codes: 0 done, 1 the program was refused or gouges, 2 wrong call, "
       "3 server not reachable, 4 a limit was met, 5 internal fault.");
 
-  // Also in front of the command.
+  // The option may also come before the command.
   std::string language_tag;
   trc::cli::add_language_option(app, language_tag);
 
@@ -96,8 +96,8 @@ int run(int argc, char** argv) {
   return ended(static_cast<int>(action()));
 }
 
-// Where one of them is closed, the next file or connection would take its place, and what is meant
-// for the screen would go there. What stands in for it can neither be read nor written as asked.
+// If a standard stream is closed, the next file or connection would take its number and receive
+// text for the screen. The substitute refuses the direction that the stream is used for.
 void keep_standard_streams_apart() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(stream, F_GETFD) == -1 && errno == EBADF)
@@ -108,7 +108,8 @@ void keep_standard_streams_apart() {
 
 int main(int argc, char** argv) {
   keep_standard_streams_apart();
-  // What gRPC has to say comes in our own words. Not where somebody asks for it.
+  // The program words the faults of gRPC itself, so gRPC is silent unless the user sets this
+  // variable.
   static_cast<void>(setenv("GRPC_VERBOSITY", "NONE", 0));
   try {
     return run(argc, argv);

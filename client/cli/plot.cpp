@@ -27,12 +27,12 @@ namespace {
 struct Call {
   ProgramOptions program;
   std::string output;
-  std::string format;  // empty: by the ending of `output`
+  std::string format;  // empty: from the ending of `output`
   bool numbers = false;
   bool points = false;
 };
 
-// The page that shows this program. None, and standard error says why, where it is too large.
+// The page that shows this program; none: it is too large, as standard error says.
 std::optional<std::string> page_of(std::string text, const v1::ProgramSetup& setup,
                                    const std::string& name, const ProgramPaths& paths) {
   const std::size_t blocks = paths.programmed.size() + paths.compensated.size();

@@ -17,7 +17,7 @@
 namespace trc::cli {
 namespace {
 
-// The dialect most lines look like that look like one.
+// The dialect that most lines look like; none: no line looks like any.
 std::optional<DialectName> suggestion(const std::string& program) {
   std::array<std::size_t, 5> votes{};
   std::istringstream lines(program);
@@ -29,7 +29,7 @@ std::optional<DialectName> suggestion(const std::string& program) {
   for (std::size_t name = 0; name < votes.size(); ++name)
     if (votes[name] > votes[most]) most = name;
   if (votes[most] == 0) return {};
-  // What only LinuxCNC, Sinumerik or Heidenhain have decides against words that many have.
+  // A word that only LinuxCNC, Sinumerik or Heidenhain has outweighs words that several have.
   for (const DialectName own :
        {DialectName::heidenhain, DialectName::sinumerik, DialectName::linuxcnc})
     if (votes[static_cast<std::size_t>(own)] > 0) return own;
@@ -52,7 +52,7 @@ struct Contours {
   double length = 0;  // mm, of the compensated contour
 };
 
-// What does not move in the plane, a lift within a contour, ends no selection.
+// A block without motion in the plane, such as a lift within a contour, ends no selection.
 Contours contours_of(const std::vector<CompensatedBlock>& blocks) {
   Contours found;
   Origin last = Origin::uncompensated;
@@ -69,7 +69,7 @@ Contours contours_of(const std::vector<CompensatedBlock>& blocks) {
   return found;
 }
 
-// That the program is refused as it is called, for a radius that nobody gives.
+// The diagnostic if the program is refused because these settings give no radius.
 std::optional<Diagnostic> missing_radius(const std::string& program,
                                          const ProgramSessionSetup& setup) {
   ProgramSession session(setup);
@@ -103,7 +103,7 @@ ProgramInfo describe_program(const std::string& program, ProgramSessionSetup set
   say(std::string("unit at the start: ") + (setup.session.program.inch ? "inch" : "mm"));
 
   setup.nc_text = false;
-  // What is asked for are the contours of the program, whatever cuts them.
+  // The description is about the contours of the program, whatever tool cuts them.
   ProgramSetup& asked = setup.session.program;
   const bool has_tools = !asked.tools.empty() || asked.tool_radius_given ||
                          asked.mode.tool_radius != 0 || asked.nominal_radius > 0;
@@ -130,7 +130,7 @@ ProgramInfo describe_program(const std::string& program, ProgramSessionSetup set
   std::vector<Diagnostic> found = whole.diagnostics;
   if (missing && !info.refused) found.insert(found.begin(), *missing);
   if (found.empty()) say("nothing to refuse");
-  // What refuses it first, what only has to be looked at behind it.
+  // First the errors that refuse the program, then the findings to look at.
   std::ranges::stable_partition(
       found, [](const Diagnostic& diagnostic) { return diagnostic.severity == Severity::error; });
   std::string_view heading;

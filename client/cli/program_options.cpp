@@ -30,7 +30,7 @@ std::string shortest(double number) {
   return text;
 }
 
-// " in mm, -5 to 5"
+// For example " in mm, -5 to 5".
 std::string unit_and_range(const wire::SettingMeaning& about, bool german) {
   const std::string_view unit = german ? wire::german_values_of(about.unit) : about.unit;
   std::string text = unit.empty() ? "" : " in " + std::string(unit);
@@ -49,10 +49,10 @@ std::string_view key_of(std::string_view assignment) {
   return assignment.substr(0, assignment.find('='));
 }
 
-// Of tools and variables more may come, each of them once.
+// Several tools or variables may be given, each of them once.
 bool is_list(std::string_view key) { return key == "tools" || key == "variables"; }
 
-// What options of their own say of settings.
+// The settings that have been given by options of their own.
 wire::GivenSettings given_by_options(const ProgramOptions& options) {
   wire::GivenSettings given;
   const auto take = [&](bool is_given, std::string_view key) {
@@ -70,7 +70,7 @@ bool is_setting(std::string_view key) {
   });
 }
 
-// Of --set: what is no setting, but an option of the command. Empty: it is not that.
+// Message for a --set that names an option of the command, not a setting. Empty: it does not.
 std::string meant_option(const CLI::App& command, const std::string& assignment) {
   const std::string key(key_of(assignment));
   std::string option = "--" + key;
@@ -89,7 +89,7 @@ bool says_a_radius(const ProgramOptions& options) {
          });
 }
 
-// How the text is read.
+// The options that say how to read the text.
 void add_reading_options(CLI::App& command, ProgramOptions& options) {
   std::vector<std::string> dialects;
   for (const Dialect& dialect : all_dialects()) dialects.emplace_back(dialect.spelling);
@@ -257,11 +257,11 @@ bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup) {
     complain(
         "note: radii and wear of --radius, --wear and --set are in mm, though the program counts "
         "in inch: 0.25 inch are 6.35");
-  // The server shows the name in its log; the end says more than the directory.
+  // The server shows the name in its log; the end of a path says more than its directory.
   constexpr std::size_t longest_name = 255;
   std::string name = text_of_name(options.file);
   if (name.size() > longest_name) name.erase(0, name.size() - longest_name);
-  // Not from within a character.
+  // Does not begin within a character.
   while (!name.empty() && utf8_character(name) == 0) name.erase(0, 1);
   setup.set_file_name(name);
   return true;

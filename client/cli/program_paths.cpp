@@ -32,14 +32,14 @@ bool is_inch(ContourReader& reader, const std::vector<Block>& blocks) {
   return first != nullptr && reader.is_inch(first->source.index);
 }
 
-// How far the middle of a path is from where that of the motion would be.
+// How far the middle of a path lies from the equidistant of the motion; mm.
 double misfit(const CompensatedBlock& path, const MotionBlock& motion) {
   const Point middle = point_along(path.path, length_of(path.path) / 2);
   return std::abs(distance(middle, motion.path) - std::abs(motion.mode->cutting_radius()));
 }
 
-// A service does not say which of the motions that a line has become a block stems from (a corner
-// that it rounds, the arc of a lead): the one it lies beside, in their order.
+// If a line has become several motions (a rounded corner, the arc of a lead), the service does not
+// say which of them a block belongs to. This function takes the nearest, in their order.
 void tell_parts(const std::vector<Block>& programmed, std::vector<CompensatedBlock>& path) {
   std::map<std::uint64_t, std::vector<const MotionBlock*>> motions_of_line;
   for (const Block& block : programmed)
@@ -74,8 +74,7 @@ ProgramPaths read_paths(const ProgramOptions& options, v1::ProgramSetup setup, I
   setup.mutable_path()->set_response_layout(v1::RESPONSE_LAYOUT_COLUMNS);
   wire::FieldFaults faults;
   const wire::ProgramSettings settings = wire::from_proto(setup, wire::FieldPath("setup"), faults);
-  // The service says what is wrong with the setup; a contour read without it
-  // would be another one.
+  // The service reports the fault of the setup. A contour read without that setup would differ.
   std::optional<ContourReader> reader;
   if (faults.empty()) reader.emplace(settings.path.session);
   paths.leads = settings.path.session.compensator.leads;

@@ -14,13 +14,13 @@ namespace {
 constexpr double bytes_per_mb = 1e6;
 constexpr std::chrono::milliseconds between{200};
 
-// Whole minutes from two on: what is left is no more than a guess.
+// From two minutes on in whole minutes: the time left is only an estimate.
 std::string span(double seconds) {
   const double whole = std::ceil(seconds);
   return whole < 120 ? fixed(whole, 0) + " s" : fixed(std::ceil(whole / 60), 0) + " min";
 }
 
-// "74 s left"
+// For example "74 s left".
 std::string left(double seconds, bool german) {
   return german ? "noch " + span(seconds) : span(seconds) + " left";
 }
@@ -86,7 +86,7 @@ void Progress::update(Advance advance) {
   if (advance.of != of_) {
     of_ = advance.of;
     part_began_ = now;
-    // Its rate is not known before.
+    // The rate is not known earlier.
     next_ = std::max(next_, now + between);
   }
   if (now < next_) return;

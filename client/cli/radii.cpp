@@ -36,11 +36,11 @@ struct Call {
   bool without_largest = false;
 };
 
-// The tools of a table are what is asked about: the table is none of the program's.
+// The survey asks about the tools of the table; they are not tools of the program.
 void ask_for_tools(v1::SurveySetup& setup, ToolNames& names) {
   v1::ProgramSetup& program = *setup.mutable_program();
   for (const v1::Tool& tool : program.tools()) {
-    // Its sign says on which side it runs, not how large it is.
+    // The sign of a radius gives the side, not the size.
     const double radius = std::abs(tool.radius()) + tool.wear();
     names.add(radius, tool.number());
     const auto& asked = setup.radii();
@@ -75,7 +75,7 @@ Segment segment_of(Plane plane, const v1::UncutWall& wall) {
       .start = start, .end = end, .center = to_point(plane, wall.center()), .sweep = wall.sweep()};
 }
 
-// The program is read here as well: blocks and units are not sent back.
+// The program is read here as well, because the service does not send back blocks and units.
 survey::ProgramReading reading_of(const v1::SurveySetup& setup, const std::string& text) {
   wire::FieldFaults faults;
   const wire::SurveySettings settings = wire::from_proto(setup, wire::FieldPath("setup"), faults);
@@ -84,7 +84,7 @@ survey::ProgramReading reading_of(const v1::SurveySetup& setup, const std::strin
   return survey::read_with(radius, session, survey::text_reader(text, {}, {}));
 }
 
-// Whether it counts in inch at its first contour; nothing where it has none.
+// Whether the program is in inch at its first contour; none: it has no contour.
 std::optional<bool> unit_of(const survey::ProgramReading& reading) {
   for (const Block& block : reading.blocks)
     if (const auto* motion = std::get_if<MotionBlock>(&block); motion && motion->mode->active())
@@ -92,8 +92,7 @@ std::optional<bool> unit_of(const survey::ProgramReading& reading) {
   return std::nullopt;
 }
 
-// Whether a program counts in inch at its first contour, of which as many lines are read as it
-// takes.
+// Whether a program is in inch at its first contour. Reads only as many lines as needed.
 bool counts_in_inch(const v1::SurveySetup& setup, const std::string& text) {
   constexpr std::size_t first_bytes = 16 * 1024;
   for (std::size_t bytes = first_bytes;; bytes *= 4) {

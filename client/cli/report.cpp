@@ -14,7 +14,7 @@
 namespace trc::cli {
 namespace {
 
-// The longest part of a line that is shown, in characters.
+// The longest shown part of a line, in characters.
 constexpr std::size_t widest = 120;
 
 constexpr std::string_view bold = "1";
@@ -48,8 +48,8 @@ std::string_view colour_of(Severity severity) {
   return red;
 }
 
-// Control characters of ASCII and of U+0080 to U+009F, and those that turn the direction of
-// writing, after which a line reads as something else than it is.
+// Control characters of ASCII and of U+0080 to U+009F, and those that change the direction of
+// writing, which would make a line read differently.
 bool is_control(std::string_view character) {
   constexpr auto turning =
       std::to_array<std::string_view>({"\u200E", "\u200F", "\u202A", "\u202B", "\u202C", "\u202D",
@@ -61,8 +61,8 @@ bool is_control(std::string_view character) {
   return std::find(turning.begin(), turning.end(), character) != turning.end();
 }
 
-// One place on the screen each. Texts come from the program or from a server: a control character
-// must not reach the terminal.
+// A character in one column of the screen. The text comes from the program or from a server, so its
+// control characters must not reach the terminal.
 struct Character {
   std::string shown{};
   std::size_t begin = 0;  // bytes of the text before it
@@ -74,7 +74,7 @@ std::vector<Character> characters_of(std::string_view text) {
     const std::size_t length = utf8_character(text.substr(at));
     const std::string_view one = text.substr(at, std::max<std::size_t>(1, length));
     Character next{.begin = at};
-    // A byte that is no UTF-8 as the letter that it is in Latin-1.
+    // A byte that is not UTF-8 is shown as its Latin-1 letter.
     const std::string shown = as_utf8(one);
     next.shown = one == "\t" ? " " : is_control(shown) ? "?" : shown;
     characters.push_back(std::move(next));
@@ -105,7 +105,7 @@ std::size_t column_of(const Diagnostic& diagnostic, const std::optional<std::str
   return once ? at + 1 : diagnostic.column;
 }
 
-// Behind `="MILL"` or `=R7*2`, where that follows.
+// The place after `="MILL"` or `=R7*2`, if that follows.
 std::size_t behind_value(std::string_view line, std::size_t at) {
   if (at >= line.size() || line[at] != '=') return at;
   const bool quoted = line.substr(at + 1).starts_with('"');
@@ -114,8 +114,8 @@ std::size_t behind_value(std::string_view line, std::size_t at) {
   return std::min(line.find_first_of(" \t;(", at + 1), line.size());
 }
 
-// The bytes of the word at the column: the detail, or what it says something of, where it stands
-// there, else a name, or a letter and its number.
+// The length in bytes of the word at the column: the detail, or its first part, if it is there;
+// otherwise a name, or a letter and its number.
 std::size_t word_length(std::string_view line, std::size_t begin, std::string_view detail) {
   if (!line.substr(begin).starts_with(detail)) detail = detail.substr(0, detail.find(", "));
   if (!detail.empty() && line.substr(begin).starts_with(detail)) return detail.size();
@@ -123,7 +123,7 @@ std::size_t word_length(std::string_view line, std::size_t begin, std::string_vi
     const std::size_t close = line.find(']', begin);
     return (close == line.npos ? line.find_last_not_of(" \r") : close) + 1 - begin;
   }
-  // V.G.WZ_AKT.R is one as well.
+  // V.G.WZ_AKT.R is a name as well.
   const bool is_dotted = line.substr(begin + 1).starts_with('.') && is_letter(line[begin]) &&
                          begin + 2 < line.size() && is_letter(line[begin + 2]);
   const bool is_name = is_dotted || (begin + 1 < line.size() && is_letter(line[begin + 1]) &&
@@ -137,7 +137,7 @@ std::size_t word_length(std::string_view line, std::size_t begin, std::string_vi
   return behind_value(line, end) - begin;
 }
 
-// The line of the program, and under it the mark.
+// The line of the program, with the mark below it.
 std::string excerpt_of(const Diagnostic& diagnostic, std::size_t column, const Shown& shown) {
   const std::string& line = *shown.source_line;
   const std::vector<Character> all = characters_of(line);
@@ -177,7 +177,7 @@ std::string severity_and_code(Severity severity, Code code, Language language, c
                  colour_of(severity), shown);
 }
 
-// "8 (N80)"
+// For example "8 (N80)".
 std::string name_of(const Source& source) {
   std::string name = std::to_string(source.line);
   if (source.number != Source::no_number) name += " (N" + std::to_string(source.number) + ")";
@@ -208,7 +208,7 @@ std::string text_of(const Diagnostic& diagnostic, const Shown& shown) {
   if (diagnostic.source.line > 0) place += ':' + std::to_string(diagnostic.source.line);
   if (diagnostic.source.line > 0 && column > 0) place += ':' + std::to_string(column);
   place += ':';
-  // Blocks of Klartext have numbers without N.
+  // Block numbers of Klartext have no N.
   if (diagnostic.source.number != Source::no_number)
     place += (diagnostic.words != ControlWords::klartext ? " N"
               : diagnostic.language == Language::german  ? " Satz "

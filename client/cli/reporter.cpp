@@ -24,7 +24,7 @@ DialectName dialect_of(const v1::ProgramSetup& setup) {
 
 namespace {
 
-// What help says of fields of the setup, and how the command line says it.
+// Words of the help that name fields of the setup, and the words of the command line for them.
 constexpr auto words_of_options = std::to_array<std::pair<std::string_view, std::string_view>>(
     {{"SurveyRadii (trc radii)", "trc radii"},
      {"leads in the setup", "--set leads=blocks:1,1"},
@@ -83,7 +83,7 @@ constexpr auto words_of_options = std::to_array<std::pair<std::string_view, std:
      {"in `subprograms` (--subprograms)", "with --subprograms"},
      {"in `subprograms` angeben (--subprograms)", "mit --subprograms angeben"}});
 
-// Of help that has no words of its own for the command line, those that it has otherwise.
+// Replaces the names of fields in help that has no text of its own for the command line.
 std::string without_names_of_fields(std::string help) {
   for (const auto& [field, own] : words_of_options)
     if (const std::size_t at = help.find(field); at != std::string::npos)
@@ -95,7 +95,8 @@ bool is_number(std::string_view text) {
   return !text.empty() && std::ranges::all_of(text, is_digit);
 }
 
-// The tool that is not there, in what would give it: D7, 7, the name "MILL", D2 of one of those.
+// Puts the missing tool into the setting that would define it: D7, 7, the name "MILL", D2 of one of
+// these.
 std::string with_missing_tool(std::string help, std::string_view detail) {
   constexpr std::string_view of = " of ";
   const std::size_t at = help.find("tools=NUM");
@@ -117,7 +118,7 @@ std::string with_missing_tool(std::string help, std::string_view detail) {
   return help.insert(help.find_last_not_of('.') + 1, "'");
 }
 
-// The wear that is too large, in what would allow it.
+// Puts the wear that is too large into the setting that would allow it.
 std::string with_wear(std::string help, std::span<const DiagnosticValue> values) {
   constexpr std::string_view named = "max_wear=";
   const std::size_t at = help.find(named);
@@ -128,7 +129,7 @@ std::string with_wear(std::string help, std::span<const DiagnosticValue> values)
   return help.replace(begin, end - begin, shortest(std::ceil(std::abs(wear->value))));
 }
 
-// The function that is not known, in what passes it on.
+// Puts the unknown function into the setting that passes it on.
 std::string with_name_of_function(std::string help, std::string_view detail) {
   constexpr std::string_view name = "NAME";
   const std::size_t at = help.find("pass_words=NAME");

@@ -31,14 +31,14 @@ namespace {
 
 constexpr std::chrono::seconds longest_question{10};
 
-// A field of the setup as --set knows it.
+// A field of the setup in the spelling of --set.
 std::string_view as_setting(std::string_view field) {
   for (const std::string_view above : {"setup.", "path."})
     if (field.starts_with(above)) field.remove_prefix(above.size());
   return field;
 }
 
-// The service of one run: a server elsewhere, or one inside this process.
+// The service of one run: a remote server, or one in this process.
 class Service {
  public:
   explicit Service(const ServiceOptions& options, const client::ConnectionOptions& how = {})
@@ -56,9 +56,9 @@ class Service {
   [[nodiscard]] const client::Connection& connection() const { return *connection_; }
   [[nodiscard]] const std::shared_ptr<server::InProcessServer>& own_server() const { return own_; }
 
-  // Of a call that failed.
+  // How much a failed call had answered.
   enum class Answered : std::uint8_t { nothing, a_part };
-  // Says what went wrong and returns how the program ends.
+  // Reports the failure and returns the exit code.
   [[nodiscard]] Exit explain(const client::Failure& failure, Answered answered) const {
     if (failure.reason == "CALLER_STOPPED") return Exit::wrong_call;
     for (const wire::FieldFault& field : failure.fields)
@@ -94,7 +94,7 @@ class Service {
       return;
     }
     server::Config config = server::InProcessServer::quiet();
-    // So that it soon says how much of a path has been measured.
+    // Short, so that the server soon reports how much of a path it has measured.
     config.heartbeat_s = 1;
     config.memory_limit_mib = options.memory_limit_mib;
     config.max_session_memory_mib = options.max_session_memory_mib;
@@ -106,7 +106,7 @@ class Service {
       return;
     }
     own_ = std::make_shared<server::InProcessServer>(config);
-    // Nobody but this run makes room in this process.
+    // Waiting is useless here: only this run can make room in this process.
     connection_.emplace(own_->channel(),
                         client::ResumePolicy{.patience = std::chrono::milliseconds::zero()});
   }
@@ -116,7 +116,7 @@ class Service {
   }
 
   void explain_unreachable(const client::Failure& failure, Answered answered) const {
-    // A server that gives a reason speaks for itself; the transport does not.
+    // If a server gives a reason, the message is the server's; otherwise it is of the transport.
     if (failure.reason == "SERVER_DRAINING" && !name_.empty()) {
       complain("the server at " + name_ + " is there, but shuts down and takes no new programs");
     } else if (failure.reason == "DRAIN_TIMEOUT") {
@@ -145,7 +145,7 @@ class Service {
   std::optional<client::Failure> failure_;
 };
 
-// Says on standard error why nothing goes on, each reason once.
+// Reports on standard error why nothing goes on, each reason once.
 class Patience {
  public:
   Patience(const ServiceOptions& options, Reporter& reporter)
@@ -180,7 +180,7 @@ class Patience {
   std::set<std::string> told_{};
 };
 
-// A program with an error of its own.
+// The exit code for a program that was refused.
 Exit exit_of_refused(const client::Failure& failure) {
   return exit_of(failure, ServedBy::server) == Exit::limit ? Exit::limit : Exit::refused;
 }
@@ -188,7 +188,7 @@ Exit exit_of_refused(const client::Failure& failure) {
 }  // namespace
 
 Exit exit_of(const client::Failure& failure, ServedBy served_by) {
-  // Balancers say INTERNAL, too, of a server that died, but without a reason.
+  // Balancers also report INTERNAL for a server that died, but without a reason.
   if (failure.status == "INTERNAL" &&
       (served_by == ServedBy::this_process || !failure.reason.empty()))
     return Exit::internal;
@@ -264,7 +264,7 @@ Outcome compensate_program(const ServiceOptions& options, const v1::ProgramSetup
     open = session.feed(text, answers);
     progress.read(bytes, input.size());
   }
-  // Half a program must not look like a whole one.
+  // A partial program must not look like a whole one.
   if (input.failed()) return {.exit = Exit::wrong_call};
   progress.read(bytes, bytes);
   const bool done = open && session.finish(answers);
@@ -273,7 +273,7 @@ Outcome compensate_program(const ServiceOptions& options, const v1::ProgramSetup
   if (done)
     outcome.summary = session.summary();
   else if (reporter.refused())
-    // What the server has no room for is told as a diagnostic, too; the program has no fault.
+    // A lack of room on the server also appears as a diagnostic; the program has no fault.
     outcome.exit = session.failure() ? exit_of_refused(*session.failure()) : Exit::refused;
   else
     outcome.exit =

@@ -12,13 +12,13 @@
 namespace trc::cli {
 namespace {
 
-// Read here, written by the handler.
+// Ends of a pipe: the handler writes, the program reads.
 std::array<int, 2> ends{-1, -1};
 
 extern "C" void tell(int signal_number) {
   const int before = errno;
   const auto number = static_cast<unsigned char>(signal_number);
-  // A full pipe has enough to wake the reader.
+  // If the pipe is full, its bytes wake the reader anyway.
   [[maybe_unused]] const ssize_t written = ::write(ends[1], &number, 1);
   errno = before;
 }

@@ -66,7 +66,7 @@ std::optional<std::string> SourceLines::line(std::uint32_t number) {
   }
   if (byte < 0 && !any) return std::nullopt;
   ++next_line_;
-  // No letter of the program, and columns do not count it.
+  // The mark is no part of the program, and columns do not count it.
   if (number == 1 && text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
   return text;
 }

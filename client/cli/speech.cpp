@@ -10,10 +10,10 @@
 namespace trc::cli {
 namespace {
 
-Language spoken = Language::english;  // by main(), before anything is said
+Language spoken = Language::english;  // set by main() before any output
 
 constexpr auto rows = std::to_array<Sentence>({
-    // Wrong calls.
+    // Faults of a call.
     {"there is no command {}; did you mean {}?", "es gibt keinen Befehl {}; ist {} gemeint?"},
     {"there is no command {}; commands are {}", "es gibt keinen Befehl {}; Befehle sind {}"},
     {"{}: there is no option {}; did you mean {}?", "{}: es gibt keine Option {}; ist {} gemeint?"},
@@ -44,7 +44,7 @@ constexpr auto rows = std::to_array<Sentence>({
      "{}: mehrere Programme brauchen --output-dir, wohin die Ergebnisse gehen"},
     {"there is no code {}; trc explain lists all",
      "es gibt keinen Code {}; trc explain nennt alle"},
-    // Settings, as the command line names them.
+    // Settings in the spelling of the command line.
     {"--radii: {}", "--radii: {}"},
     {"--variable: {}", "--variable: {}"},
     {"--set: {} (all of them: trc compensate --help)", "--set: {} (alle: trc compensate --help)"},
@@ -153,7 +153,7 @@ constexpr auto rows = std::to_array<Sentence>({
      "{} würde eine Datei von --subprograms überschreiben"},
     {"{}: no process can be started for it", "{}: dafür lässt sich kein Prozess starten"},
     {"{}: the process was ended by signal {}", "{}: der Prozess wurde durch Signal {} beendet"},
-    // The table of a folder, whose columns are as wide as in English.
+    // The table of a folder; its columns are as wide as in English.
     {"not begun", "offen"},
     {"unchanged", "unverändert"},
     {"done", "fertig"},
@@ -168,7 +168,7 @@ constexpr auto rows = std::to_array<Sentence>({
     {"error {} at line {}", "Fehler {} in Zeile {}"},
     {"error {}", "Fehler {}"},
     {"{} programs", "{} Programme"},
-    // What the system says.
+    // Messages of the system.
     {"No such file or directory", "die Datei oder das Verzeichnis gibt es nicht"},
     {"Permission denied", "keine Berechtigung"},
     {"Is a directory", "es ist ein Verzeichnis"},

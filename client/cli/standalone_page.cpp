@@ -34,7 +34,7 @@ std::string base64_of(std::string_view bytes) {
   return text;
 }
 
-// As policies name a script or a style that may be in a page.
+// The hash by which a policy allows a script or a style inside a page.
 std::string hash_of(std::string_view text) {
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
   unsigned int size = 0;
@@ -49,7 +49,7 @@ std::string_view page_file(std::string_view name) {
   throw std::logic_error("the page has no file " + std::string(name));
 }
 
-// Makes one script of the modules of the page: each becomes a function that gives what it exports.
+// Makes one script from the modules of the page. Each becomes a function that returns its exports.
 class Bundle {
  public:
   std::string of(std::string_view name) {
@@ -74,7 +74,7 @@ class Bundle {
                "};\n})();\n";
   }
 
-  // The modules write an import on one line, and `export` before what they declare.
+  // The modules write each import on one line, and `export` before a declaration.
   void add_line(std::string_view line, std::string& body, std::string& exported) {
     constexpr std::string_view importing = "import ";
     constexpr std::string_view importing_no_name = "import './";
@@ -120,7 +120,7 @@ void append(std::string& bytes, Number number) {
   bytes.append(own.data(), own.size());
 }
 
-// In columns, as typed arrays take them; client/page/inside.js reads them.
+// In columns for typed arrays; client/page/inside.js reads them.
 std::string columns_of(const Elements& elements) {
   std::string ends;
   std::string values;
@@ -149,7 +149,7 @@ std::string columns_of(const Elements& elements) {
          "\",\"words\":\"" + base64_of(words) + "\",\"arcs\":\"" + base64_of(arcs) + "\"}";
 }
 
-// Text as base64 of its UTF-8: programs hold what they like.
+// The text as base64 of its UTF-8, because a program may hold any characters.
 std::string text_of(const Lines& lines) { return "\"" + base64_of(lines.text()) + "\""; }
 
 std::string json_of(const View& view, std::string_view language) {
@@ -165,7 +165,7 @@ std::string json_of(const View& view, std::string_view language) {
     json += "]";
   }
   json += ",\"contour\":" + columns_of(view.contour()) + ",\"path\":" + columns_of(view.path());
-  // A name may look like the end of the element that this stands in.
+  // A name may look like the end of the element that contains this text.
   std::string safe;
   for (const char c : json + "}") {
     if (c == '<')

@@ -11,7 +11,7 @@ namespace {
 
 std::string grouped(std::uint64_t count, Language language) {
   std::string digits = std::to_string(count);
-  // A point would be read as that of decimals.
+  // A point would read as a decimal point.
   const char between = language == Language::german ? ' ' : ',';
   for (std::size_t place = digits.size(); place > 3;) {
     place -= 3;

@@ -134,7 +134,7 @@ std::string SurveyText::table_of(const v1::SurveyAnswer& answer) const {
   for (const Row& row : rows)
     for (std::size_t i = 0; i < column_count; ++i)
       widths[i] = std::max(widths[i], width_of(row[i]));
-  // Words stand at the left, numbers at the right.
+  // Words are aligned left, numbers right.
   constexpr std::array<bool, column_count> is_text{false, true,  true,  false,
                                                    false, false, false, true};
   std::string text;

@@ -8,7 +8,7 @@
 namespace trc::cli {
 namespace {
 
-// A finite number at the start of the text; `length`: how many bytes it takes.
+// A finite number at the start of the text; `length` becomes its bytes.
 std::optional<double> number_at(std::string_view text, std::size_t& length) {
   const std::size_t sign = text.starts_with('+') ? 1 : 0;
   double number = 0;

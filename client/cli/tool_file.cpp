@@ -19,7 +19,7 @@
 namespace trc::cli {
 namespace {
 
-// Reads the lines of a table, whatever its format.
+// Reads the lines of a table in any of the formats.
 class ToolFile {
  public:
   explicit ToolFile(v1::ProgramSetup& setup)
@@ -28,7 +28,7 @@ class ToolFile {
   std::string read(std::string_view text) {
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
       return "it is text in UTF-16; save it as CSV UTF-8";
-    // As spreadsheets begin UTF-8.
+    // Spreadsheets begin UTF-8 with this mark.
     if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
     std::size_t line_number = 0;
     while (!text.empty()) {
@@ -54,7 +54,7 @@ class ToolFile {
   [[nodiscard]] bool unit_unsaid() const { return unit_unsaid_; }
 
  private:
-  // As it stands in the file: blanks in front count where columns do.
+  // `as_written` keeps the leading blanks, which matter in tables with fixed columns.
   std::string read_line(std::string_view line, std::string_view as_written) {
     if (const std::string words = in_upper_case(line); HeidenhainTools::begins_with(words)) {
       heidenhain_.begin(words);
@@ -67,7 +67,7 @@ class ToolFile {
     return read_words(line);
   }
 
-  // Of lines with words, as programs have them.
+  // Reads a line of words, as in a program.
   std::string read_words(std::string_view line) {
     if (in_upper_case(line).starts_with("%_N_")) {
       sinumerik_ = true;
@@ -87,7 +87,7 @@ class ToolFile {
     }
     if (has_function(90) || has_function(91)) adds_ = has_function(91);
     if (has_function(10)) return data_of_memory(words, line);
-    // What a row of LinuxCNC leaves out is 0.
+    // A value that a row of LinuxCNC omits is 0.
     const bool is_row = has('D') || (has('P') && !has('G') && !has('M') && !has('O'));
     if (has('T') && is_row) {
       const auto number = tool_number(words.find('T')->second);
@@ -102,7 +102,7 @@ class ToolFile {
                      "header such as number,radius";
   }
 
-  // Of the word with that letter.
+  // Whether the value of this word has a decimal point.
   static bool has_point(std::string_view line, char letter) {
     const std::size_t at = in_upper_case(line).find(letter);
     if (at == std::string::npos) return false;
@@ -111,7 +111,7 @@ class ToolFile {
            std::string_view::npos;
   }
 
-  // G10 L12 P1 R5 of Fanuc.
+  // Reads G10 L12 P1 R5 of Fanuc.
   std::string data_of_memory(const std::multimap<char, double>& words, std::string_view line) {
     const auto value = [&](char letter) { return words.find(letter)->second; };
     if (!words.contains('L') || !words.contains('P') || !words.contains('R')) return {};
@@ -134,7 +134,7 @@ class ToolFile {
     return {};
   }
 
-  // $TC_DP6[1,1]=5 of Sinumerik.
+  // Reads $TC_DP6[1,1]=5 of Sinumerik.
   std::string data_of_edge(std::string_view line) {
     sinumerik_ = true;
     line = trimmed(line.substr(line.find('$'), line.find(';', line.find('=')) - line.find('$')));
@@ -175,10 +175,10 @@ class ToolFile {
     return {};
   }
 
-  // Of Sinumerik, but for those of turning.
+  // Takes the edges of Sinumerik, except those of turning tools.
   void take_edges() {
     for (const auto& [key, sizes] : edges_) {
-      // What stands nowhere is 0 there.
+      // A size that the file does not give is 0.
       const bool empty = !sizes.has_radius && sizes.wear == 0;
       if (!empty && !turning_.contains(key.number)) table_.add(key, sizes);
     }

@@ -20,14 +20,14 @@ using server::X509Pointer;
 
 constexpr std::size_t most_bytes = std::size_t{4} << 20U;
 
-// Of no file, and of one that cannot be read: nothing.
+// Nothing for no file, and for a file that cannot be read.
 std::optional<std::string> text_of(const std::string& path) {
   std::string pem;
   if (path.empty() || !read_bounded(path, most_bytes, pem)) return std::nullopt;
   return pem;
 }
 
-// The first certificate of a file that can be read.
+// Reads the first certificate of a file; returns its fault.
 std::string read_certificate(const std::string& option, const std::string& path,
                              X509Pointer& read) {
   const auto pem = text_of(path);
@@ -61,7 +61,7 @@ std::string fault_of_tls_files(const ServiceOptions& options) {
 
 std::string why_unreachable(const std::string& message) {
   struct Reason {
-    std::string_view said;  // by gRPC 1.51
+    std::string_view said;  // message of gRPC 1.51
     std::string_view meant;
   };
   static constexpr std::array reasons{

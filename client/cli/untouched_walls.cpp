@@ -10,7 +10,7 @@
 namespace trc::cli {
 namespace {
 
-// Stretches begin and end where they are measured: so near to the end of a block is its end, mm.
+// A stretch that comes this near to the end of a block ends there; mm.
 constexpr double at_end = 1e-3;
 
 bool is_on_contour(const CompensatedBlock& block) {
@@ -19,7 +19,7 @@ bool is_on_contour(const CompensatedBlock& block) {
          verify::extent_of(block.path) > 0;
 }
 
-// mm, from the straight line or the circle that a block lies on.
+// Distance of a point from the straight line or the circle of a block; mm.
 double distance_to_course(const Segment& block, const Point& point) {
   if (const auto* arc = std::get_if<Arc>(&block))
     return std::abs((point - arc->center).norm() - (arc->start - arc->center).norm());
@@ -68,7 +68,7 @@ UntouchedWalls::Reason UntouchedWalls::reason_of(const verify::UncutWall& wall) 
   };
   const bool at_start = ends_with_it(0);
   const bool at_close = ends_with_it(1);
-  // The path leaves a wall in its middle for what stands in the way.
+  // The path leaves the middle of a wall because something else is in the way.
   if (!at_start && !at_close) return Reason::left_out;
   if ((at_start && is_left_out(place - 1)) || (at_close && is_left_out(place + 1)))
     return Reason::left_out;

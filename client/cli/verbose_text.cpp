@@ -15,7 +15,7 @@
 namespace trc::cli {
 namespace {
 
-// What -v says in one language.
+// The words of -v in one language.
 struct Words {
   const char* dialect;
   const char* lengths_in;
@@ -146,7 +146,7 @@ std::string settings_of(const v1::ProgramSetup& setup, const Words& words) {
   return text.empty() ? words.defaults : text;
 }
 
-// A table may hold thousands.
+// A table may hold thousands of tools.
 constexpr int most_tools = 20;
 
 std::string tools_of(const v1::ProgramSetup& setup, const Words& words) {

@@ -57,7 +57,7 @@ void print_share(const UntouchedWalls::Share& share, const char* what) {
             << '\n';
 }
 
-// How much of the walls the path touches, and why not the rest.
+// Prints how much of the walls the path touches, and why the rest is not touched.
 void print_coverage(const verify::ClearanceReport& report, const UntouchedWalls& untouched) {
   if (report.wall_length <= 0) return;
   using Reason = UntouchedWalls::Reason;
@@ -77,8 +77,8 @@ struct Call {
   std::string record;
 };
 
-// The file that was written then, as it is now: empty, or how it differs. A refused program may
-// have left none, or an older one. Where it has been moved away, that is said.
+// How the output file differs from its record; empty: it does not. A refused program may have left
+// no file, or an older one. A missing file is only reported.
 std::string fault_of_output(const v1::JobRecord& filed, const std::string& record) {
   if (filed.output().name().empty() || filed.output().name() == "-" || filed.outcome() != "DONE")
     return {};
@@ -90,12 +90,12 @@ std::string fault_of_output(const v1::JobRecord& filed, const std::string& recor
               << '\n';
     return {};
   }
-  // A device keeps nothing.
+  // A device keeps no output.
   if (!std::filesystem::is_regular_file(path) || is_output_of(filed, path)) return {};
   return text_of_name(path) + " does not hold what came out when this record was made";
 }
 
-// Says what is wrong. Refused: it is a record, but changed into one that nothing can be made of.
+// Reports a fault. Exit::refused: a record, but changed so that it cannot be used.
 Exit read_record(const std::string& name, std::string& text, v1::JobRecord& filed) {
   Input file(name);
   if (!file.open()) return Exit::wrong_call;
@@ -107,7 +107,7 @@ Exit read_record(const std::string& name, std::string& text, v1::JobRecord& file
   return is_record(text) ? Exit::refused : Exit::wrong_call;
 }
 
-// The program of a record: the one that is given, or the one it names.
+// Opens the program; if it cannot, and none was given, says how to name one.
 bool open_program(const Call& call, Input& input) {
   if (input.open()) return true;
   if (call.program.file.empty())
@@ -115,12 +115,12 @@ bool open_program(const Call& call, Input& input) {
   return false;
 }
 
-// Does the job again. What comes out otherwise is told, and what became of the file since.
+// Does the job again. Reports differences in the result, and in the file written then.
 Exit check_record(const Call& call) {
   std::string text;
   v1::JobRecord filed;
   if (const Exit exit = read_record(call.record, text, filed); exit != Exit::done) return exit;
-  // Told first: what it names may have been changed, too.
+  // Reported first, because the names in the record may have been changed, too.
   const std::string changed = fault_of_seal(text, filed);
   if (!changed.empty()) complain(call.record + ": " + changed);
   const std::string name =

@@ -50,7 +50,7 @@ void append(std::string& query, std::string_view name, std::string_view value) {
   query += percent_encoded(name) + '=' + percent_encoded(value);
 }
 
-// The settings as the page takes them.
+// The settings as query parameters of the page.
 std::string query_of(const v1::ProgramSetup& setup, const ProgramOptions& options) {
   std::string query;
   for (const std::string& assignment : wire::assignments_of(setup)) {
@@ -64,7 +64,7 @@ std::string query_of(const v1::ProgramSetup& setup, const ProgramOptions& option
   return query;
 }
 
-// Not waited for; a desk without xdg-open has the address.
+// Does not wait for the browser; without xdg-open the user has the printed address.
 void open_browser(const std::string& address) {
   const pid_t child = fork();
   if (child != 0) return;

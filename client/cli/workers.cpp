@@ -23,7 +23,7 @@ void close_both(const Pipe& pipe) {
     if (end >= 0) ::close(end);
 }
 
-// Names end with a byte that no name has.
+// Writes the whole text. The caller ends a name with a byte that no name contains.
 bool write_whole(int descriptor, std::string_view text) {
   while (!text.empty()) {
     const ssize_t written = ::write(descriptor, text.data(), text.size());
@@ -46,7 +46,7 @@ std::size_t Workers::busy() const {
 }
 
 bool Workers::give(std::size_t task, const std::string& name) {
-  // One that has died without work is found here.
+  // If an idle worker has died, writing to it fails.
   for (;;) {
     auto idle = std::ranges::find(workers_, no_task, &Worker::task);
     if (idle == workers_.end()) {
@@ -62,7 +62,7 @@ bool Workers::give(std::size_t task, const std::string& name) {
 }
 
 Workers::Worker* Workers::start() {
-  // A worker that goes away is found when it is read from.
+  // Writing to a dead worker must not end this process; a later read finds it.
   ::signal(SIGPIPE, SIG_IGN);
   Worker worker;
   worker.told.reset(std::tmpfile());
@@ -99,7 +99,7 @@ Workers::Worker* Workers::start() {
   return &workers_.emplace_back(std::move(worker));
 }
 
-// The file begins anew then, for both: it is one place in it that they share.
+// Rewinds the file for both processes, because they share its position.
 std::string Workers::take_told(Worker& worker) {
   const int file = fileno(worker.told.get());
   std::string text;

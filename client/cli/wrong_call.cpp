@@ -19,7 +19,7 @@
 namespace trc::cli {
 namespace {
 
-// "--tool-radius" of the setting path.tool_radius.
+// For example "--tool-radius", for the setting path.tool_radius.
 std::string as_option(const std::string& setting) {
   std::string name = setting.substr(setting.rfind('.') + 1);
   std::replace(name.begin(), name.end(), '_', '-');
@@ -50,7 +50,7 @@ std::string meant_command(const CLI::App& app, const std::string& word) {
   return "trc: " + told(text + list_of_commands(app)) + "\n";
 }
 
-// "trc", "trc compensate"
+// "trc" or "trc compensate".
 std::string spelled(const CLI::App& command) {
   const std::string& name = command.get_name();
   return name == "trc" ? name : "trc " + name;
@@ -74,8 +74,7 @@ std::string meant_option(const CLI::App& command, const std::string& word) {
   return told(text + "; " + spelled(command) + " --help lists all") + "\n";
 }
 
-// "Could not convert: --radius = 5,5": what is meant is written with a point. Empty: it is not
-// that.
+// For "Could not convert: --radius = 5,5": suggests a decimal point. Empty: another fault.
 std::string meant_number(const std::string& fault) {
   const auto equals = fault.rfind(" = ");
   const auto begin = fault.find("--");
@@ -90,7 +89,7 @@ std::string meant_number(const std::string& fault) {
   return told(text + "; write " + number + ", with a decimal point") + "\n";
 }
 
-// The choice that a control, or a shop, calls by another name.
+// The choice that a control or a workshop knows by another name.
 std::optional<std::string> called_otherwise(const std::string& word) {
   constexpr auto names =
       std::to_array<std::pair<std::string_view, std::string_view>>({{"siemens", "sinumerik"},
@@ -118,7 +117,7 @@ std::optional<std::string> called_otherwise(const std::string& word) {
   return std::string(found->second);
 }
 
-// "--dialect: siemens not in {isg,fanuc}": with what is meant, where that is one of them.
+// "--dialect: siemens not in {isg,fanuc}", with the probable choice if there is one.
 std::string with_meant_choice(std::string fault) {
   const auto colon = fault.find(": ");
   const auto between = fault.find(" not in {");
@@ -164,7 +163,7 @@ std::string note_on_environment(const CLI::App& command) {
   for (char** entry = environ; *entry != nullptr; ++entry) {
     const std::string_view whole = *entry;
     const std::string_view name = whole.substr(0, whole.find('='));
-    // Tests, builds and the packages for other languages have variables of that beginning too.
+    // Tests, builds and the packages for other languages also have variables that begin with TRC_.
     constexpr std::size_t most_letters = 2;
     if (name != known && name.starts_with("TRC_") && edit_distance(name, known) <= most_letters)
       return "note: the environment variable " + std::string(name) + " is not read; did you mean " +

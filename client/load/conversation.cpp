@@ -25,8 +25,8 @@ bool parse(grpc::ByteBuffer& bytes, Message& message) {
   return grpc::SerializationTraits<Message>::Deserialize(&bytes, &message).ok();
 }
 
-// Messages keep their memory from one use to the next; one thread uses one at a time, whatever
-// stream it works for.
+// Messages keep their memory between uses. A thread uses one message at a time, for any of its
+// streams.
 template <class Message>
 Message& of_this_thread() {
   thread_local Message message;

@@ -21,7 +21,7 @@ void divide(std::string_view text, std::uint64_t interval, std::uint64_t size, A
 
 }  // namespace
 
-// Both steps can be undone, so that two results that differ in one word never meet again.
+// Both steps are invertible, so two results that differ in one word never become equal again.
 void Digest::mix(std::uint64_t word) {
   value_ = (value_ ^ word) * 0xff51afd7ed558ccd;
   value_ ^= value_ >> 32U;

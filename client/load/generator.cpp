@@ -11,7 +11,7 @@
 namespace trc::cli::load {
 namespace {
 
-// How often the run looks at its own state when nothing is due.
+// The longest time between two checks of the run's own state.
 constexpr std::chrono::milliseconds longest_sleep{50};
 
 bool takes_part(const Stream& stream) { return !stream.orders().slow && !stream.orders().cancel; }
@@ -42,8 +42,8 @@ Outcome Generator::run(const std::atomic<bool>& stop) {
   return std::move(outcome_);
 }
 
-// Streams of a closed loop have no schedule of their own; only their first ones come one after the
-// other, during the ramp.
+// Streams of a closed loop have no schedule; only the first ones begin one after another, during
+// the ramp.
 Clock::time_point Generator::intended_begin(std::uint64_t stream) const {
   if (plan_.open_loop()) return start_ + Schedule(plan_.rate, plan_.ramp).begin_of(stream);
   if (stream >= plan_.streams) return Clock::time_point::max();
@@ -71,7 +71,7 @@ void Generator::pace(const std::atomic<bool>& stop, UseMeter& meter) {
 }
 
 bool Generator::all_ended() {
-  std::vector<std::shared_ptr<Stream>> finished;  // destroyed without the lock
+  std::vector<std::shared_ptr<Stream>> finished;  // destroyed after the lock is released
   const std::lock_guard lock(mutex_);
   finished.swap(finished_);
   return plan_.jobs != 0 && begun_ >= plan_.jobs && open_.empty() && waiting_.empty();
@@ -175,7 +175,7 @@ void Generator::ended(Stream& stream, const grpc::Status& status) {
     finished_.push_back(std::move(ended->second));
     open_.erase(ended);
     next = successor();
-    // Under the lock: without a next one the waiting thread may destroy this object.
+    // Under the lock: if no stream follows, the waiting thread may then destroy this object.
     changed_.notify_all();
   }
   if (next) begin(next);

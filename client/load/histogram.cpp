@@ -7,7 +7,7 @@
 namespace trc::cli::load {
 namespace {
 
-// Durations below 2^fine_bits ns have a bucket each; above, every doubling has half as many.
+// Each duration below 2^fine_bits ns has its own bucket; above, each doubling has half as many.
 constexpr unsigned fine_bits = 11;
 constexpr std::uint64_t per_doubling = std::uint64_t{1} << (fine_bits - 1);
 

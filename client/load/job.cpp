@@ -13,8 +13,8 @@ namespace {
 
 constexpr double feed = 1000;  // mm/min
 
-// The items of a path that are no contour: selection and approach before it, deselection and
-// retract behind it.
+// Items of a path that are not contour: selection and approach before it, deselection and retract
+// after it.
 constexpr std::uint64_t before_contour = 2;
 constexpr std::uint64_t behind_contour = 2;
 

@@ -32,7 +32,7 @@ double ms(Clock::duration duration) {
   return std::chrono::duration<double, std::milli>(duration).count();
 }
 
-// "%.3g" would switch to exponents.
+// "%.3g" would switch to exponent notation.
 std::string fixed(double value, int decimals) {
   std::array<char, 64> text{};
   const int size = std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
@@ -40,14 +40,14 @@ std::string fixed(double value, int decimals) {
 }
 
 struct Percentile {
-  std::string_view name;  // for people
+  std::string_view name;  // name shown to people
   const char* key;
   double share;
 };
 constexpr std::array<Percentile, 4> percentiles{
     {{"p50", "p50", 0.5}, {"p90", "p90", 0.9}, {"p99", "p99", 0.99}, {"p99.9", "p999", 0.999}}};
 
-// The rows for people, in their language.
+// The rows of the report in one language.
 class Rows {
  public:
   explicit Rows(Language language) : language_(language) {}
@@ -99,7 +99,7 @@ class Rows {
     return rows + row("", {tally.first_error});
   }
 
-  // Streams that are no measure of the server.
+  // Streams that do not measure the server.
   [[nodiscard]] std::string others(const Tally& tally) const {
     std::vector<std::string> counts;
     const auto add = [&](std::uint64_t count, const char* what) {
@@ -247,7 +247,7 @@ std::string report_json(const RunDescription& run, const Plan& plan, const Job& 
   if (outcome.server) object["server"] = server_json(*outcome.server, blocks);
   object["ownNsPerBlock"] = ratio(1e9 * outcome.own_cpu_s, blocks);
   object["generatorLagMs"] = ms(outcome.generator_lag);
-  // What the reasons of foreign servers hold need not be text.
+  // Reasons from foreign servers need not be valid text.
   return object.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -23,8 +23,8 @@ std::vector<std::string> words_of(const std::string& line) {
   return words;
 }
 
-// The inode of the socket that listens at a port, "" for none. Of /proc/net/tcp and tcp6: local
-// address, state and inode are the words 1, 3 and 9.
+// The inode of the socket that listens at a port; "": none. In /proc/net/tcp and tcp6 words 1, 3
+// and 9 are the local address, the state and the inode.
 std::string inode_of_port(const std::string& table, unsigned port) {
   std::ifstream file(table);
   std::string line;
@@ -41,7 +41,7 @@ std::string inode_of_port(const std::string& table, unsigned port) {
   return {};
 }
 
-// Of /proc/net/unix: the path is the last word, the inode the one before it.
+// In /proc/net/unix the path is the last word and the inode the one before it.
 std::string inode_of_path(std::string_view path) {
   std::ifstream file("/proc/net/unix");
   std::string line;
@@ -55,7 +55,7 @@ std::string inode_of_path(std::string_view path) {
 std::string inode_of(const std::string& address) {
   if (address.starts_with(unix_prefix)) return inode_of_path(address.substr(unix_prefix.size()));
   const std::string host = address.substr(0, address.rfind(':'));
-  // Elsewhere the same port may be somebody else's.
+  // On another host this port may belong to another program.
   if (host != "localhost" && !host.starts_with("127.") && host != "[::1]") return {};
   unsigned port = 0;
   const std::string digits = address.substr(address.rfind(':') + 1);
@@ -73,7 +73,8 @@ bool has_open(const std::filesystem::path& process, const std::string& target) {
   return false;
 }
 
-// utime and stime are the words 14 and 15, counted behind the name, which may hold blanks.
+// stime is word 15 of the line. The words are counted from after the name, which may contain
+// blanks.
 double system_seconds(pid_t process) {
   std::ifstream file("/proc/" + std::to_string(process) + "/stat");
   std::string text;

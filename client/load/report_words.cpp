@@ -18,7 +18,7 @@ constexpr auto sentences = std::to_array<Sentence>({
     {"{} connection", "{} Verbindung"},
     {"server in this process", "Server in diesem Prozess"},
     {"server {}", "Server {}"},
-    // The names of the rows.
+    // Names of the rows.
     {"measured", "gemessen"},
     {"blocks/s", "Sätze/s"},
     {"streams/s", "Streams/s"},
@@ -32,7 +32,7 @@ constexpr auto sentences = std::to_array<Sentence>({
     {"server", "Server"},
     {"memory", "Speicher"},
     {"this program", "dieses trc"},
-    // What stands in them.
+    // Contents of the rows.
     {"none", "keine"},
     {"{} s, interrupted, at most {} streams open", "{} s, abgebrochen, höchstens {} Streams offen"},
     {"{} s, at most {} streams open", "{} s, höchstens {} Streams offen"},

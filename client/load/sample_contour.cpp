@@ -14,7 +14,7 @@ namespace {
 
 using std::numbers::pi;
 
-// A coordinate as the program will show it: the next block starts there.
+// A coordinate as the program shows it, because the next block starts there.
 double as_written(double mm) {
   constexpr double units = 1e6;
   return std::round(mm * units) / units;
@@ -27,12 +27,11 @@ Point polar(double radius, double angle) {
 using Element = ContourElement;
 using Kind = ContourElement::Kind;
 
-// A contour around the origin, counter-clockwise, the tool outside. It begins on
-// the positive X axis, where the end of a lap and the begin of the next one make
-// no inside corner: approach and retract would gouge there.
+// A contour around the origin, counter-clockwise, with the tool outside. It begins on the positive
+// X axis, where two successive laps form no inside corner: approach and retract would gouge there.
 struct Outline {
   Point start = Point::Zero();
-  std::vector<Element> elements{};  // one lap, or all there is
+  std::vector<Element> elements{};  // one lap, or the whole contour
 };
 
 Outline polygon(const ShapeRequest& request) {
@@ -73,7 +72,7 @@ Outline star(const ShapeRequest& request) {
   return outline;
 }
 
-// Teeth with straight flanks, round tips and round roots the tool fits into.
+// Teeth with straight flanks. The tool fits into their round roots; their tips are round as well.
 Outline gear(const ShapeRequest& request) {
   constexpr int teeth = 24;
   const double outside = 80 * request.tool_radius;
@@ -98,21 +97,21 @@ Outline gear(const ShapeRequest& request) {
   return outline;
 }
 
-// Bows outwards with lines between them.
+// Outward bows with lines between them.
 Outline wave(const ShapeRequest& request) {
   constexpr int bows = 24;
   constexpr double pitch = 2 * pi / bows;
   const double radius = 80 * request.tool_radius;
   const double half_line = 0.2 * pitch;
   Outline outline;
-  // The first line and the last one are two halves.
+  // The first line and the last line are the halves of one.
   outline.start = {polar(radius, half_line).x(), 0};
   for (int i = 0; i < bows; ++i) {
     const Point from = polar(radius, i * pitch + half_line);
     const Point to = polar(radius, (i + 1) * pitch - half_line);
     outline.elements.push_back({.end = from});
     const Vector chord = to - from;
-    // The centre stands inside, half a chord from the middle: a quarter circle.
+    // The centre lies inside, half a chord from the middle of the chord: a quarter circle.
     const Point center = from + chord / 2 + left_of(chord) / 2;
     outline.elements.push_back({.end = to,
                                 .center = {as_written(center.x()), as_written(center.y())},
@@ -122,7 +121,7 @@ Outline wave(const ShapeRequest& request) {
   return outline;
 }
 
-// Quarter circles that grow by a quarter of the pitch each.
+// Quarter circles whose radius grows by a quarter of the pitch each.
 Outline spiral(const ShapeRequest& request) {
   const double step = as_written(request.tool_radius);
   double radius = 4 * step;
@@ -139,11 +138,11 @@ Outline spiral(const ShapeRequest& request) {
   return outline;
 }
 
-// How many lines a wave of the meander has, and how long it is in tool radii.
+// The lines of a wave of the meander, and its length in tool radii.
 constexpr double lines_per_wave = 100;
 constexpr double wave_length = 10;
 
-// Waves two radii high round a ring: their troughs are round enough for the tool.
+// Waves of two radii in height around a ring; the tool fits into their round troughs.
 Outline meander(const ShapeRequest& request) {
   constexpr std::uint64_t shortest_lap = 300;
   const std::uint64_t lines = std::max(request.blocks, shortest_lap);
@@ -159,7 +158,7 @@ Outline meander(const ShapeRequest& request) {
   return outline;
 }
 
-// A lap of lines and bows at distances from the origin that the seed chooses.
+// A lap of lines and bows; the seed chooses their distances from the origin.
 Outline random_lap(const ShapeRequest& request) {
   constexpr std::uint64_t longest_lap = 1000;
   std::mt19937_64 generator(request.seed);
@@ -167,14 +166,14 @@ Outline random_lap(const ShapeRequest& request) {
   const auto corners = static_cast<int>(std::clamp<std::uint64_t>(request.blocks, 24, longest_lap));
   const double edge = 20 * request.tool_radius;
   const double radius = edge * corners / (2 * pi);
-  // The first corner is the outermost one, between two lines.
+  // The first corner is the outermost one and lies between two lines.
   Outline outline{.start = polar(radius + 3 * request.tool_radius, 0)};
   Point from = outline.start;
   for (int i = 1; i <= corners; ++i) {
     const double out = 3 * request.tool_radius * (2 * share() - 1);
     const Point to = i == corners ? outline.start : polar(radius + out, 2 * pi * i / corners);
     const bool bow = share() < 1.0 / 3 && i > 1 && i < corners;
-    // A bow of about 40 degrees to the outside.
+    // A bow of about 40 degrees, outwards.
     const Vector chord = to - from;
     const Point center = from + chord / 2 + left_of(chord) * (1.2 + share());
     outline.elements.push_back({.end = to,
@@ -201,8 +200,8 @@ constexpr std::array<ShapeMaker, 8> makers{{
     {{"random", "lines and arcs chosen by the seed, one in three an arc"}, random_lap},
 }};
 
-// The first lap of a contour longer than a lap. It ends where it began: what is left over full laps
-// becomes pieces of its first line, clear of both ends.
+// The first lap of a contour that is longer than a lap. It ends where it began: the blocks beyond
+// full laps become pieces of its first line, away from both ends.
 std::vector<Element> first_lap(const ShapeRequest& request, const Outline& outline) {
   std::vector<Element> elements = outline.elements;
   const std::uint64_t pieces = request.blocks % outline.elements.size();
@@ -246,7 +245,7 @@ const std::vector<ShapeRow>& shapes() {
 
 std::string fault_of(const ShapeRequest& request) {
   if (maker_of(request.shape) == nullptr) return "unknown shape " + request.shape;
-  // What grows with its blocks, in radii a block.
+  // Growth of the shape in radii per block.
   double growth = 0;
   if (request.shape == "spiral") growth = 1;
   if (request.shape == "meander") growth = wave_length / lines_per_wave / (2 * pi);
@@ -261,7 +260,7 @@ SampleContour::SampleContour(const ShapeRequest& request)
     : blocks_(request.blocks), away_(4 * request.tool_radius) {
   Outline outline = maker_of(request.shape)->make(request);
   start_ = outline.start;
-  // One that is shorter than a lap ends on its way.
+  // A contour shorter than a lap ends part of the way round.
   if (blocks_ <= outline.elements.size()) {
     outline.elements.resize(blocks_);
     first_lap_ = std::move(outline.elements);
@@ -275,7 +274,7 @@ Point SampleContour::approach_from() const { return start_ + Vector(away_, 0); }
 
 Point SampleContour::retract_to() const {
   const Point& end = blocks_ == 0 ? start_ : (*this)[blocks_ - 1].end;
-  // Straight away from the middle, clear of the contour.
+  // Straight away from the centre, clear of the contour.
   const Vector outward = end.norm() > 0 ? Vector(end.normalized()) : Vector(Vector::UnitX());
   return end + away_ * outward;
 }

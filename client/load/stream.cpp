@@ -20,8 +20,8 @@ void Stream::start(GenericStub& stub) {
   stub.PrepareBidiStreamingCall(&context_, method_of(job_.layout()), {}, this);
   outgoing_ = conversation_->setup();
   listener_.sent(outgoing_.Length());
-  // A slow reader has no operation under way while it waits; the hold is given back when the
-  // server has ended the stream.
+  // A slow reader has no pending operation while it waits. The hold is released when the server has
+  // ended the stream.
   AddHold();
   StartWrite(&outgoing_);
   StartRead(&incoming_);

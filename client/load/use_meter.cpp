@@ -9,7 +9,7 @@ namespace trc::cli::load {
 namespace {
 
 constexpr std::chrono::milliseconds between_looks{100};
-// What a server takes once is taken by then: pools, caches, the first streams.
+// By then the server has allocated what it needs only once: pools, caches, the first streams.
 constexpr std::chrono::seconds warm_after{1};
 
 }  // namespace

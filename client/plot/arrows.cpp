@@ -7,7 +7,7 @@
 namespace trc::plot {
 namespace {
 
-// The last pixels of a path in short pieces.
+// The last pixels of a path that runs in short pieces.
 class ShortPieces {
  public:
   void clear() { points_.clear(); }
@@ -16,7 +16,7 @@ class ShortPieces {
     points_.push_back(to);
     while (points_.size() > 2 && (points_.back() - points_[1]).norm() > reach) points_.pop_front();
   }
-  // Where to, if it went straight on for long enough to carry an arrow.
+  // The direction, if the path has run straight for long enough to carry an arrow.
   [[nodiscard]] std::optional<Vector> direction() const {
     if (points_.size() < 2) return std::nullopt;
     const Vector way = points_.back() - points_.front();
@@ -62,7 +62,7 @@ class Arrows {
     if (carries) {
       constexpr double behind_the_middle = 0.65;
       const Place place = place_at(segment, behind_the_middle);
-      // On the sheet y runs down.
+      // On the sheet y points down.
       add({.tip = frame_.on_sheet(place.point),
            .ahead = Vector(place.direction.x(), -place.direction.y())});
     } else if (const auto ahead = pieces_.direction()) {

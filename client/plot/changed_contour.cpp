@@ -33,9 +33,9 @@ double shift_of(const TrcMode& mode) {
   return mode.side == Side::left ? mode.tool_radius : -mode.tool_radius;
 }
 
-// The direction in which a line of the new contour runs. A notch is raised until a side of it keeps
-// a path of no length: then the end that has not moved tells the direction, as the side touches the
-// tool that stands in the notch.
+// The direction of a line of the new contour. A notch is raised until the path beside one of its
+// sides has no length. The fixed end then gives the direction, because that side touches the tool
+// in the notch.
 Vector direction_of(const Changed& block, double shift) {
   const Point& tool = start_of(block.path->path);
   const Vector way = end_of(block.path->path) - tool;
@@ -46,12 +46,12 @@ Vector direction_of(const Changed& block, double shift) {
   const double distance = to_tool.norm();
   if ((block.start_moved && block.end_moved) || distance <= same_point)
     return tangent_at_start(programmed);
-  // Where the tool touches that end itself, rounding may have it nearer than its radius.
+  // If the tool touches this end, rounding may put it nearer than its radius.
   const double angle = std::asin(std::clamp(shift / distance, -1.0, 1.0));
   return turned(to_tool / distance, from_start ? -angle : angle - std::numbers::pi);
 }
 
-// The unbounded curve that the new block lies on: the path moved back by the tool radius.
+// The unbounded curve of the new block: the path moved back by the tool radius.
 struct Curve {
   std::optional<StraightLine> line{};
   std::optional<Circle> circle{};
@@ -74,7 +74,7 @@ Meetings meetings_of(const Curve& a, const Curve& b) {
   return intersect(*a.circle, *b.circle, same_point);
 }
 
-// Where two new blocks meet: near the programmed corner, or there.
+// Where two new blocks meet, near the programmed corner; otherwise that corner.
 Point corner_between(const Changed& before, const Changed& after) {
   const Point& programmed = end_of(before.programmed->path);
   const double reach = 2 * before.programmed->mode->tool_radius +

@@ -7,7 +7,7 @@
 namespace trc::plot {
 namespace {
 
-// Bytes of the UTF-8 sequence at the front of `text`; 0 when it is none.
+// The length in bytes of the UTF-8 sequence that begins `text`; 0: there is none.
 std::size_t sequence_length(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char lead = byte(0);
@@ -58,7 +58,7 @@ std::vector<std::string> wrapped(const std::string& text, std::size_t most) {
   while (rest.size() > most) {
     std::size_t cut = rest.rfind(' ', most);
     if (cut == std::string::npos || cut == 0) cut = most;
-    // Not within a letter.
+    // Does not cut a character in two.
     while (cut > 1 && (static_cast<unsigned char>(rest[cut]) & 0xC0U) == 0x80U) --cut;
     lines.push_back(rest.substr(0, cut));
     rest.erase(0, rest.find_first_not_of(' ', cut));

@@ -44,7 +44,7 @@ class Findings {
               .tool_radius = diagnostic.point ? tool_radius_at(diagnostic.source.index) : 0};
   }
 
-  // Never travelled: the operator may put them in.
+  // The tool does not travel these proposals; the operator may add them to the program.
   void add_proposals(const EntryHelp& help) {
     if (axes_of(picture_.plane).third != help.third_axis) return;
     for (const EntryProposal& proposal : help.proposals) add(proposal, help.leaves);
@@ -98,7 +98,7 @@ class Findings {
     return reached;
   }
 
-  // Of the last motion up to there under TRC; behind its end the tool is still the same.
+  // The radius of the last motion under TRC up to the block; the tool remains the same after it.
   [[nodiscard]] double tool_radius_at(std::uint64_t index) const {
     double radius = 0;
     for (const Block& block : contents_.programmed) {
@@ -115,7 +115,7 @@ class Findings {
     if (diagnostic.source.line > 0) text += words_.in_line + std::to_string(diagnostic.source.line);
     if (diagnostic.source.number != Source::no_number)
       text += " (N" + std::to_string(diagnostic.source.number) + ")";
-    // A sender that has no texts for people yet is shown with its message.
+    // A sender without texts for people is shown with its message.
     const DiagnosticTexts texts = texts_of(diagnostic);
     return text + ": " + (texts.text.empty() ? texts.message : texts.text);
   }

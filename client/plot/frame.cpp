@@ -10,13 +10,13 @@
 namespace trc::plot {
 namespace {
 
-// One elliptical arc command spans at most half a turn: at more, the flag for
-// the larger arc would hang on how the ends were rounded.
+// One elliptical arc command spans at most half a turn. For larger arcs, rounding of the ends could
+// decide the flag for the larger arc.
 void append_arc(std::string& d, const Arc& arc, const Frame& frame) {
   const double radius = (arc.start - arc.center).norm() * frame.scale;
   const bool halved = std::abs(arc.sweep) > std::numbers::pi * (1 + 1e-9);
-  // Seen from above, y upwards, counter-clockwise is positive; on the sheet y
-  // runs down, where SVG calls the same sense 0.
+  // Seen from above, with y up, counter-clockwise is positive. On the sheet y points down, and SVG
+  // denotes this direction by 0.
   const char* sense = arc.sweep > 0 ? "0" : "1";
   const auto append = [&](const Point& to) {
     d += "A" + px(radius) + " " + px(radius) + " 0 0 " + sense + " " + pair(frame.on_sheet(to));
@@ -33,7 +33,7 @@ Frame fit(const Bounds& contents, double widest, double tallest) {
   Point low = contents.low;
   Point high = contents.high;
   const double larger = std::max((high - low).maxCoeff(), 0.0);
-  // Far from the origin a double cannot show less than this as a picture.
+  // Far from the origin, doubles cannot resolve a smaller picture.
   const double least =
       std::max(contents.low.cwiseAbs().maxCoeff(), contents.high.cwiseAbs().maxCoeff()) * 1e-11;
   const bool is_point = larger <= least;

@@ -155,7 +155,7 @@ class Composer {
            .title = number_of(motion.source, words_) + words_.changed});
       return;
     }
-    // A block the closing point lies in is a wall on one side of it and a lead on the other one.
+    // A block that contains the closing point is a wall on one side of it and a lead on the other.
     const bool parted = wall && wall->to > wall->from && !lost && is_finite(motion.path);
     if (parted) {
       const double length = length_of(motion.path);
@@ -174,7 +174,7 @@ class Composer {
     if (plane != picture_.plane || !single_ || !is_finite(motion.path)) return;
     const Place middle = place_at(motion.path, 0.5);
     const Vector left = left_of(middle.direction);
-    // Away from the tool.
+    // The number lies on the side away from the tool.
     picture_.numbers.push_back({.at = middle.point,
                                 .aside = motion.mode->side == Side::left ? Vector(-left) : left,
                                 .text = number_of(motion.source, words_)});
@@ -222,8 +222,8 @@ class Composer {
     flush_joined();
   }
 
-  // What TRC inserts between the approach block and the contour, or between the contour and the
-  // retract block: the block itself is the first one of an approach and the last one of a retract.
+  // A block that TRC inserts between the approach block and the contour, or between the contour and
+  // the retract block. The own block is the first of an approach and the last of a retract.
   [[nodiscard]] bool is_inserted(std::size_t at) const {
     const CompensatedBlock& block = contents_.path[at];
     const bool approach = block.origin == Origin::approach;
@@ -233,13 +233,13 @@ class Composer {
     const CompensatedBlock& other = contents_.path[own];
     if (other.origin != block.origin || (approach && other.source.index != block.source.index))
       return false;
-    // Parts of one line, as SPLIT makes them, are the block itself.
+    // Parts of one line, as SPLIT makes them, belong to the own block.
     const Vector way = place_at(block.path, 0.5).direction;
     return is_arc(block.path) || is_arc(other.path) ||
            (way - place_at(other.path, 0.5).direction).norm() > 1e-6;
   }
 
-  // The tool where the first approach begins and where it first touches.
+  // The tool at the begin of the first approach, and where it first touches the contour.
   void add_tools() {
     const MotionBlock* selected = nullptr;
     for (const Block& block : contents_.programmed) {
@@ -271,7 +271,7 @@ class Composer {
       picture_.tools.push_back({.center = place_at(last->path, 1).point, .radius = radius});
   }
 
-  // Where another radius takes over: the tool before and the tool behind.
+  // At each change of radius: the tool before it and the tool after it.
   void add_radius_changes() {
     const MotionBlock* before = nullptr;
     std::size_t changes = 0;
@@ -288,7 +288,7 @@ class Composer {
     }
   }
 
-  // On a block that was inserted for it, or else on the first block with the new radius.
+  // On a block inserted for the change; otherwise on the first block with the new radius.
   void add_tools_of_change(const MotionBlock& before, const MotionBlock& behind) {
     const CompensatedBlock* first = nullptr;
     const CompensatedBlock* last = nullptr;
@@ -314,7 +314,7 @@ class Composer {
   const Words& words_;
   Picture picture_;
   bool single_ = true;
-  bool draws_first_ = false;  // of FirstMotions: where there is nothing else
+  bool draws_first_ = false;  // FirstMotions: true if there is nothing else to draw
   std::map<std::uint64_t, Segment> changed_{};
   std::array<Stroke, layer_count> joined_{};
 };
@@ -341,13 +341,13 @@ std::vector<Picture> compose_views(const Contents& contents) {
                               goes_across = goes_across || passive.normal.moves();
                           }},
                block);
-  // There the third axis points up.
+  // In this plane the third axis points up.
   if (others.empty() && goes_across)
     others.insert(shown == Plane::xy ? Plane::yz : shown == Plane::zx ? Plane::xy : Plane::zx);
   for (const Plane plane : others) {
     Contents seen = contents;
     seen.plane = plane;
-    // What was found is told once.
+    // Diagnostics are only shown in the first view.
     seen.diagnostics = {};
     views.push_back(compose(seen));
   }

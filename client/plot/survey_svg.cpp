@@ -21,7 +21,7 @@ constexpr double line_height = 19;
 constexpr double thinnest = 3;
 constexpr double thickest = 14;
 
-// Told apart by people who see red and green alike.
+// These colors also differ for people with red-green blindness.
 constexpr std::array<const char*, 8> colors{"#d55e00", "#0072b2", "#009e73", "#cc79a7",
                                             "#e69f00", "#56b4e9", "#8b5a2b", "#6a3d9a"};
 
@@ -70,7 +70,7 @@ class Drawing {
   [[nodiscard]] static const char* color_of(std::size_t rank) {
     return colors[rank % colors.size()];
   }
-  // The largest radius lies below and is the widest.
+  // The largest radius is drawn first, below the others, and is the widest.
   [[nodiscard]] double width_of(std::size_t rank) const {
     const std::size_t last = by_size_.size() - 1;
     if (last == 0) return thinnest;
@@ -123,7 +123,7 @@ class Drawing {
              "</title></path>\n";
   }
 
-  // Returns where the sheet ends.
+  // Returns the end of the sheet.
   double draw_legend(double y) {
     const auto entry = [&](const char* color, double stroke_width, const std::string& text) {
       body_ += "<line x1=\"" + px(edge) + "\" y1=\"" + px(y) + "\" x2=\"" + px(edge + 34) +
@@ -142,7 +142,7 @@ class Drawing {
 
   const SurveyPicture& picture_;
   Frame frame_;
-  std::vector<std::size_t> by_size_;  // of the radii, the largest first
+  std::vector<std::size_t> by_size_;  // indices of the radii, the largest first
   std::string body_;
 };
 

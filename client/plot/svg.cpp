@@ -19,8 +19,8 @@ namespace {
 
 constexpr double widest = 880;
 constexpr double tallest = 620;
-constexpr double tallest_beside = 260;  // of a further view
-constexpr double text_width = 6.7;      // of a letter at 12 pixels, on the safe side
+constexpr double tallest_beside = 260;  // for a further view
+constexpr double text_width = 6.7;      // for a letter at 12 pixels, on the safe side
 constexpr double line_height = 17;
 constexpr double edge = 14;
 
@@ -29,7 +29,7 @@ struct Style {
   const char* name;  // of the group
   const char* color;
   const char* width;
-  bool dashed = false;  // also where it is no rapid motion
+  bool dashed = false;  // even if it is no rapid motion
 };
 
 constexpr std::array<Style, layer_count> styles{{
@@ -76,7 +76,7 @@ std::string opening(const std::string& title, double width, double height) {
 
 class Sheet {
  public:
-  // `above`: pixels of the sheet that are taken by other views.
+  // `above`: pixels of the sheet that other views occupy.
   Sheet(const Picture& picture, const SvgOptions& options, double above)
       : picture_(picture),
         options_(options),
@@ -84,7 +84,7 @@ class Sheet {
         words_(words_in(picture.language)),
         unit_(picture.inch ? mm_per_inch : 1),
         frame_(fit(bounds_of(picture), widest, above > 0 ? tallest_beside : tallest)) {
-    // One step for both axes, so that the grid shows squares.
+    // Both axes have the same step, so that the grid consists of squares.
     const double step = (above > 0 ? 40 : 62) / frame_.scale / unit_;
     across_ = ticks_between(frame_.world.low.x() / unit_, frame_.world.high.x() / unit_, step);
     up_ = ticks_between(frame_.world.low.y() / unit_, frame_.world.high.y() / unit_, step);
@@ -95,7 +95,7 @@ class Sheet {
     width_ = std::max(frame_.left + frame_.width + edge, 360.0);
   }
 
-  // The elements of this view.
+  // Returns the elements of this view.
   std::string draw() {
     draw_caption();
     draw_grid();
@@ -113,7 +113,7 @@ class Sheet {
     return std::move(body_);
   }
   [[nodiscard]] double width() const { return width_; }
-  // Pixels of the sheet down to the end of what was drawn.
+  // Pixels from the top of the sheet to the end of the drawing.
   [[nodiscard]] double bottom() const { return bottom_; }
 
  private:
@@ -201,7 +201,7 @@ class Sheet {
     body_ += "</g>\n";
   }
 
-  // Where blocks end; those that would lie on each other once.
+  // Draws the ends of blocks; of ends that would cover each other only one.
   void draw_points() {
     constexpr double cell = 3;  // pixels
     std::set<std::pair<int, int>> taken;
@@ -235,14 +235,14 @@ class Sheet {
     body_ += "</g>\n";
   }
 
-  // A number that would lie on another one is left out.
+  // Omits a number that would cover another one.
   void draw_numbers() {
     std::set<std::pair<int, int>> taken;
     body_ +=
         "<g class=\"numbers\" font-size=\"11\" fill=\"#222\" stroke=\"white\" stroke-width=\"3\" "
         "paint-order=\"stroke\" text-anchor=\"middle\">\n";
     for (const Label& label : picture_.numbers) {
-      // Clear of the contour: beside an upright line a label needs half its width.
+      // Clear of the contour: beside a vertical line a label needs half its width.
       const double half_width = text_width * static_cast<double>(label.text.size()) / 2;
       const double room = 12 + half_width * std::abs(label.aside.x());
       const Point at = frame_.on_sheet(label.at) + room * Vector(label.aside.x(), -label.aside.y());
@@ -284,7 +284,7 @@ class Sheet {
     body_ += "</g>\n";
   }
 
-  // Only what the picture shows. Returns where the next thing below may begin.
+  // Lists only layers that the picture shows. Returns where the next part may begin.
   double draw_legend(double y) {
     double x = edge;
     std::sort(shown_.begin(), shown_.end());
@@ -317,7 +317,7 @@ class Sheet {
     return y + line_height;
   }
 
-  // "10, 20": each once, in the order they come into force.
+  // For example "10, 20": each radius once, in order of use.
   [[nodiscard]] std::string radii() const {
     constexpr std::size_t most_told = 6;
     std::vector<std::string> told;
@@ -332,7 +332,7 @@ class Sheet {
     return told.size() > most_told ? text + " …" : text;
   }
 
-  // The first warnings, the error and the first notes, in words, each with what helps.
+  // Writes the first warnings, the error and the first notes, each with its remedy.
   double draw_texts(double y) {
     y = draw_remarks(picture_.warnings, words_.more_warnings, "#8a6d00", y);
     if (picture_.fault) {
@@ -348,7 +348,7 @@ class Sheet {
     const std::size_t told = std::min(remarks.size(), most_told);
     for (std::size_t i = 0; i < told; ++i) {
       y = draw_wrapped(remarks[i].text, color, y + (i == 0 ? 6 : 0));
-      // Those of a kind are followed by what helps once.
+      // Remarks with the same remedy in a row show it once.
       if (i + 1 == told || remarks[i + 1].remedy != remarks[i].remedy)
         y = draw_wrapped(remarks[i].remedy, "#555", y);
     }

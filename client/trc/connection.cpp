@@ -14,9 +14,9 @@ namespace {
 
 constexpr std::chrono::seconds longest_connect{10};
 
-// Empty for no file.
+// An empty path means no file.
 std::optional<Failure> read_file(const std::string& path, std::string& content) {
-  // A device never comes to an end.
+  // The limit also ends the reading of a device.
   constexpr std::size_t most_bytes = std::size_t{4} << 20U;
   if (path.empty()) return std::nullopt;
   std::ifstream file(path, std::ios::binary);
@@ -37,15 +37,15 @@ grpc::ChannelArguments channel_arguments(const ConnectionOptions& options,
   };
   set(GRPC_ARG_KEEPALIVE_TIME_MS, options.keepalive_time);
   set(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, options.keepalive_timeout);
-  // Also while the stream is silent for long.
+  // Pings continue while the stream is silent.
   arguments.SetInt(GRPC_ARG_HTTP2_MAX_PINGS_WITHOUT_DATA, 0);
-  // By itself gRPC would wait for up to two minutes before it tries an address again, and for
-  // twenty seconds for one that does not answer.
+  // With its defaults gRPC may wait two minutes before it tries an address again, and twenty
+  // seconds for an address that does not answer.
   set(GRPC_ARG_INITIAL_RECONNECT_BACKOFF_MS, options.resume.first_wait);
   set(GRPC_ARG_MIN_RECONNECT_BACKOFF_MS, options.resume.longest_wait);
   set(GRPC_ARG_MAX_RECONNECT_BACKOFF_MS, options.resume.longest_wait);
-  // Sessions begin anew by themselves. gRPC 1.51, which tries a call again that no server has seen,
-  // forgets what is asked of the call when that fails too: whoever waits for it waits for ever.
+  // Sessions restart by themselves. gRPC 1.51 retries a call that no server has seen; if the retry
+  // also fails, gRPC forgets pending operations of the call, and their caller waits for ever.
   arguments.SetInt(GRPC_ARG_ENABLE_RETRIES, 0);
   if (options.separate) arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
   return arguments;

@@ -63,15 +63,15 @@ bool Failure::not_taken_over() const {
   return reason == "RESUME_TOKEN_INVALID" || reason == "RESUME_TOKEN_OF_OTHER_VERSION";
 }
 
-// gRPC itself says so when its buffers are full, and ends whichever stream comes to hand; what
-// passes a limit of the server has a reason, and a message that is too large will be so again.
+// gRPC itself sends this status when its buffers are full, to an arbitrary stream. A limit of the
+// server has a reason, and a message that is too large will be so again.
 bool Failure::is_crowded_out() const {
   return status == "RESOURCE_EXHAUSTED" && reason.empty() &&
          message.find("larger than max") == std::string::npos;
 }
 
-// Balancers report a server that died as CANCELLED or INTERNAL, gRPC itself some resets as UNKNOWN;
-// what the server itself says has a reason.
+// Balancers report a server that died as CANCELLED or INTERNAL, and gRPC reports some resets as
+// UNKNOWN. A status of the server itself has a reason.
 bool Failure::stream_lost() const {
   if (status == "UNAVAILABLE" || reason == "STREAM_IDLE" || is_crowded_out()) return true;
   return reason.empty() && (status == "CANCELLED" || status == "INTERNAL" || status == "UNKNOWN");
@@ -85,10 +85,10 @@ std::optional<Failure> failure_of(const grpc::Status& status) {
   if (status.ok()) return std::nullopt;
   Failure failure{.status = name_of(status.error_code()), .message = status.error_message()};
   google::rpc::Status details;
-  // Details that cannot be read take nothing from code and message.
+  // Code and message remain valid if the details cannot be read.
   if (!details.ParseFromString(status.error_details())) return failure;
   for (const google::protobuf::Any& detail : details.details()) read_detail(detail, failure);
-  // A balancer may reset the stream behind the server's last word, and gRPC reports the reset.
+  // A balancer may reset the stream after the server's status, and gRPC then reports the reset.
   if (details.code() != 0) {
     failure.status = name_of(static_cast<grpc::StatusCode>(details.code()));
     failure.message = details.message();

@@ -19,14 +19,14 @@ using Request = v1::SurveyRadiiRequest;
 using Response = v1::SurveyRadiiResponse;
 using google::protobuf::util::MessageDifferencer;
 
-// How many answer nothing hangs on how the text was cut, which is another way each time.
+// The number of these responses depends on how the text was cut, which varies.
 bool says_nothing(const Response& response) {
   const bool is_of_the_stream = response.has_accepted() || response.has_heartbeat() ||
                                 response.response_case() == Response::RESPONSE_NOT_SET;
   return is_of_the_stream && response.diagnostics().empty();
 }
 
-// Asks one server, once.
+// Asks the server once.
 std::optional<Failure> ask(const Connection& connection, const v1::SurveySetup& setup,
                            std::string_view text, const SurveySink& sink) {
   const auto stub = v1::TrcService::NewStub(connection.channel());
@@ -63,7 +63,7 @@ std::optional<Failure> ask(const Connection& connection, const v1::SurveySetup& 
   return whole ? std::nullopt : std::optional(missing_summary());
 }
 
-// But for the time that it took.
+// Compares the responses, except for the time taken.
 bool is_the_same(const Response& before, const Response& again) {
   MessageDifferencer differencer;
   differencer.IgnoreField(v1::SurveySummary::descriptor()->FindFieldByNumber(
@@ -71,20 +71,20 @@ bool is_the_same(const Response& before, const Response& again) {
   return differencer.Compare(before, again);
 }
 
-// What has been handed on. A survey that is asked for again begins anew: what comes again is held
-// against it, and goes no further.
+// The responses handed to the caller. A repeated survey begins anew: responses that come again are
+// compared with these and not handed on.
 class Handed {
  public:
   explicit Handed(const SurveySink& sink) : sink_(sink) {}
 
-  // Takes the answers of the next attempt.
+  // The sink for the next attempt.
   [[nodiscard]] SurveySink again() {
     at_ = 0;
     progress_ = false;
     return [this](const Response& response) { return take(response); };
   }
   [[nodiscard]] bool any() const { return !answers_.empty(); }
-  // Whether the last attempt came further than those before.
+  // Whether the last attempt got further than all earlier ones.
   [[nodiscard]] bool progress() const { return progress_; }
   [[nodiscard]] bool differs() const { return differs_; }
   [[nodiscard]] bool unwanted() const { return unwanted_; }

@@ -15,7 +15,7 @@ namespace {
 
 enum class Family { ipv4, ipv6, name };
 
-// Of HOST:PORT or [IPV6]:PORT.
+// For HOST:PORT or [IPV6]:PORT.
 Family family_of(const std::string& address) {
   const auto colon = address.rfind(':');
   if (colon == std::string::npos) return Family::name;
@@ -32,8 +32,8 @@ Failure refused(std::string message) {
   return {.status = "INVALID_ARGUMENT", .message = std::move(message), .reason = "ADDRESS_INVALID"};
 }
 
-// Streams go to the servers in turn, but not to one that takes no work: each says so on its own
-// connection.
+// Streams go to the servers in turn, except to a server that reports on its own connection that it
+// takes no work.
 std::string in_turn_while_serving() {
   return R"({"loadBalancingConfig":[{"round_robin":{}}],"healthCheckConfig":{"serviceName":")" +
          std::string(v1::TrcService::service_full_name()) + R"("}})";
@@ -50,7 +50,7 @@ std::optional<Failure> target_of(const std::string& address, bool tls, Target& t
     return refused("'" + address + "' is no address of a gRPC server: write HOST:PORT without " +
                    address.substr(0, scheme + 3));
   if (address.find(',') == std::string::npos) {
-    // gRPC would take the port of HTTPS.
+    // Without a port gRPC would use that of HTTPS.
     const bool has_port = address.find(':') != std::string::npos && !address.ends_with(']');
     if (!has_port) return refused("'" + address + "' has no port: write " + address + ":50051");
     target = {.uri = address, .service_config = {}};
@@ -68,8 +68,8 @@ std::optional<Failure> target_of(const std::string& address, bool tls, Target& t
       return refused("'" + address + "' mixes IPv4 and IPv6");
     servers.push_back(std::move(one));
   }
-  // The first session takes the server that is connected first, which is mostly the first one: of
-  // clients with one session each the others would see little.
+  // The first session takes the server that connects first, which is usually the first in the list.
+  // Without the shuffle, clients with one session each would hardly use the others.
   std::shuffle(servers.begin(), servers.end(), std::minstd_rand(std::random_device()()));
   const bool ipv6 = family_of(servers.front()) == Family::ipv6;
   target = {.uri = ipv6 ? "ipv6:" : "ipv4:", .service_config = in_turn_while_serving()};

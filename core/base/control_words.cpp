@@ -11,12 +11,12 @@ namespace {
 
 struct OwnHelp {
   Code code{};
-  bool klartext_alone = false;  // programs of G functions are helped as the row of the code says
+  bool klartext_alone = false;  // for programs of G functions the row of the code has the help
   std::string_view english;
   std::string_view german;
 };
 
-// Of the codes whose rows name words of ISG, those that programs of other controls meet.
+// Help for codes whose rows name words of ISG, as far as programs of other controls meet them.
 constexpr auto own_helps = std::to_array<OwnHelp>({
     {.code = Code::circle_center_misfit,
      .klartext_alone = true,

@@ -334,7 +334,7 @@ std::span<const CodeRow> code_table() { return rows; }
 const CodeRow& row_of(Code code) {
   const auto found = std::ranges::lower_bound(rows, code, {}, &CodeRow::code);
   if (found != rows.end() && found->code == code) return *found;
-  // A number from elsewhere (a newer peer): shown as what it is, never as another fault.
+  // A code from a newer peer is shown as unknown, never as another fault.
   static constexpr CodeRow unknown{.code = Code{},
                                    .severity = error,
                                    .reason = "UNKNOWN",

@@ -26,7 +26,7 @@ struct ValueWords {
   Measure measure = Measure::length;
 };
 
-// A name that is not here is a length in its own words.
+// A name that is missing here is a length, and its own words describe it.
 constexpr auto words_of_values = std::to_array<ValueWords>({
     {"angle", "angle", "Winkel", Measure::angle},
     {"blocks", "blocks too near", "Sätze zu nah", Measure::count},
@@ -124,10 +124,10 @@ std::string written(double value, std::chars_format format, int precision) {
   return {digits.data(), end.ptr};
 }
 
-constexpr double least = 1e-9;  // mm, more than what arithmetic leaves of 0
+constexpr double least = 1e-9;  // mm, above the rounding error of a length that should be 0
 
-// With the decimals of its unit, or the digits of one that would be 0 by them and is more than
-// nothing.
+// Written with the decimals of its unit. A length above `least` that these would show as 0 is
+// written with significant digits.
 std::string length_text(double length, const Lengths& lengths) {
   const double value = std::abs(length) < least ? 0 : lengths.in_unit(length);
   if (value != 0 && std::abs(value) < (lengths.in_inch() ? 0.00005 : 0.0005))
@@ -140,8 +140,8 @@ LengthUnit unit_of(const Diagnostic& diagnostic) {
   return diagnostic.inch ? LengthUnit::inch : LengthUnit::mm;
 }
 
-// With so many decimals that all of these can be told from each other, but for what arithmetic
-// leaves between equal ones.
+// With enough decimals to tell all these lengths apart, except for those that differ by rounding
+// errors only.
 Lengths lengths_for(std::span<const DiagnosticValue> values, LengthUnit unit) {
   constexpr int most = 9;
   Lengths lengths{.unit = unit, .decimals = unit == LengthUnit::inch ? 4 : 3};
@@ -189,7 +189,7 @@ std::string value_text(const DiagnosticValue& value, const Lengths& lengths, Lan
   return words + written(value.value, std::chars_format::general, 9);
 }
 
-// Takes the values of one append_place() from the front.
+// Removes the values of one append_place() from the front.
 RelatedPlace take_place(std::span<const DiagnosticValue>& values) {
   const std::string_view index = values.front().name;
   const std::string name(index.substr(0, index.rfind('_')));
@@ -207,12 +207,12 @@ RelatedPlace take_place(std::span<const DiagnosticValue>& values) {
   return place;
 }
 
-// What is said of a place that is too narrow for the tool before anything else is, with the values
-// it takes.
+// The words that begin the message about a place too narrow for the tool, and the name of the
+// value they contain.
 struct Narrowness {
   std::string english{};
   std::string german{};
-  std::string_view said{};  // name of the value
+  std::string_view said{};  // name of the value, which is not repeated after the title
 };
 
 std::optional<double> value_named(const Diagnostic& diagnostic, std::string_view name) {
@@ -235,7 +235,7 @@ Narrowness narrowness_of_arc(const Diagnostic& diagnostic) {
           .said = "contour_radius"};
 }
 
-// "tool ⌀12.000 mm does not fit, the slot is 8.000 mm wide here: ", where that is known.
+// "tool ⌀12.000 mm does not fit, the slot is 8.000 mm wide here: ". Empty if the room is unknown.
 Narrowness narrowness_of(const Diagnostic& diagnostic) {
   if (diagnostic.code == Code::tool_not_smaller_than_arc) return narrowness_of_arc(diagnostic);
   const bool does_not_fit = diagnostic.code == Code::line_reversed ||
@@ -264,7 +264,7 @@ Narrowness narrowness_of(const Diagnostic& diagnostic) {
           .said = "largest_radius"};
 }
 
-// The title, behind how narrow it is.
+// The title, after the words that say how narrow the place is.
 std::string with_narrowness(const Narrowness& narrow, std::string title, Language language) {
   if (narrow.said.empty()) return title;
   const bool german = language == Language::german;
@@ -276,7 +276,7 @@ std::string with_narrowness(const Narrowness& narrow, std::string title, Languag
   return (german ? narrow.german : narrow.english) + title;
 }
 
-// What helps against a slip; {instead} is what was meant.
+// Help for a slip; {instead} is the text that was probably meant.
 struct SlipHelp {
   SlipKind kind = SlipKind::none;
   std::string_view english;
@@ -419,7 +419,7 @@ std::string text_of(const std::vector<CallPlace>& calls, Language language) {
 
 namespace {
 
-// An inside corner, in which G138 and G139 begin, is too narrow for a smaller tool as well.
+// If G138 or G139 begins in an inside corner, a smaller tool does not fit either.
 std::string help_in_corner(ControlWords words, bool german) {
   std::string text(german ? "So nicht fertigen. Die Kontur an einer anderen Stelle beginnen"
                           : "Do not machine it so. Begin the contour in another place");
@@ -437,8 +437,8 @@ bool begins_in_corner(const Diagnostic& diagnostic) {
          std::ranges::any_of(diagnostic.entry_help->proposals, is_in_corner);
 }
 
-// Of an arc that is given by its radius there is no centre to correct; and in Klartext a word that
-// is refused as it stands is often one of another control.
+// An arc that is given by its radius has no centre to correct. In Klartext, a single word that is
+// refused often belongs to another control.
 std::string_view help_about_values(const Diagnostic& diagnostic, bool german) {
   if (diagnostic.code == Code::circle_center_misfit &&
       value_named(diagnostic, "smallest_radius").has_value())
@@ -446,7 +446,7 @@ std::string_view help_about_values(const Diagnostic& diagnostic, bool german) {
                     "halben Weg vom Anfang zum Ende messen."
                   : "Correct the radius or the end point: the radius must be at least half of the "
                     "way from the start to the end.";
-  // Of a program that names no tool a table says nothing.
+  // A tool table does not help a program that names no tool.
   const bool names_no_tool = diagnostic.detail.starts_with("G41 or G42 in ") ||
                              diagnostic.detail.starts_with("RL or RR in ");
   if (diagnostic.code == Code::no_tool_radius && names_no_tool &&
@@ -483,7 +483,7 @@ std::string_view help_about_values(const Diagnostic& diagnostic, bool german) {
   return {};
 }
 
-// Behind "TRANS, …, as in sinumerik", what the program is declared as then. Empty: nobody said.
+// How to declare the program after "TRANS, …, as in sinumerik". Empty if no dialect is named.
 std::string help_to_declare(const Diagnostic& diagnostic, bool german) {
   struct Family {
     std::string_view dialect;
@@ -537,7 +537,7 @@ std::string help_of(const Diagnostic& diagnostic, Language language) {
         Code::circle_incomplete, Code::circle_center_misfit, Code::ended_while_active,
         Code::no_tool_radius,    Code::line_reversed,        Code::arc_wrapped,
         Code::clearance_violated};
-    // Of these the words of expressions say little.
+    // For these reasons the general help for expressions says little.
     constexpr std::array<std::string_view, 8> own_reasons{", words behind a statement",
                                                           ", set by the program",
                                                           " or a tool offset of Fanuc",
@@ -548,7 +548,7 @@ std::string help_of(const Diagnostic& diagnostic, Language language) {
                                                           " beside G66"};
     const bool has_own_reason = std::ranges::any_of(
         own_reasons, [&](std::string_view reason) { return diagnostic.detail.ends_with(reason); });
-    // Klartext has words of its own for a place that is not known.
+    // Klartext has its own help for an unknown position.
     const bool is_of_klartext =
         diagnostic.words == ControlWords::klartext && diagnostic.code == Code::position_unknown;
     const std::string_view by_reason =

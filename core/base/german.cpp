@@ -467,7 +467,7 @@ struct Phrase {
   std::string_view german;
 };
 
-// What details say of a word: the meanings of functions, and what readers say of their own.
+// Phrases of details about a word: the meanings of functions, and the readers' own phrases.
 constexpr auto phrases = std::to_array<Phrase>({
     {"G20, inch in fanuc and linuxcnc", "G20, Zoll bei fanuc und linuxcnc"},
     {"L, a subprogram call", "L, ein Unterprogrammaufruf"},
@@ -773,10 +773,10 @@ const Phrase* phrase_of(std::string_view english) {
   return found == phrases.end() ? nullptr : found;
 }
 
-// With the phrase that the detail is, or ends with.
+// Translates the phrase that the detail is or ends with.
 std::string with_german_meaning(std::string_view detail) {
   if (const Phrase* whole = phrase_of(detail)) return std::string(whole->german);
-  // "G68, rotation": the word, and what it means; words of the program may have commas as well.
+  // "G68, rotation": the word and its meaning. Words of the program may contain commas too.
   for (std::size_t at = detail.find(", "); at != std::string_view::npos;
        at = detail.find(", ", at + 2))
     if (const Phrase* meaning = phrase_of(detail.substr(at + 2));
@@ -790,7 +790,8 @@ std::string with_german_meaning(std::string_view detail) {
   return std::string(detail);
 }
 
-// And with what stands behind the phrase: both once, as words of the program may say them at will.
+// Translates the endings after the phrase too: two at most, as words of the program may repeat
+// them.
 std::string with_german_phrase(std::string_view detail) {
   std::string behind;
   for (int ends = 0; ends < 2; ++ends) {
@@ -817,7 +818,7 @@ std::span<const GermanRow> german_rows() { return rows; }
 const GermanRow& german_row_of(Code code) {
   const auto* const found = std::ranges::lower_bound(rows, code, {}, &GermanRow::code);
   if (found != rows.end() && found->code == code) return *found;
-  // As row_of() does.
+  // An unknown code, as in row_of().
   static constexpr GermanRow unknown{
       .code = Code{},
       .title = "ein Fehler, dessen Nummer nicht in der Tabelle steht",

@@ -12,7 +12,7 @@ struct Fragment {
   std::string_view german;
 };
 
-// What stands between words of the program.
+// Text between words of the program.
 constexpr auto fragments = std::to_array<Fragment>({
     {"G141 finds no way past this block; #TRC [REMOVE_MASKED_BLOCKS=1] leaves out whole loops",
      "G141 findet an diesem Satz nicht vorbei; #TRC [REMOVE_MASKED_BLOCKS=1] lässt ganze Schleifen "
@@ -456,7 +456,7 @@ bool ends_word(std::string_view text, std::size_t at) {
   return at == text.size() || std::string_view(" ,:;()").find(text[at]) != std::string_view::npos;
 }
 
-// The longest one that stands there.
+// The longest fragment at this position.
 const Fragment* fragment_at(std::string_view text, std::size_t at) {
   const Fragment* longest = nullptr;
   for (const Fragment& one : fragments)

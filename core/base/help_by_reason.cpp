@@ -13,7 +13,7 @@ struct ReasonHelp {
   std::string_view german;
 };
 
-// Of FL, FLT, FC, FCT and FPOL.
+// For FL, FLT, FC, FCT and FPOL.
 constexpr std::string_view write_free_contour =
     "Have the control convert the free contour to blocks of L and C, and give that program.";
 constexpr std::string_view write_free_contour_in_german =
@@ -42,7 +42,7 @@ constexpr std::string_view end_scaling_in_german =
     "Die Skalierung vor der Kontur beenden, dahinter eine Gerade mit beiden Achsen der Ebene "
     "programmieren, und die Kontur in wahrer Größe schreiben.";
 
-// The first one that fits counts.
+// The first match counts.
 constexpr auto helps = std::to_array<ReasonHelp>({
     {", a subprogram in front of ",
      "Put the main program first in the text, and what it calls behind it. Of several main "

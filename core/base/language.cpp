@@ -14,7 +14,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-// 1 where there is none; 0 where it is no number, so that it is never chosen.
+// 1 if no weight is given; 0 if it is not a valid number, so that the language is never chosen.
 double weight_of(std::string_view parameters) {
   const std::size_t at = parameters.find("q=");
   if (at == std::string_view::npos) return 1;

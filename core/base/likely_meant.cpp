@@ -6,7 +6,7 @@
 namespace trc {
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
-  // Of the first letters of a, so many as the row says, to the first letters of b.
+  // row[j]: distance from the first i letters of a to the first j of b; before it `last`, `before`.
   std::vector<std::size_t> before(b.size() + 1);
   std::vector<std::size_t> last(b.size() + 1);
   std::vector<std::size_t> row(b.size() + 1);

@@ -32,7 +32,7 @@ thread_local std::int64_t of_thread = 0;  // pieces taken, less those given back
 
 class Pieces {
  public:
-  // Room for all there may be: a piece that comes back must not fail.
+  // Reserves room for all spare pieces: giving a piece back must not fail.
   Pieces() { spare_.reserve(PagePiece::most_spare); }
 
   [[nodiscard]] std::byte* take() {
@@ -49,14 +49,14 @@ class Pieces {
     --of_thread;
     if (!keep(piece)) munmap(piece, PagePiece::bytes);
   }
-  // One by one: other threads get pages in between.
+  // One by one, so that other threads get pages in between.
   void give_back_spare() {
     while (std::byte* piece = take_spare()) munmap(piece, PagePiece::bytes);
   }
   [[nodiscard]] std::size_t in_use() const { return in_use_; }
 
  private:
-  // The last one to come, whose pages are most likely in a cache; null where there is none.
+  // The piece given back last, whose pages are most likely in a cache; null if none is spare.
   [[nodiscard]] std::byte* take_spare() {
     const std::lock_guard lock(mutex_);
     if (spare_.empty()) return nullptr;
@@ -76,7 +76,7 @@ class Pieces {
   std::atomic<std::size_t> in_use_ = 0;
 };
 
-// Never destroyed: what is, may give pieces back later.
+// Never destroyed: objects that are destroyed at exit may still give pieces back.
 Pieces& pieces() {
   static auto* all = new Pieces();
   return *all;
@@ -102,7 +102,7 @@ void give_back_pages(void* memory, std::size_t bytes) {
   static const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
   void* first = memory;
   if (std::align(page, page, first, bytes) == nullptr) return;
-  // Where the system refuses, the heap keeps them.
+  // If the system refuses, the heap keeps the pages.
   madvise(first, bytes / page * page, MADV_DONTNEED);
 }
 

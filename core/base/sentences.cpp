@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::string_view gap = "{}";
 
-// What stands in the gaps; nothing: the text is no such sentence.
+// The texts in the gaps; nothing if the text does not match the pattern.
 std::optional<std::vector<std::string_view>> filled(std::string_view pattern,
                                                     std::string_view text) {
   std::vector<std::string_view> found;
@@ -34,7 +34,7 @@ std::optional<std::vector<std::string_view>> filled(std::string_view pattern,
   return found;
 }
 
-// The letters of a sentence beside its gaps.
+// The number of letters of a sentence without its gaps.
 std::size_t size_of_words(const Sentence& row, std::size_t gaps) {
   return row.english.size() - gaps * gap.size();
 }
@@ -43,7 +43,7 @@ std::size_t size_of_words(const Sentence& row, std::size_t gaps) {
 
 std::string translated(std::string_view english,
                        std::initializer_list<std::span<const Sentence>> tables) {
-  // "{} programs" fits many a sentence that ends so: the one that says most counts.
+  // "{} programs" matches every sentence with this ending: the match with the most words counts.
   const Sentence* best = nullptr;
   std::vector<std::string_view> gaps;
   for (const std::span<const Sentence> table : tables)

@@ -17,12 +17,12 @@ class Places {
   Places(const Track& track, double from, double to, const Point& middle)
       : track_(track), from_(from), to_(to), middle_(middle), farthest_(0.5 * 1.01 * (to - from)) {}
 
-  // Where it meets the circle. Here and below, what is farther from the middle than the way there
-  // is long needs no look: neither the shape, nor the meeting an angle.
+  // Adds the points where the track meets the circle. Here and below, a shape or a meeting farther
+  // from the middle than the ends of the part is skipped: no meeting of it lies on the part.
   void add(const Circle& circle) {
     add(circle, [](const Point&) { return true; });
   }
-  // Those for which is_on(point) holds: the others have nothing to do with the outline.
+  // Adds only meetings for which is_on(point) holds: the others are not on the outline.
   template <class IsOn>
   void add(const Circle& circle, IsOn is_on) {
     const double apart = (circle.center - middle_).squaredNorm();
@@ -69,8 +69,8 @@ void add_outline(const Arc& arc, double reach, Places& places) {
   for (const Point& end : {arc.start, arc.end}) places.add({.center = end, .radius = reach});
 }
 
-// Of the two straight lines the outline has what is beside the obstacle, of the two circles what is
-// behind its ends. A meeting that nearly is a touch is known to half of the digits only.
+// The outline has the parts of the two straight lines beside the obstacle, and the parts of the two
+// circles beyond its ends. A meeting that is nearly a touch has only half of the digits.
 void add_outline(const Line& line, double reach, double radius_of_track, Places& places) {
   const auto [direction, length] = directed(line.end - line.start);
   const double slack =
@@ -144,7 +144,7 @@ void PathPart::for_each_stretch(const Segment& obstacle, double apart, double re
   else
     add_outline(std::get<Arc>(obstacle), reach, places);
   const std::size_t count = places.sorted();
-  // The middle of the part tells of what it is well within.
+  // `apart` is known at the middle of the part: it decides for the stretch well around it.
   const auto is_nearer = [&](double begin, double end) {
     const double margin = 0.25 * (end - begin);
     const double halfway = from_ + half_;
@@ -172,7 +172,7 @@ std::optional<double> PathPart::first_entry(const Segment& obstacle, double apar
   return entry;
 }
 
-// A little of it may lie before that.
+// A stretch of up to `slack` before that may lie outside of reach.
 double PathPart::first_exit(const Segment& obstacle, double reach, double slack) const {
   double exit = from_;
   const auto leaves = [&](double begin, double end, const auto& is_nearer) {
@@ -185,10 +185,10 @@ double PathPart::first_exit(const Segment& obstacle, double reach, double slack)
   return exit;
 }
 
-// The distance from a line is a convex function of the point, so that along the tangent in the
-// middle it falls no faster than it does there; from the tangent the path departs by no more than
-// its curvature lets it, and the distance changes by no more than that. What is left has to be out
-// of reach by a thousand times what rounding does to the coordinates that take part.
+// The distance from a line is a convex function of the point: along the tangent in the middle it
+// falls no faster than it does there. The path departs from the tangent by no more than its
+// curvature allows, and the distance changes by no more than that. The rest has to exceed `reach`
+// by a thousand times the rounding error of the coordinates.
 bool PathPart::stays_off(const Line& obstacle, double apart, double reach) const {
   if (apart <= reach) return false;
   const Vector along = obstacle.end - obstacle.start;
@@ -209,7 +209,7 @@ Crossings crossings(const Track& one, const Track& other, double slack) {
     if (along_one < -slack || along_one > one.length() + slack) continue;
     const double along_other = other.way_to(point, slack);
     if (along_other < -slack || along_other > other.length() + slack) continue;
-    // Of curves that run side by side the meeting is not known to the last digits.
+    // The meeting of curves that run side by side is not exact to the last digits.
     if ((one.foot_of(point) - other.foot_of(point)).squaredNorm() > slack * slack) continue;
     result.found[result.count++] = {.along_first = std::clamp(along_one, 0.0, one.length()),
                                     .along_second = std::clamp(along_other, 0.0, other.length()),

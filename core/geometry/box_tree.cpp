@@ -56,7 +56,7 @@ void BoxTree::clear(std::size_t first) {
 }
 
 void BoxTree::drop_before(std::size_t number) {
-  // Now and then, as each level costs something.
+  // Only now and then: each level costs time.
   constexpr std::size_t worthwhile = 64;
   const bool due = number / worthwhile > begin_ / worthwhile;
   begin_ = number;

@@ -25,7 +25,7 @@ Point nearest_on(const Segment& segment, const Point& point) {
   return (point - arc.start).norm() <= (point - arc.end).norm() ? arc.start : arc.end;
 }
 
-// Where the unbounded curves of the two meet.
+// The points where the unbounded curves of the two meet.
 Meetings meetings_of(const Segment& first, const Segment& second, double same_point) {
   const auto straight = [](const Line& line) {
     return StraightLine{.point = line.start, .direction = (line.end - line.start).normalized()};
@@ -101,7 +101,7 @@ bool covers(const Arc& arc, const Point& point) {
   const double sense = std::copysign(1.0, arc.sweep);
   const double behind_start = sense * cross(to_start, way);
   const double before_end = sense * cross(way, to_end);
-  // What lies opposite of a thin sector is on the right side of both of its edges too.
+  // A point opposite a thin sector is on the right side of both of its edges too.
   const bool thin = to_start.dot(to_end) > 0;
   const bool opposite = thin && way.dot(to_start + to_end) < 0;
   if (std::abs(arc.sweep) <= std::numbers::pi)

@@ -38,8 +38,8 @@ Meetings intersect(const Circle& a, const Circle& b, double same_point) {
   const double nested = std::abs(a.radius - b.radius) - distance;
   if (apart > same_point || nested > same_point) return meetings;
   const Vector axis = between / distance;
-  // From the centre of the smaller circle: what is left of the difference to a large
-  // radius would be lost in its last digits.
+  // Measured from the centre of the smaller circle: the difference to a large radius
+  // would lose its last digits.
   const bool from_second = b.radius < a.radius;
   const Circle& small = from_second ? b : a;
   const Circle& large = from_second ? a : b;

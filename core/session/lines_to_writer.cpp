@@ -11,8 +11,8 @@
 namespace trc {
 namespace {
 
-// After so many lines in a row that give no block, they come out if no block is
-// on its way; if one is, they may take so many bytes.
+// After this many lines in a row without a block, the lines come out if no block
+// is on its way; otherwise they may take up to this many bytes.
 constexpr std::uint64_t silent_lines_per_release = 256;
 constexpr std::size_t most_silent_bytes = 16 * 1024 * 1024;
 
@@ -50,7 +50,7 @@ LinesToWriter::LinesToWriter(const ProgramSetup& setup, Form form, PathSession& 
 
 void LinesToWriter::advance() {
   blocks_taken_ = 0;
-  // Of a corner that waits for its second motion the lines wait as well.
+  // While a corner waits for its second motion, its lines wait as well.
   const auto held =
       std::ranges::find_if(lines_, [index = path_.program().held_from()](const LinePointer& line) {
         return line->source.index >= index;
@@ -61,7 +61,7 @@ void LinesToWriter::advance() {
     if (!writes_text()) reader_.recycle(std::move(line));
   }
   lines_.erase(lines_.begin(), held);
-  // A line with a fault gives nothing, also where reading goes on for more of them.
+  // A line with a fault gives no block, even if reading goes on to find more faults.
   if (path_.found().stopped())
     path_.advance(path_out());
   else
@@ -78,14 +78,14 @@ bool LinesToWriter::take(LinePointer& given) {
   if (writes_text() && !write_line(given)) return false;
   const bool ends = line.ends_program && !std::exchange(ended_, true);
   if (ends && !end_program(line)) return false;
-  // Nothing can come before the lines behind the program end.
+  // No block can come before the lines after the program end.
   if (ended_ && writes_text()) writer_.finish(output_->text());
   if (ends) path_.end_item(path_out());
   return true;
 }
 
 void LinesToWriter::enter_meaning(const ProgramLine& line) {
-  // Behind a corner that has become blocks of its own the line begins elsewhere than it says.
+  // After a corner that has become blocks of its own, the line begins elsewhere than it says.
   const std::uint32_t motions_before = std::exchange(meaning_.motions, 0U);
   meaning_.gives_block = meaning_.keeps_place = false;
   meaning_.moved = 0;
@@ -104,7 +104,7 @@ bool LinesToWriter::write_line(LinePointer& given) {
   return silent_lines_ < silent_lines_per_release || release_silent_lines(line);
 }
 
-// A matter of the lines taken, not of how they arrived: the output depends on it.
+// Depends on the lines taken, not on how they arrived, because it decides the output.
 bool LinesToWriter::release_silent_lines(const ProgramLine& line) {
   silent_lines_ = 0;
   blocks_taken_ = 0;

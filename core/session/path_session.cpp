@@ -9,7 +9,7 @@
 namespace trc {
 namespace {
 
-// The tool and the program start in one place: the one the program names.
+// The tool starts where the program starts.
 CompensatorSetup compensator_setup(const SessionSetup& setup) {
   CompensatorSetup result = setup.compensator;
   result.start = setup.program.start;
@@ -47,11 +47,11 @@ bool PathSession::advance_through(std::uint64_t index, Answers& out) {
   return out.hand_on() && !diagnostics_.stopped();
 }
 
-// What was found in an item is told with what its compensation reports, behind all of it.
+// Diagnostics of an item come together with those of its compensation, after all its blocks.
 void PathSession::work_off(std::uint64_t end, Answers& out) {
   std::ranges::move(found_.take(), std::back_inserter(to_tell_));
   const std::uint64_t held_from = program_.held_from();
-  // Behind an error nothing comes that would complete what is held.
+  // After an error no item comes that would complete the held ones.
   const std::uint64_t tell_before = found_.stopped() ? end : std::min(end, held_from);
   const std::uint64_t compensated_before = std::min(end, held_from);
   std::size_t told = 0;
@@ -59,10 +59,10 @@ void PathSession::work_off(std::uint64_t end, Answers& out) {
     Diagnostic& next = to_tell_[told++];
     const std::uint64_t item = next.source.index;
     compensate_before(std::min(item, compensated_before), out);
-    // Where nothing is selected, all that was given before an error is certain (D-144).
+    // If no contour is open, all blocks given before an error are certain (D-144).
     if (next.severity == Severity::error && !program_.contour_open()) this->end(out);
     diagnostics_.report(std::move(next));
-    // Errors that were found together are told together.
+    // Errors that were found together are reported together.
     if (diagnostics_.stopped()) continue;
     compensate_before(std::min(item + 1, compensated_before), out);
     if (item != open_item_) out.tell(diagnostics_.take());

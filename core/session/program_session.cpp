@@ -17,9 +17,9 @@ constexpr std::size_t bytes_per_piece = 8 * 1024;
 
 }  // namespace
 
-// The reader gives lines to the writer and what they mean to the path. It runs ahead of both by up
-// to one piece of text: the path brings what it finds into the order of the program, and the writer
-// holds each line until a block comes from behind it (LinesToWriter).
+// The reader gives lines to the writer and their blocks to the path. It runs ahead of both by up
+// to one piece of text: the path brings diagnostics into the order of the program, and the writer
+// holds each line until a block from after it comes (LinesToWriter).
 struct ProgramSession::Parts {
   explicit Parts(const ProgramSessionSetup& given)
       : setup(given),
@@ -38,7 +38,7 @@ struct ProgramSession::Parts {
 
   [[nodiscard]] bool stopped() const { return path.diagnostics().stopped(); }
 
-  // Reads: `read` gives lines and blocks.
+  // Calls `read`, which gives lines and blocks, and passes the new blocks to `blocks_read`.
   template <class Read>
   auto reading(const Read& read) {
     const std::size_t before = path.waiting_blocks().size();
@@ -48,7 +48,7 @@ struct ProgramSession::Parts {
     return result;
   }
 
-  // All lines read have been taken when a call has ended, but for those of a corner.
+  // At the end of a call all lines read have been taken, except those of a corner.
   template <class Archive>
   void serialize(Archive& archive) {
     archive(path, reader, lines);

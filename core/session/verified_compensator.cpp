@@ -49,10 +49,10 @@ std::size_t VerifiedCompensator::feed_until_report(std::span<Block> blocks,
   return count;
 }
 
-// Nothing can be reported of what is measured.
+// Measuring these blocks cannot report anything.
 std::size_t VerifiedCompensator::take_held(std::span<Block> blocks,
                                            std::vector<CompensatedBlock>& out) {
-  // The compensator takes what is in the blocks.
+  // Before the compensator moves the content out of the blocks.
   for (const Block& block : blocks.subspan(std::min(told_ahead_, blocks.size())))
     verification_->programmed(block);
   const std::size_t told = std::max(told_ahead_, blocks.size());
@@ -63,7 +63,7 @@ std::size_t VerifiedCompensator::take_held(std::span<Block> blocks,
   return count;
 }
 
-// Alone: what has come out before a stop must not depend on how the caller batches.
+// One block at a time: the output before a stop must not depend on how the caller batches.
 bool VerifiedCompensator::take(Block& block, std::vector<CompensatedBlock>& out) {
   if (told_ahead_ > 0)
     --told_ahead_;

@@ -13,7 +13,7 @@ namespace trc::survey {
 Reader text_reader(std::string_view text, const ReaderLimits& limits,
                    Checkpoint::Interrupt interrupt) {
   return [text, limits, interrupt = std::move(interrupt)](ProgramState& state, Diagnostics& log) {
-    // It is asked between them whether anybody waits still.
+    // Between the pieces `interrupt` asks whether anybody still waits.
     constexpr std::size_t bytes_per_piece = 16 * 1024;
     ProgramReader program(limits, state, log, interrupt);
     std::vector<LinePointer> lines;
@@ -60,7 +60,7 @@ ChangedModes::ChangedModes(const ProgramReading& reading, const ModeChange& chan
 
 TrcMode ChangedModes::changed(TrcMode mode, const RadiusUse& use, double read_with) const {
   RadiusTerms terms = use.terms;
-  // What the program adds to whatever radius there is stays.
+  // The length that the program adds to its radius stays.
   if (terms.nominal > 0)
     terms.radius = change_.radius + (terms.radius - read_with);
   else

@@ -16,7 +16,7 @@ namespace trc::survey {
 namespace {
 
 constexpr double micrometre = 1e-3;  // mm
-constexpr double per_mm = 1000;      // micrometres: a quotient is the number people write
+constexpr double per_mm = 1000;      // micrometres; dividing by it gives the number people write
 constexpr double rounding = 1e-6;    // of a micrometre
 
 std::optional<double> value_of(const Diagnostic& found, std::string_view name) {
@@ -42,7 +42,7 @@ const MotionBlock* contour_of(const Block& block) {
   return motion != nullptr && motion->mode->active() ? motion : nullptr;
 }
 
-// A note tells the same stretch in one or in several parts: the first is named.
+// Notes report one stretch as a whole or in several parts: `limits` names the first part.
 void note(const Diagnostic& found, double least, Surveyed& result) {
   if (found.severity == Severity::warning) ++result.warnings;
   if (found.code != Code::blocks_masked) return;
@@ -102,7 +102,7 @@ Surveyed Survey::run(double radius) {
 }
 
 void Survey::compensate(const ProgramReading& reading, Loops loops, Surveyed& found) {
-  // So many at once lie in the caches still.
+  // This many blocks still fit into the caches.
   constexpr std::size_t portion = 256;
   CompensatorSetup compensator = setup_.session.compensator;
   compensator.start = setup_.session.program.start;
@@ -127,7 +127,7 @@ void Survey::compensate(const ProgramReading& reading, Loops loops, Surveyed& fo
     for (const CompensatedBlock& block : out) note_filled(block, filled);
     out.clear();
   };
-  // Of the path only what it tells is wanted, and which notches were filled.
+  // The path itself is dropped; only its diagnostics and the filled notches are needed.
   const auto take = [&] {
     for (drop(); session.is_releasing(); drop()) session.release(out);
     for (const Diagnostic& told : log.take()) {
@@ -155,7 +155,7 @@ void Survey::compensate(const ProgramReading& reading, Loops loops, Surveyed& fo
   found.uncut_length = found.clearance.wall_length - found.clearance.touched_length;
 }
 
-// The verification has not measured what was refused before its end.
+// Verification has not measured a path that was refused before its end.
 void Survey::look_for_uncut(const ProgramReading& reading, Surveyed& found) {
   Surveyed other{.radius = found.radius};
   compensate(reading, Loops::removed, other);
@@ -167,12 +167,12 @@ void Survey::look_for_uncut(const ProgramReading& reading, Surveyed& found) {
   found.uncut = std::move(other.uncut);
 }
 
-// Of a centre path only: elsewhere reading has looked at the wear, which is the same for all.
+// For a centre path only: otherwise reading has checked the wear, which is the same for all radii.
 std::optional<Diagnostic> Survey::too_much_wear(const ProgramReading& reading,
                                                 double radius) const {
   const ProgramSetup& program = setup_.session.program;
   if (program.nominal_radius <= 0) return std::nullopt;
-  std::unordered_map<const TrcMode*, double> beyond;  // by modes, what they would have
+  std::unordered_map<const TrcMode*, double> beyond;  // the wear of modes that have too much
   for (const RadiusUse& use : reading.uses) {
     const double wear = term_of(radius) + (use.terms.radius - reading.radius) + use.terms.wear;
     if (std::abs(wear) > program.max_wear) beyond.emplace(use.mode.get(), wear);
@@ -206,8 +206,8 @@ std::vector<Source> Survey::limits_of(const ProgramReading& reading, const Surve
   return pinched ? around(reading, refusal.source) : std::vector{refusal.source};
 }
 
-// Of a line without a rest the tool stands at the blocks before and behind it. Where the contour
-// begins or ends with it that is itself, which nothing is cut off of there.
+// If nothing is left of a block, the blocks before and after it limit the tool. At the beginning
+// or the end of the contour, the block itself takes the place of the missing one.
 std::vector<Source> Survey::around(const ProgramReading& reading, const Source& pinched) {
   const MotionBlock* before = nullptr;
   const MotionBlock* own = nullptr;
@@ -221,7 +221,7 @@ std::vector<Source> Survey::around(const ProgramReading& reading, const Source& 
     if (own != nullptr && motion->source.index > pinched.index)
       return {before != nullptr ? before->source : pinched, motion->source};
     if (motion->source.index == pinched.index) own = motion;
-    // The approach is none of the contour.
+    // The approach is not part of the contour.
     const bool is_approach = begins && motion->mode->selection != Selection::perpendicular;
     if (own == nullptr) before = is_approach ? nullptr : motion;
   }
@@ -229,7 +229,7 @@ std::vector<Source> Survey::around(const ProgramReading& reading, const Source& 
   return {before->source, pinched};
 }
 
-// Between two parallel walls the tool has half of the room that there is between them.
+// Between two parallel walls the radius may be half of their distance.
 std::optional<double> Survey::guess_of(const Surveyed& found) {
   if (found.clearance.gouge) {
     const verify::Clearance& worst = *found.clearance.gouge;
@@ -263,8 +263,8 @@ const Survey::Tried& Survey::tried(Micrometres radius) {
   return tried_.at(mm);
 }
 
-// A list may hold radii between two micrometres: of these next to them nothing is known but that it
-// ought to be the same, which is looked at when the rest is found.
+// A list may hold radii between two whole micrometres. The search assumes the same result for the
+// whole ones next to them, and largest() tries these at its end.
 Survey::Bracket Survey::bracket_of_list() const {
   Bracket bracket;
   for (const auto& [radius, known] : tried_) {
@@ -293,8 +293,8 @@ void Survey::look_above(Bracket& bracket) {
   }
 }
 
-// What is in the way tells most often how large the tool may be: two runs are enough then, with
-// that radius and the next one. Where it does not lead on, halving does.
+// A failed run usually tells how large the tool may be: then two runs are enough, with that radius
+// and the next one. Otherwise the interval is halved.
 void Survey::narrow(Bracket& bracket) {
   constexpr unsigned guesses_in_a_row = 3;
   Micrometres& high = *bracket.high;

@@ -46,8 +46,8 @@ Compensator::Compensator(const CompensatorSetup& setup, Diagnostics& diagnostics
 
 Compensator::~Compensator() = default;
 
-// Blocks go the short way, or one at a time through all passes: the order of diagnostics and what
-// has come out before a stop must not depend on how the caller batches.
+// Blocks go the short way, or one at a time through all passes: the order of diagnostics and the
+// output before a stop must not depend on how the caller batches.
 bool Compensator::feed(std::vector<Block>& blocks, std::vector<CompensatedBlock>& out) {
   std::span<Block> left(blocks);
   while (!left.empty() && !passes_->diagnostics.stopped()) {

@@ -3,12 +3,12 @@
 #include "core/trc/compensator_passes.h"
 #include "core/trc/entry_help.h"
 
-// Where blocks leave the list of passes: the short ways, and the way a refused entry could go.
+// Where blocks leave the list of passes: the short ways, and help for a refused entry.
 
 namespace trc {
 namespace {
 
-// What LoopRemoval refuses, which leads that the tool does not fit into may be the cause of.
+// Refusals of LoopRemoval that leads too narrow for the tool may have caused.
 bool may_be_of_leads(Code code) {
   return code == Code::line_reversed || code == Code::arc_wrapped || code == Code::most_left_out;
 }
@@ -35,8 +35,8 @@ bool Compensator::Passes::are_idle_for(const PathBlock& block) const {
           (loop_removal.ignores(block) && bottlenecks.ignores(block)));
 }
 
-// Blocks that leave a selection as they came go straight into the result; where one does not, a few
-// go through the passes.
+// Blocks that leave a selection as they came go straight into the result; if the next one does not,
+// a few go through the passes.
 bool Compensator::Passes::release(std::vector<CompensatedBlock>& out) {
   checkpoint.pass();
   const bool is_idle = path.blocks.empty() && bottlenecks.is_empty();

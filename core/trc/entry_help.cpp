@@ -15,14 +15,14 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// A contour of more blocks is not looked at: the answer to a refusal must not take long.
+// A contour with more blocks is not examined: the answer to a refusal must not take long.
 constexpr std::size_t most_blocks = 1000;
 
-// What a way is made longer by, mm, until what is written with a few decimals is long enough.
+// Lengths, mm, to add to a way until it is long enough when written with a few decimals.
 constexpr std::array<double, 6> spares{0, 1e-4, 3e-4, 5e-4, 1e-3, 2e-3};
-constexpr double written = 1e3;  // steps a mm
+constexpr double written = 1e3;  // steps per mm
 
-// Radii of the quarter circle, of the tool's.
+// Radii of the quarter circle, in tool radii.
 constexpr std::array<double, 5> quarter_radii{2, 1.5, 3, 1.2, 5};
 
 Point rounded(const Point& point) {
@@ -45,9 +45,9 @@ class EntrySearch {
         plane_(refused_block_.mode->plane) {}
 
   [[nodiscard]] EntryHelp find() const;
-  // Where loops are removed: with the leads at the end, or without them.
+  // Under loop removal: with the leads at the end, or without them.
   [[nodiscard]] EntryHelp find_past_leads();
-  // Of a contour that begins in an inside corner.
+  // For a contour that begins in an inside corner.
   [[nodiscard]] EntryHelp find_in_corner() const;
 
  private:
@@ -65,7 +65,7 @@ class EntrySearch {
   [[nodiscard]] DiagnosticPoint start_point(const Point& point) const {
     return machine_point(plane_, point, refused_block_.normal.from);
   }
-  // The point of the way that is free to be chosen.
+  // The end of the way that can be chosen freely.
   [[nodiscard]] DiagnosticPoint free_end(const EntryWay& way) const {
     return refused_.leaves
                ? machine_point(plane_, end_of(way.motions.back()), refused_block_.normal.to)
@@ -102,7 +102,7 @@ EntryHelp EntrySearch::find_past_leads() {
                  .given_length = length_of(refused_block_.path),
                  .replaced = static_cast<std::uint32_t>(refused_.leads_in)};
   std::optional<EntryWay> quarter = quarter_circle();
-  // Where the begin is well, it is the end that has to be another one.
+  // If a way in fails on the whole contour, the leads at its end may be the cause.
   if (!quarter && refused_.at_begin && refused_.leads_out > 0) {
     trial_.leave_out_leads();
     help.left_out = static_cast<std::uint32_t>(refused_.leads_out);
@@ -142,7 +142,7 @@ std::optional<EntryWay> EntrySearch::line_into_corner() const {
   return way;
 }
 
-// What G238 proposes itself in place of its start.
+// The start that G238 itself proposes.
 std::optional<Point> EntrySearch::start_under_g238(const EntryWay& way) const {
   Diagnostics diagnostics;
   if (trial_.is_accepted_with_help(way, diagnostics) || diagnostics.pending().empty())
@@ -152,8 +152,8 @@ std::optional<Point> EntrySearch::start_under_g238(const EntryWay& way) const {
   return to_plane(plane_, {help->legal->x, help->legal->y, help->legal->z});
 }
 
-// Where no length of the programmed direction would do: from the programmed point, or from the
-// tool side, across the contour and a little behind its begin.
+// If no length in the programmed direction suffices: a line from the programmed point, or from the
+// tool side, square to the contour or set back a little from its end.
 std::optional<EntryWay> EntrySearch::line_from_tool_side() const {
   const Segment& contour = nearest_contour_block_.path;
   const Vector along = refused_.leaves ? tangent_at_end(contour) : tangent_at_start(contour);
@@ -289,7 +289,7 @@ std::shared_ptr<const EntryHelp> help_with(const RefusedWay& refused,
     return help.proposals.empty() ? nullptr : std::make_shared<const EntryHelp>(std::move(help));
   }
   if (!refused.removes_loops) return std::make_shared<const EntryHelp>(search.find());
-  // What loop removal refuses has other causes mostly.
+  // Refusals of loop removal mostly have other causes.
   EntryHelp help = search.find_past_leads();
   return help.proposals.empty() ? nullptr : std::make_shared<const EntryHelp>(std::move(help));
 }

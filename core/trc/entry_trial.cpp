@@ -14,7 +14,7 @@
 namespace trc::selection {
 namespace {
 
-// What a corner leaves of a block whose start it cuts; none: nothing.
+// The rest of a block after a corner has cut its start; empty if nothing is left.
 std::optional<Segment> behind_cut(const Segment& block, double cut) {
   if (cut <= 0) return block;
   if (const auto* line = std::get_if<Line>(&block)) {
@@ -30,7 +30,7 @@ std::optional<Segment> behind_cut(const Segment& block, double cut) {
   return arc;
 }
 
-// Accepted, but not what anybody would want.
+// Accepted, but not worth proposing.
 bool leaves_much_out(const Diagnostics& found) {
   const auto& told = found.pending();
   return std::any_of(told.begin(), told.end(), [](const Diagnostic& diagnostic) {
@@ -45,7 +45,7 @@ bool EntryTrial::does(const EntryWay& way) const {
   const auto [accepted, path] = compensated(way, setup_, diagnostics);
   if (!accepted || (refused_.removes_loops && leaves_much_out(diagnostics))) return false;
   return std::all_of(path.begin(), path.end(), [&](const CompensatedBlock& block) {
-    // Under G238 the contour begins and ends elsewhere too. Where loops are removed it is clear.
+    // Under G238 the contour begins and ends elsewhere too. Loop removal keeps the rest clear.
     const bool is_at_stake = refused_.in_corner || is_of_way(block, way.motions.size());
     return !is_at_stake || block.origin == Origin::masked || is_clear(block.path);
   });
@@ -70,7 +70,7 @@ EntryTrial::Tried EntryTrial::compensated(const EntryWay& way, CompensatorSetup 
   return tried;
 }
 
-// The way and the contour, numbered from 0 by Source::index; none: of the contour nothing is left.
+// The way and the contour, numbered from 0 by Source::index; empty if no contour is left.
 std::vector<Block> EntryTrial::program(const EntryWay& way) const {
   std::vector<MotionBlock> motions;
   const auto add_lead = [&](const Segment& path, const MotionBlock& like) {
@@ -79,7 +79,7 @@ std::vector<Block> EntryTrial::program(const EntryWay& way) const {
     motions.push_back(std::move(lead));
   };
   if (refused_.leaves) {
-    // What leads to the last block is not known any more: what is left of it is entered across.
+    // The blocks before the last one are not known any more: the rest of it is entered across.
     MotionBlock last = nearest_contour_block_;
     const auto left = behind_cut(last.path, refused_.cut_at_start);
     if (!left) return {};
@@ -107,7 +107,7 @@ std::vector<Block> EntryTrial::program(const EntryWay& way) const {
       motion.mode = std::make_shared<const TrcMode>(mode);
     }
     motion.source.index = blocks.size();
-    // A matter of the plane; of leads that are left out the height would be missing.
+    // Only the plane matters; the height of leads that are left out is not known.
     motion.normal = {.from = refused_block_.normal.from, .to = refused_block_.normal.from};
     motion.tracking.clear();
     blocks.emplace_back(std::move(motion));

@@ -6,7 +6,7 @@
 namespace trc::verify {
 namespace {
 
-// Of a box, in a frame turned by the angle whose cosine and sine these are.
+// Half the size of a box in a frame turned by the angle with this cosine and sine.
 Vector half_in(const Vector& half, double cosine, double sine) {
   const double c = std::abs(cosine);
   const double s = std::abs(sine);
@@ -15,7 +15,7 @@ Vector half_in(const Vector& half, double cosine, double sine) {
 
 Vector in_frame(const Vector& along, const Vector& v) { return {along.dot(v), cross(along, v)}; }
 
-// Around two boxes in a frame along `along`, from the centre of the first one.
+// The bounds of two boxes in a frame along `along`, from the centre of the first one.
 struct Extent {
   Vector along;
   Vector low;
@@ -31,7 +31,7 @@ Extent extent_along(const Box& a, const Box& b, const Vector& along) {
           .high = half_a.cwiseMax(Vector(apart + half_b))};
 }
 
-// Boxes without width differ in length alone.
+// Boxes without width differ only in length.
 bool is_smaller(const Extent& a, const Extent& b) {
   const Vector size_a = a.high - a.low;
   const Vector size_b = b.high - b.low;
@@ -65,7 +65,7 @@ Box around(const Box& a, const Box& b) {
 }
 
 double least_gap(const Box& a, const Box& b, double enough) {
-  // Most are far apart: so are the circles around them.
+  // Most boxes are far apart, and so are the circles around them.
   const double around = a.half.sum() + b.half.sum() + std::max(enough, 0.0);
   if ((a.center - b.center).squaredNorm() >= around * around) return enough;
   const double cosine = a.along.dot(b.along);

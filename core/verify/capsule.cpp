@@ -14,8 +14,8 @@ Capsule capsule_of_arc(const Piece& arc) {
   const double largest = std::max(radius, end_radius);
   if (std::abs(arc.sweep) > std::numbers::pi || length == 0)
     return {.center = arc.center, .margin = largest};
-  // The bow lies on the right of the chord where the arc turns left. Start and end may lie on
-  // circles that differ a little, so that it reaches beyond the chord by that.
+  // The bow lies on the right of the chord if the arc turns left. Start and end may lie on circles
+  // that differ a little, and the bow may reach beyond the chord by the difference.
   const Vector bow = left_of(chord) * (std::copysign(1.0, -arc.sweep) / length);
   const double height = rise_of(arc, largest, bow);
   return {.center = 0.5 * (arc.start + arc.end) + 0.5 * height * bow,

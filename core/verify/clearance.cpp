@@ -11,7 +11,7 @@
 namespace trc::verify {
 namespace {
 
-// Behind the last piece of the selection that begins there: rules count upwards.
+// The place after the last piece of the selection that begins at `begin`. Rule numbers only rise.
 std::size_t end_of_selection(const MeasuredPath& held, std::size_t begin, std::size_t end) {
   const auto selection_of = [&](std::size_t number) {
     return held.rule_of(held.programmed()[number]).selection;

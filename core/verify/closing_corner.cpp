@@ -25,7 +25,7 @@ std::vector<Point> chords_of(const std::vector<MotionBlock>& blocks) {
   return ring;
 }
 
-// Twice the area, positive where the ring runs counter-clockwise.
+// Twice the area, positive if the ring runs counter-clockwise.
 double area_of(const std::vector<Point>& ring) {
   double area = 0;
   for (std::size_t k = 0; k < ring.size(); ++k)

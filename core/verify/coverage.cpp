@@ -10,10 +10,10 @@
 namespace trc::verify {
 namespace {
 
-// So much farther from a wall than the tool radius a path still touches it, mm.
+// A path touches a wall if its distance differs from the tool radius by no more than this, mm.
 constexpr double most_apart = 1e-3;
 
-// How far along the programmed block the path begins and ends beside it.
+// The stretch of the programmed block from beside the start of the path to beside its end.
 Stretch along_line(const Piece& programmed, const Piece& path) {
   const Vector along = (programmed.end - programmed.start).normalized();
   return {.from = (path.start - programmed.start).dot(along),
@@ -21,9 +21,9 @@ Stretch along_line(const Piece& programmed, const Piece& path) {
 }
 
 // How far an arc has turned from its start to the direction of a point, rad, positive in its own
-// sense. Paths begin beside the start of their block mostly, where the angle is its own tangent.
+// sense. Most paths begin beside the start of their block, where the angle equals its tangent.
 double turned(const Piece& arc, const Point& point) {
-  constexpr double is_its_tangent = 1e-6;  // rad: the cube of that is nothing beside it
+  constexpr double is_its_tangent = 1e-6;  // rad: its cube is negligible
   const Vector from = arc.start - arc.center;
   const Vector to = point - arc.center;
   const double sine = cross(from, to);
@@ -37,7 +37,7 @@ Stretch along_arc(const Piece& programmed, const Piece& path) {
   const double from = turned(programmed, path.start);
   const double sense = programmed.sweep < 0 ? -1 : 1;
   const double sweep = path.is_arc() ? sense * path.sweep : turned(programmed, path.end) - from;
-  // Behind half a turn the angle has come round.
+  // After half a turn the angle has come round.
   const double begin =
       from < -std::numbers::pi / 2 && -from + std::abs(programmed.sweep) > 1.5 * std::numbers::pi
           ? from + 2 * std::numbers::pi
@@ -46,7 +46,7 @@ Stretch along_arc(const Piece& programmed, const Piece& path) {
   return {.from = begin * radius, .to = (begin + sweep) * radius};
 }
 
-// Nothing where it is not that far from it.
+// The stretch of the block beside the path; empty if the path is not at that distance.
 Stretch beside(const Piece& programmed, const Piece& path, double required) {
   const Point middle = place_at(segment_of(path), 0.5).point;
   const double apart = (nearest_point(segment_of(programmed), middle) - middle).norm();
@@ -54,8 +54,8 @@ Stretch beside(const Piece& programmed, const Piece& path, double required) {
   return programmed.is_arc() ? along_arc(programmed, path) : along_line(programmed, path);
 }
 
-// What of a line another line is beside, by the middle of what lies beside it: at a mitre the path
-// reaches far beyond the end of the wall. Nothing where it is not that far from it.
+// The stretch of a line beside another line, judged at the middle of their common part: at a mitre
+// the path reaches far beyond the end of the wall. Empty if the path is not at that distance.
 Stretch beside_lines(const Piece& programmed, const Piece& path, double required) {
   const double length = programmed.length();
   const Vector along = (programmed.end - programmed.start) / length;
@@ -68,8 +68,8 @@ Stretch beside_lines(const Piece& programmed, const Piece& path, double required
   return std::abs(apart - required) > most_apart ? Stretch{} : Stretch{.from = from, .to = to};
 }
 
-// All of the wall lies beside the path: both begin and end beside each other, and the path runs
-// that far from it. False: it may be so, or not. What comes of most blocks, without a root.
+// Whether all of the wall lies beside the path: both begin and end beside each other, and the path
+// runs at that distance. False if undecided. Decides for most blocks, without a root.
 bool is_all_beside(const Piece& programmed, const Piece& path, double required) {
   const Vector along = programmed.end - programmed.start;
   const Vector start = path.start - programmed.start;
@@ -91,7 +91,7 @@ bool is_all_beside(const Piece& programmed, const Piece& path, double required) 
   return least > 0 && at_start * at_end > 0 && is_that_far(at_start) && is_that_far(at_end);
 }
 
-// Whether the path is beside all of the wall, of arcs about one centre that are not short.
+// Whether the path is beside all of the wall, for arcs about one centre that are not short.
 bool is_arc_all_beside(const Piece& programmed, const Piece& path, double required) {
   const double reach = required + most_apart;
   const double square = reach * reach;
@@ -115,7 +115,7 @@ Stretch touched(const Piece& programmed, const Stretch& within, const Piece& pat
   const bool are_concentric =
       programmed.is_arc() && path.is_arc() && programmed.center == path.center;
   if (are_concentric && is_arc_all_beside(programmed, path, required)) return within;
-  // In one place it stands, or turns about the centre of an arc of its own radius.
+  // The tool stays in one place, or turns about the centre of an arc of its own radius.
   if ((path.is_point() || programmed.is_arc()) && is_touched_from(path.start, programmed, required))
     return within;
   if (path.is_point()) return {};
@@ -128,7 +128,7 @@ Stretch touched(const Piece& programmed, const Stretch& within, const Piece& pat
     stretch = along_arc(programmed, path);
   stretch = {.from = std::max(stretch.from, within.from), .to = std::min(stretch.to, within.to)};
   if (!(stretch.from < stretch.to)) return {};
-  // What is left between an end of the path and the corner there.
+  // Adds the rest between an end of the path and the corner there.
   const double reach = required + most_apart;
   if ((path.start - programmed.start).squaredNorm() <= reach * reach) stretch.from = within.from;
   if ((path.end - programmed.end).squaredNorm() <= reach * reach) stretch.to = within.to;
@@ -141,7 +141,7 @@ bool is_touched_from(const Point& place, const Piece& programmed, double require
     return (point - place).squaredNorm() <= reach * reach;
   };
   if (!programmed.is_arc()) return reaches(programmed.start) && reaches(programmed.end);
-  // Of a tighter one there is a rest, however little that is.
+  // A tighter arc leaves a rest, however small.
   return std::abs(programmed.radius() - required) <= most_apart &&
          (place - programmed.center).norm() <= most_apart;
 }

@@ -10,7 +10,7 @@
 namespace trc::verify {
 namespace {
 
-// Across the plane, mm; infinite where the selection has no path.
+// The lowest height of the path, mm; infinite if the selection has no path.
 double lowest_of(const MeasuredPath& held, std::size_t first, std::size_t behind,
                  Checkpoint& checkpoint) {
   double lowest = std::numeric_limits<double>::infinity();
@@ -33,7 +33,7 @@ struct Ends {
   }
 };
 
-// Of a selection that has walls.
+// The selection must have walls.
 Ends ends_of(const SelectionPieces& selection, double closing_tolerance) {
   const auto& programmed = selection.held.programmed();
   const auto is_wall = [&](std::size_t number) {

@@ -13,8 +13,8 @@ void Margins::note(const PathPiece& path, const Near& near) {
     }
   }
   if (margin >= least_) return;
-  // Whatever was compared counts, also what is not told: else walls that are a little less far
-  // than what is told, as around a tool that goes round in a hole, would be near for ever.
+  // Every comparison counts, also one that is not reported: otherwise walls a little nearer than
+  // the reported one, as around a tool that goes round in a hole, would be near for ever.
   least_ = margin;
   if (worst_ && margin > worst_->margin() - half_resolution) return;
   worst_ = clearance_of(path, near);

@@ -24,12 +24,12 @@ namespace {
 // Longer arcs are compared part by part: their boxes would be near to too much.
 constexpr double longest_probe = 2;  // rad
 
-// Of long pieces there are fewer in a group, else what is near to all of them together is most of
-// the contour.
+// A group of long pieces has fewer of them: otherwise most of the contour would be near to the
+// group.
 constexpr std::size_t few_of_group = 20;
 constexpr double reach_of_group = 8;  // times the tool radius
 
-// Where one piece of path was clear, those as near to it need not be searched again.
+// Pieces of path within this distance of a clear one need not be searched again.
 constexpr double slack = half_resolution / 2;  // mm
 
 // Measures the path of one selection.
@@ -51,7 +51,7 @@ class Selection {
         near_(held_, tree_, checkpoint_),
         fine_steps_(held_, settings.leads.input_resolution),
         clear_before_(what.walls, what.end - what.begin) {
-    // Rules count upwards.
+    // Rule numbers only rise.
     const ProgrammedPiece& first = held_.programmed()[begin_];
     has_one_rule_ = first.rule == held_.programmed()[end_ - 1].rule;
     required_by_rule_ = held_.rule_of(first).required;
@@ -59,7 +59,7 @@ class Selection {
     report_.wall_length = walls_.length();
   }
 
-  // The pieces of the path from `next` on that stem from this selection. Returns the one behind.
+  // Measures the pieces from `next` on that stem from this selection. Returns the one after them.
   std::size_t measure_from(std::size_t next) {
     auto pieces = held_.path().from(next);
     while (has(next)) {
@@ -106,7 +106,7 @@ class Selection {
   void measure(std::size_t number, const PathPiece& path) {
     if (walls_.count() == 0) return;
     const ProgrammedPiece& own = held_.programmed()[path.programmed];
-    // SUPPRESS_TRC: the path of no tool says nothing of the one that cuts.
+    // SUPPRESS_TRC: a path without compensation says nothing about the tool that cuts.
     if (const Rule& rule = held_.rule_of(own); !rule.follows && rule.radius > 0) return;
     ++report_.checked;
     required_ = required_of(path);
@@ -120,14 +120,14 @@ class Selection {
     const double margin = margins_.of_interest();
     if (!is_clear_here(path.piece, margin) && !was_clear(path)) {
       search(number, path, own, margin);
-      // What gouges has been compared with what is nearer than that alone.
+      // A piece that gouges has been compared only with walls nearer than the gouge.
       if (!is_near_ && !margins_.gouges()) clear_before_.keep(number);
     }
     if (!margins_.gouges()) return;
     ++report_.gouging;
   }
 
-  // In an earlier lap, beside walls that it had to keep as clear of.
+  // Whether the same piece was clear in an earlier lap, with at least the same required clearance.
   [[nodiscard]] bool was_clear(const PathPiece& path) {
     const auto known = clear_before_.find(path.piece);
     if (!known) return false;
@@ -136,8 +136,8 @@ class Selection {
            required_of(other) >= required_;
   }
 
-  // Of arcs as large as the tool, and of what is smaller than the input is exact, nothing is
-  // travelled: the tool turns in one place. Those before `behind`.
+  // Adds the walls before `behind` that have no path: along an arc as large as the tool, or a block
+  // smaller than the input resolution, the tool stays in one place.
   void count_left_out(std::size_t behind, const Point& place) {
     for (std::size_t number = std::exchange(latest_, behind) + 1; number < behind; ++number) {
       checkpoint_.pass();
@@ -159,14 +159,15 @@ class Selection {
     return has_next ? std::min(own, required_at(path.programmed + 1)) : own;
   }
 
-  // Path that stands still, beside as many walls as a full circle has, or nearly so.
+  // Whether the piece hardly moves and lies where an earlier one was clear: it may have as many
+  // walls around it as a full circle.
   [[nodiscard]] bool is_clear_here(const Piece& piece, double margin) const {
     return !piece.is_arc() && clear_ && clear_->required >= required_ && clear_->margin >= margin &&
            (piece.start - clear_->place).squaredNorm() <= slack * slack &&
            (piece.end - clear_->place).squaredNorm() <= slack * slack;
   }
 
-  // `margin`: what is of interest.
+  // `margin`: the largest margin of interest.
   void search(std::size_t number, const PathPiece& path, const ProgrammedPiece& own,
               double margin) {
     is_near_ = false;
@@ -221,7 +222,7 @@ class Selection {
         });
   }
 
-  // `first`: the first of the contour blocks that are like this one.
+  // `first`: the first of the contour blocks that equal this one.
   void compare(const PathPiece& path, const ProgrammedPiece& block, const Piece& wall,
                std::size_t first) {
     ++report_.steps;
@@ -230,7 +231,7 @@ class Selection {
     const double limit = required + margins_.of_interest() + slack;
     const Gap gap = gap_between(path.piece, wall, limit);
     if (gap.distance >= limit) return;
-    // Only of what is near it matters whether it is a wall, and how near the path may come to it.
+    // Only for a near block it matters whether it is a wall, and how near the path may come to it.
     double touch = 0;
     if (!is_plain_) {
       const std::size_t own = held_.programmed()[path.programmed].number;
@@ -248,7 +249,8 @@ class Selection {
                          .wall = block.source});
   }
 
-  // One of them lies in the lap of the path itself: as far behind the begin of that.
+  // One of the equal walls lies in the lap of the path, as far after its beginning as `last` after
+  // that of its own lap.
   [[nodiscard]] double touch_of_laps(std::size_t last, std::size_t first, std::size_t own) const {
     const Walls& walls = sides_.sides.front();
     const std::size_t ring = walls.ring_of(own);
@@ -285,7 +287,7 @@ class Selection {
   const MeasuredPath& held_;
   std::size_t begin_;
   std::size_t end_;
-  std::size_t latest_;  // programmed piece whose path has been measured; `end_`: all that have one
+  std::size_t latest_;  // latest piece whose path has been measured; `end_`: all that have one
   Point place_ = Point::Zero();  // where that path ends
   const std::function<void(std::size_t, std::size_t)>& progress_;
   Checkpoint& checkpoint_;
@@ -315,7 +317,7 @@ class Selection {
     double required = 0;
   };
   std::optional<Clear> clear_;
-  // Of the piece that is being measured.
+  // For the piece that is being measured.
   double required_ = 0;
   bool is_near_ = false;
 };

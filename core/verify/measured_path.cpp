@@ -87,7 +87,7 @@ void MeasuredPath::put_at_part(ProgrammedPiece& last) {
   const Rule& rule = rules_[last.rule];
   PartWall wall = part_wall(last.piece, rule.side, rule.nominal);
   wall.exists = wall.exists && last.is_contour;
-  // Short walls may end before they begin: the one before them is the neighbour then.
+  // Short walls may end before they begin: then the wall before them is the neighbour.
   constexpr std::size_t most_gone = 64;
   const std::size_t end = programmed_.end() - 1;
   for (std::size_t place = end; place > programmed_.begin() && end - place < most_gone;) {
@@ -151,10 +151,10 @@ std::size_t MeasuredPath::first_from(const Source& source) const {
   return low;
 }
 
-// The path follows the program, but for the seam of a closed contour: the next one is near.
+// The path follows the program, except at the seam of a closed contour: the next piece is near.
 const ProgrammedPiece* MeasuredPath::find(const Source& source) {
   last_ = std::max(last_, programmed_.begin());
-  // Mostly it is the last one or the one behind it.
+  // Usually it is the last piece found, or the next one.
   for (std::size_t number = last_; number < std::min(last_ + 2, programmed_.end()); ++number) {
     const ProgrammedPiece& piece = programmed_[number];
     if (piece.source.index != source.index || piece.source.part != source.part) continue;

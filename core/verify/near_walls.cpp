@@ -10,7 +10,7 @@ void NearWalls::find(std::size_t first, std::size_t behind, double reach) {
   first_ = first;
   behind_ = behind;
   const Box box = box_of_group();
-  // What goes round in windings is near to all of them by its box. So is what comes next then.
+  // The box of a group in windings is near to all of them, and so is that of the next group.
   if (!winds_) {
     exist_ = tree_.find_near(box, reach, leaves_);
     winds_ = !exist_;

@@ -25,14 +25,14 @@ double square_between(const Point& point, const Line& line) {
 // Whether `out` lies in the sector of at most half a turn from `first` to the left.
 [[gnu::always_inline]] inline bool is_between(const Vector& first, const Vector& last,
                                               const Vector& out) {
-  // A sector of next to nothing, whose ends rounding has changed about, has nothing opposite it.
+  // A tiny sector whose ends rounding has swapped does not hold the opposite direction.
   return cross(first, out) >= 0 && cross(out, last) >= 0 &&
          !(out.dot(first) < 0 && first.dot(last) > 0);
 }
 
 constexpr double same_radius = 1e-7;  // mm, at the start and at the end of an arc
 
-// An arc, with what comparing it asks for again and again.
+// An arc with the values that comparisons need again and again.
 class Bow {
  public:
   explicit Bow(const Arc& arc)
@@ -58,8 +58,8 @@ class Bow {
   [[nodiscard]] double inner() const { return std::min(radius_, end_radius_); }
   [[nodiscard]] double outer() const { return std::max(radius_, end_radius_); }
 
-  // All of a line lies beyond one of its ends, where an end is nearest to it, and both ends are no
-  // nearer to it than `distance`, mm. False: it may be so, or not.
+  // Whether all of a line lies beyond an end of the arc, so that an end is nearest to it, and both
+  // ends are at least `distance` mm away. False if undecided.
   [[nodiscard]] bool ends_before(const Line& line, double distance) const {
     if (!is_minor_) return false;
     const Vector start = line.start - center_;
@@ -72,10 +72,10 @@ class Bow {
     return is_beyond && distance >= 0 && square_between(start_, line) >= square &&
            square_between(end_, line) >= square;
   }
-  // All of another arc lies beyond the ends of this one, and no nearer to them than `distance`, mm,
-  // by what it lies within. False: it may be so, or not.
+  // Whether the bounds of another arc show that all of it lies beyond an end of this one, and at
+  // least `distance` mm from both ends. False if undecided.
   [[nodiscard]] bool ends_before(const Bow& other, double distance) const {
-    // An arc that does not end on its circle is not all within that.
+    // An arc that does not end on its circle may leave the bounds.
     if (!is_minor_ || !other.is_minor_ || other.outer() - other.inner() > same_radius) return false;
     const Vector& first = turns_left_ ? from_ : to_;
     const Vector& last = turns_left_ ? to_ : from_;
@@ -108,14 +108,14 @@ class Bow {
   }
 
  private:
-  // From the chord of an arc of at most half a turn to beyond all of it.
+  // A vector from the chord of an arc of at most half a turn to beyond all of the arc.
   [[nodiscard]] Vector rise() const {
     const Vector chord = end_ - start_;
     const double square = chord.squaredNorm();
     const double across = cross(chord, from_);
     const double length = std::sqrt(square);
     if (length == 0) return Vector::Zero();
-    // The bow lies on the right of the chord where the arc turns left.
+    // The bow lies on the right of the chord if the arc turns left.
     const double turned = turns_left_ ? -1 : 1;
     return turned * std::max(0.0, outer() - turned * across / length) / length * left_of(chord);
   }
@@ -133,7 +133,7 @@ class Bow {
 
 Point nearest_on(const Arc& arc, const Point& point) { return Bow(arc).nearest(point); }
 
-// Whatever is noted is a distance there is: a wrong candidate can only be too far away.
+// Each noted distance exists: a wrong candidate can only be too far away.
 struct Least : Gap {
   Least() { distance = std::numeric_limits<double>::infinity(); }
   void note(const Point& on, double apart) {
@@ -218,7 +218,7 @@ Line line_of(const Piece& piece) { return {.start = piece.start, .end = piece.en
 }  // namespace
 
 bool Compared::is_beyond_ends(const Piece& other, const Circles& circles, double distance) const {
-  // Of arcs that go on in one another rounding leaves that much before the end.
+  // Rounding may put the start of an arc this much before the end of the arc it continues.
   constexpr double next_to_nothing = 1e-9;  // mm
   const bool are_minor =
       std::abs(piece_.sweep) <= std::numbers::pi && std::abs(other.sweep) <= std::numbers::pi;
@@ -235,7 +235,7 @@ bool Compared::is_beyond_ends(const Piece& other, const Circles& circles, double
   const bool other_turns_left = other.sweep > 0;
   const Vector other_first = (other_turns_left ? other.start : other.end) - other.center;
   const Vector other_last = (other_turns_left ? other.end : other.start) - other.center;
-  // Where its bow reaches farthest back, it is not.
+  // The other arc must not hold the direction in which its circle reaches farthest back.
   const bool is_beyond =
       (before <= nothing && !is_between(other_first, other_last, left_of(first))) ||
       (behind >= -nothing && !is_between(other_first, other_last, -left_of(last)));
@@ -245,7 +245,7 @@ bool Compared::is_beyond_ends(const Piece& other, const Circles& circles, double
   const auto is_far_from = [&](const Point& point) {
     const Vector out = point - other.center;
     const double square = out.squaredNorm();
-    // So it is from all of its circle.
+    // The point is far from the whole circle of the other arc.
     if (square >= beyond * beyond || (within >= 0 && square <= within * within)) return true;
     return !is_between(other_first, other_last, out) &&
            std::min((point - other.start).squaredNorm(), (point - other.end).squaredNorm()) >=
@@ -258,7 +258,7 @@ bool is_within(const Piece& arc, const Piece& other) {
   const bool turns_left = other.sweep > 0;
   const Vector first = (turns_left ? other.start : other.end) - other.center;
   const Vector last = (turns_left ? other.end : other.start) - other.center;
-  // A sweep that has come round leads out of it and back.
+  // A longer sweep may lead out of it and back.
   return std::abs(arc.sweep) <= std::numbers::pi &&
          is_between(first, last, arc.start - arc.center) &&
          is_between(first, last, arc.end - arc.center);
@@ -268,8 +268,8 @@ Point nearest_point(const Segment& segment, const Point& point) {
   return std::visit([&](const auto& shape) { return nearest_on(shape, point); }, segment);
 }
 
-// Where they do not cross, an end of one of them is nearest. Of two on one line rounding makes a
-// crossing anywhere: that counts by what is measured there.
+// If the lines do not cross, an end of one of them is nearest. If both lie on one line, rounding
+// puts a crossing anywhere: it counts with the distance measured there.
 Gap gap_between(const Line& a, const Line& b) {
   const Vector u = a.end - a.start;
   const Vector v = b.end - b.start;

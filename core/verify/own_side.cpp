@@ -9,7 +9,7 @@
 namespace trc::verify {
 namespace {
 
-// Of two lines, and of arcs about one centre of which the path is no more than the contour.
+// Decides for two lines, and for arcs about one centre if the path covers no more than the contour.
 bool is_surely_beside(const Piece& path, const Piece& own, Side side) {
   if (path.is_arc() != own.is_arc()) return false;
   if (!path.is_arc()) {
@@ -29,7 +29,7 @@ bool is_surely_beside(const Piece& path, const Piece& own, Side side) {
 }  // namespace
 
 std::optional<WrongSide> on_wrong_side(const Piece& path, const Piece& own, Side side) {
-  // The quick way; what it finds at fault is looked at as all others are.
+  // The quick test; a piece that it finds at fault is examined like all others.
   if (is_surely_beside(path, own, side)) return std::nullopt;
   const Point middle = place_at(segment_of(path), 0.5).point;
   const Segment contour = segment_of(own);

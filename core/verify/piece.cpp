@@ -33,7 +33,7 @@ Box box_of(const Piece& piece) {
   const double radius = std::max(start_radius, end_radius);
   if (std::abs(piece.sweep) > std::numbers::pi || length == 0)
     return {.center = piece.center, .half = {radius, radius}};
-  // The bow lies on the right of the chord where the arc turns left.
+  // The bow lies on the right of the chord if the arc turns left.
   const Vector bow = std::copysign(1.0, -piece.sweep) * left_of(box.along);
   const double height = rise_of(piece, radius, bow);
   const double misfit = std::abs(start_radius - end_radius);
@@ -58,8 +58,8 @@ Ring ring_of(const Piece& piece, const Point& center) {
   const double end_radius = magnitude(to);
   const double low = std::min(radius, end_radius);
   const double high = std::max(radius, end_radius);
-  // Of its circle the nearest point lies towards `center`, the farthest one away from it. Where the
-  // arc passes neither, that is one of its ends.
+  // The nearest point of its circle lies towards `center`, the farthest one away from it. If the
+  // arc does not pass such a point, one of its ends takes its place.
   const Vector toward = center - piece.center;
   const Vector& first = piece.sweep > 0 ? from : to;
   const Vector& last = piece.sweep > 0 ? to : from;

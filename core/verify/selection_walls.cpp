@@ -71,7 +71,7 @@ double SelectionWalls::largest_radius() const {
   double radius = 0;
   for (std::size_t number = 0; number < contour_.size(); ++number) {
     radius = std::max(radius, held_->rule_of(piece(number)).radius);
-    // Rules count upwards.
+    // Rule numbers only rise.
     if (piece(number).rule == piece(contour_.size() - 1).rule) break;
   }
   return radius;

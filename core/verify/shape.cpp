@@ -78,7 +78,7 @@ Place place_at(const Segment& segment, double share) {
 }
 
 bool is_finite(const Segment& segment) {
-  // Nothing times what is finite is nothing.
+  // 0 times a finite number is 0; 0 times anything else is not.
   const auto nothing = [](const Point& point) { return 0 * point.x() + 0 * point.y(); };
   return std::visit(
       overloaded{

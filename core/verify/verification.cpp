@@ -15,10 +15,10 @@
 namespace trc::verify {
 namespace {
 
-// Of a longer contour nobody looks for a way in.
+// No way in is looked for on a longer contour.
 constexpr std::size_t most_blocks_helped = 1000;
 
-// Without the place on the contour, which comes last of the values.
+// Without the place on the contour, which the caller adds as the last value.
 Diagnostic too_near(Code code, const Clearance& place) {
   Diagnostic problem = diagnostic(code, place.path);
   problem.values = {{"clearance", place.distance}, {"tool_radius", place.required}};
@@ -53,8 +53,8 @@ std::string reason_at(ClosingCorner corner) {
   return {};
 }
 
-// Where the contour closes, and does not quite: the path comes nearer there by more than rounding
-// makes. That stops nothing, whatever is told of gouges (D-101).
+// A warning if the contour does not quite close, and the path comes nearer there by more than
+// rounding explains. It stops nothing, however gouges are reported (D-101).
 std::optional<Diagnostic> open_closing(const ClearanceReport& found, const Tolerances& tolerances) {
   if (found.gouging > 0 || !found.worst || found.worst->margin() >= -tolerances.on_top)
     return std::nullopt;
@@ -117,7 +117,7 @@ bool Verification::tell_unmeasured() {
 bool Verification::compensated(std::span<const CompensatedBlock> path) {
   for (const CompensatedBlock& block : path) {
     if (is_untold_ && block.source.index >= unmeasured_.index && !tell_unmeasured()) return false;
-    // A retract stems from the block behind its selection, but belongs to that.
+    // A retract stems from the block after its selection, but belongs to the selection.
     const bool leads_away = block.origin == Origin::retract;
     if (leads_away) held_.add(block);
     if (!ends_.empty() && !is_before(block.source, ends_.front())) {
@@ -175,7 +175,7 @@ std::optional<RefusedWay> Verification::way_that_closes_at(const Clearance& wors
   for (std::size_t place = begin + 1; place < programmed.end(); ++place) {
     const ProgrammedPiece& piece = programmed[place];
     if (held_.rule_of(piece).selection != approach->mode->selection_number) break;
-    // Of a part beside its centre path the program is not known here, nor other radii or sides.
+    // The program of a part beside its centre path is not known here, nor are other radii or sides.
     if (!piece.is_contour || piece.rule != rule || held_.rule_of(piece).nominal > 0)
       return std::nullopt;
     if (way.blocks.size() > most_blocks_helped) return std::nullopt;

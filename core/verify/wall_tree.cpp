@@ -102,16 +102,16 @@ void WallTree::hide_copies(Checkpoint& checkpoint) {
     return std::array{piece.start.x(),  piece.start.y(),  piece.end.x(), piece.end.y(),
                       piece.center.x(), piece.center.y(), piece.sweep,   static_cast<double>(rule)};
   };
-  // Found by a number made of where it begins and ends, in a table with room for twice as many.
+  // A hash of start and end finds equal pieces, in a table with room for twice as many.
   const auto key_of = [&](const Piece& piece) {
     std::uint64_t key = 0;
-    // The two zeros are the same.
+    // Adding 0 turns -0 into 0, as both are equal.
     for (const double value : {piece.start.x(), piece.start.y(), piece.end.x(), piece.end.y()})
       key = (std::rotl(key, 23) ^ std::bit_cast<std::uint64_t>(value + 0.0)) * 0x9E3779B97F4A7C15U;
     return key;
   };
   const std::size_t slots = std::bit_ceil(2 * (end_ - begin_));
-  std::vector<std::uint32_t> latest(slots, hidden);  // of those that are the same, from `begin_`
+  std::vector<std::uint32_t> latest(slots, hidden);  // the last of equal pieces, from `begin_` on
   first_.reserve(end_ - begin_);
   for (std::size_t number = begin_; number < end_; ++number) {
     checkpoint.pass();
@@ -129,7 +129,7 @@ void WallTree::hide_copies(Checkpoint& checkpoint) {
   }
 }
 
-// Along the way from the begin of its walls to their end.
+// The box of a bucket lies along the way from the beginning of its walls to their end.
 void WallTree::build_buckets(Checkpoint& checkpoint) {
   std::array<Piece, bucket_size> walls;
   std::array<std::size_t, bucket_size> places{};
@@ -196,8 +196,8 @@ void WallTree::build_fours(Checkpoint& checkpoint) {
   }
 }
 
-// Two leaves beside each other are hardly ever told apart by the box around a whole group: they are
-// found together.
+// The box around a whole group hardly ever separates two neighbouring leaves: they are found
+// together.
 void WallTree::add_near(const Stretch& both, const Box& box, double reach,
                         std::vector<std::size_t>& found) const {
   if (least_gap(node_at(both).box, box, reach) >= reach) return;
@@ -209,7 +209,7 @@ void WallTree::add_near(const Stretch& both, const Box& box, double reach,
 bool WallTree::find_near(const Box& box, double reach, std::vector<std::size_t>& found) const {
   found.clear();
   const FourWalls::Surroundings around(capsule_of(box), origin_, reach);
-  // Of every other level up to three nodes wait for the one before them.
+  // On every other level, up to three nodes wait for the one before them.
   std::array<Stretch, 2 * most_levels> open;
   std::size_t count = 0;
   const std::size_t top = (levels_.size() - 1) / 2 * 2;
@@ -247,7 +247,7 @@ bool WallTree::find_near(const Box& box, const Ring& about_middle, double reach,
     return ring.outer > inner && ring.inner < outer &&
            (is_winding(own, ring) || least_gap(own, box, reach) < reach);
   };
-  // Of each level one node waits for its sibling.
+  // On each level, one node waits for its sibling.
   std::array<Stretch, most_levels> open;
   std::size_t count = 0;
   open[count++] = whole();

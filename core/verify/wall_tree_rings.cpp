@@ -9,7 +9,7 @@
 namespace trc::verify {
 namespace {
 
-// Of what lies in the box and in the ring, about another centre.
+// The ring about another centre, for walls that lie in both the box and the ring.
 Ring seen_from(const Point& center, const Box& box, const Ring& ring) {
   Ring seen = ring_of(box, center);
   const double apart = (ring.center - center).norm();
@@ -78,7 +78,7 @@ void WallTree::make_own_rings(Checkpoint& checkpoint) const {
         checkpoint.pass();
         return own_ring_of_bucket(index);
       },
-      // About the centre of one of the two, whatever is narrowest.
+      // About the centre of one of the two, whichever ring is narrower.
       [&](const std::vector<Ring>& rings, std::size_t first, std::size_t second) {
         const Ring& a = rings[first];
         const Ring& b = rings[second];
@@ -95,7 +95,7 @@ void WallTree::make_own_rings(Checkpoint& checkpoint) const {
       checkpoint);
 }
 
-// Of walls with a long arc among them about the centre of that.
+// Walls with a long arc among them get a ring about the centre of that arc.
 Ring WallTree::own_ring_of_bucket(std::size_t index) const {
   std::array<Piece, bucket_size> walls;
   std::size_t count = 0;

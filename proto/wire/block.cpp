@@ -53,7 +53,7 @@ bool read_role(v1::BlockRole role, const FieldPath& path, MoveRequest& move, Fie
   return faults.count() == before;
 }
 
-// `feed`: the one in force.
+// `feed` is the feed in force.
 bool read_move(const v1::LinearMove& message, std::size_t axes, MoveRequest& move, double& feed,
                const FieldReader& reader) {
   const auto& [path, faults] = reader;
@@ -141,7 +141,7 @@ bool apply(const PathInput& input, ProgramState& program) {
 MoveRequest& BlockReader::fresh_move() {
   auto* move = std::get_if<MoveRequest>(&item_);
   if (move == nullptr) return item_.emplace<MoveRequest>();
-  // Assigned field by field: the vector keeps its memory.
+  // Assigned field by field, so that the vector keeps its memory.
   move->source = {};
   move->end = {};
   move->center = {};

@@ -44,7 +44,7 @@ unsigned write_coordinates(const std::array<std::optional<double>, 3>& values,
   return bits;
 }
 
-// The column lengths alone say it when every column is empty or full.
+// If every column is empty or full, the lengths of the columns imply the values of `present`.
 void drop_present_if_implied(Columns& message) {
   const std::string present = message.present();
   message.clear_present();

@@ -55,7 +55,7 @@ bool check_roles(const Columns& message, const FieldReader& reader) {
 bool check_lengths(const Columns& message, const FieldReader& reader) {
   const std::size_t before = reader.faults.count();
   const Presence presence(message);
-  std::array<std::size_t, 256> blocks_with{};  // how many have just these bits
+  std::array<std::size_t, 256> blocks_with{};  // how many have exactly these bits
   for (std::size_t i = 0; i < message.kinds().size(); ++i)
     ++blocks_with[presence.of(i, byte_at(message.kinds(), i))];
   std::array<std::size_t, 8> expected{};
@@ -72,7 +72,7 @@ bool check_lengths(const Columns& message, const FieldReader& reader) {
   return reader.faults.count() == before;
 }
 
-// The entries of a sparse list have to stand where `kinds` says.
+// The entries of a sparse list must be at the places that `kinds` names.
 template <class List>
 bool check_places(const List& list, unsigned kind, std::string_view name, const Columns& message,
                   const FieldReader& reader) {

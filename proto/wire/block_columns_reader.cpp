@@ -15,14 +15,14 @@ constexpr std::array<MotionKind, 5> motion_kinds{MotionKind::linear, MotionKind:
                                                  MotionKind::rapid, MotionKind::clockwise,
                                                  MotionKind::counter_clockwise};
 
-// Walks along one column.
+// Reads one column from its first value to its last.
 template <class Value>
 class Cursor {
  public:
   Cursor(const google::protobuf::RepeatedField<Value>& values, std::string_view name)
       : values_(values), name_(name) {}
   Value next() { return values_.Get(next_++); }
-  // Where the value given last stands.
+  // The place of the value given last.
   [[nodiscard]] FieldPath place(const FieldPath& path) const {
     return {path, name_, static_cast<std::size_t>(next_ - 1)};
   }
@@ -40,7 +40,7 @@ bool read_coordinates(unsigned bits, CoordinateCursors& cursors, const FieldPath
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (((bits >> axis) & 1U) == 0) continue;
     const double value = cursors[axis].next();
-    // The place is put together only where it is needed.
+    // The place is only built for a faulty value.
     if (!is_coordinate(value)) [[unlikely]]
       return check_coordinate(value, cursors[axis].place(path), faults);
     target[axis] = value;
@@ -48,7 +48,7 @@ bool read_coordinates(unsigned bits, CoordinateCursors& cursors, const FieldPath
   return true;
 }
 
-// Where the reading of a message stands in each of its lists.
+// The reading position in each list of a message.
 struct ColumnCursors {
   explicit ColumnCursors(const Columns& columns)
       : ends{{{columns.x(), "x"}, {columns.y(), "y"}, {columns.z(), "z"}}},
@@ -90,7 +90,7 @@ bool read_passthrough(const Columns& columns, ColumnCursors& cursors, const Fiel
   return check_text(item.text, FieldPath(FieldPath(entry, "passthrough"), "text"), faults);
 }
 
-// `feed`: the one in force.
+// `feed` is the feed in force.
 bool read_move(unsigned bits, ColumnCursors& cursors, double& feed, MoveRequest& move,
                const FieldReader& reader) {
   const auto& [path, faults] = reader;
@@ -128,7 +128,7 @@ bool BlockReader::read(const v1::BlockColumns& columns, const Sink& sink, FieldF
     const unsigned bits = presence.of(i, kind);
     std::int64_t source_number = Source::no_number;
     if (!read_number(bits, cursors, path, source_number, faults)) return false;
-    // Field by field: a whole one would be copied while its fields are still being stored.
+    // Field by field: a copy of the whole source would wait for fields that are still being stored.
     const auto name_source = [&](Source& source) {
       source.index = next_block_;
       source.number = source_number;

@@ -15,8 +15,8 @@ namespace {
 using google::protobuf::Struct;
 using google::protobuf::Value;
 
-// Bytes of UTF-8 in the order of UTF-16: what has two units there, from lead byte F0 on, stands
-// before U+E000, whose lead byte is EE.
+// Ranks UTF-8 bytes in the order of UTF-16. Characters of two UTF-16 units have lead bytes from F0
+// on and come before U+E000, whose lead byte is EE.
 int utf16_rank(char byte) {
   const int value = static_cast<unsigned char>(byte);
   if (value < 0xEE) return value;
@@ -47,7 +47,8 @@ void append(std::string_view text, std::string& out) {
   out += '"';
 }
 
-// The fewest digits that read back to the same number, laid out as Number::toString of ECMAScript.
+// The fewest digits that read back as this number, formatted as Number::toString of ECMAScript
+// does.
 void append(double number, std::string& out) {
   check(std::isfinite(number), "JSON has finite numbers alone");
   if (number == 0) {

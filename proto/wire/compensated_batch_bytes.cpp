@@ -22,14 +22,14 @@ enum class WireType : std::uint8_t { varint = 0, fixed64 = 1, bytes = 2 };
 constexpr std::size_t number_bytes = 1 + sizeof(double);  // with its tag
 constexpr std::size_t position_bytes = 3 * number_bytes;
 constexpr std::size_t field_of_position = 2 + position_bytes;  // with tag and length
-constexpr std::size_t most_bytes_of_varint = 11;               // likewise
-// Of a plain block: number, index and line of its source, an arc, its feed, four small
-// values and what stands before it all.
+constexpr std::size_t most_bytes_of_varint = 11;               // with its tag
+// Upper bound for a plain block: number, index and line of its source, an arc, its feed, four small
+// values, and the head of the entry.
 constexpr std::size_t most_bytes_of_entry = 3 * most_bytes_of_varint + field_of_position + 2 +
                                             2 * field_of_position + 2 * number_bytes + 4 * 2 + 3;
 
-// Writes fields one behind the other. Every tag is one byte, as is the length of whatever lies in a
-// plain block.
+// Writes fields one after another. Within a plain block each tag takes one byte, and so does the
+// length of each field.
 class Fields {
  public:
   explicit Fields(std::uint8_t* begin) : end_(begin) {}
@@ -62,7 +62,7 @@ class Fields {
   std::uint8_t* end_;
 };
 
-// Whether it has nothing but its motion and what says where it comes from.
+// Whether the block has only its motion and its source.
 bool is_plain(const CompensatedBlock& block) {
   return block.origin != Origin::passthrough && block.text.empty() && block.tracking.empty() &&
          !block.inverse;
@@ -88,7 +88,7 @@ void write_path(const CompensatedBlock& block, Fields& fields) {
   if (turns) fields.number(v1::Arc::kSweepFieldNumber, arc->sweep);
 }
 
-// The fields of a plain block, in their order.
+// Writes the fields of a plain block in order.
 void write_plain(const CompensatedBlock& block, Fields& fields) {
   const Source& source = block.source;
   if (source.number != Source::no_number)
@@ -106,12 +106,13 @@ void write_plain(const CompensatedBlock& block, Fields& fields) {
 
 constexpr int blocks_field = v1::CompensatedBatch::kBlocksFieldNumber;
 
-// A plain block as a field of its batch. Into memory of most_bytes_of_entry; returns how many.
+// Writes a plain block as a field of its batch into most_bytes_of_entry of memory; returns its
+// bytes.
 std::size_t write_entry(const CompensatedBlock& block, char* memory) {
   auto* const begin = reinterpret_cast<std::uint8_t*>(memory);
   Fields entry(begin);
   entry.tag(blocks_field, WireType::bytes);
-  // Nearly always the length takes one byte. It is known behind the fields.
+  // The length nearly always takes one byte. It is known only after the fields.
   std::uint8_t* const length = entry.end();
   Fields fields(length + 1);
   write_plain(block, fields);

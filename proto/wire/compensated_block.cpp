@@ -83,7 +83,7 @@ bool is_text_alone(const CompensatedBlock& block) {
 
 namespace {
 
-// Into an empty message.
+// Fills an empty message.
 void fill(const CompensatedBlock& block, Message& message) {
   const Source& source = block.source;
   if (source.number != Source::no_number)

@@ -15,18 +15,18 @@ namespace {
 using Columns = v1::CompensatedColumns;
 using Doubles = google::protobuf::RepeatedField<double>;
 
-// == takes -0 for 0; a column must give back the same double.
+// == treats -0 as 0, but a column must return the same double.
 bool same_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
-// Whether they are one value, bit for bit.
+// Whether all values are equal, bit for bit.
 template <class Value>
 bool is_constant(const Value* values, std::size_t count) {
   return std::memcmp(values, values + 1, (count - 1) * sizeof(Value)) == 0;
 }
 
-// A column with one value for all blocks keeps that one only.
+// If all values are equal, the column keeps one of them.
 template <class Value>
 void collapse(google::protobuf::RepeatedField<Value>& column) {
   if (column.size() > 1 && is_constant(column.data(), static_cast<std::size_t>(column.size())))
@@ -37,7 +37,7 @@ void collapse(std::string& column) {
   if (column.size() > 1 && is_constant(column.data(), column.size())) column.resize(1);
 }
 
-// What a value of the enum is as a byte of its column: looked up for every block.
+// Each value of the enum as a byte of its column, for look-up per block.
 template <class Native, std::size_t count>
 std::array<char, count> bytes_of_enum() {
   std::array<char, count> bytes{};
@@ -76,7 +76,7 @@ bool same_bits(const Point& a, const Point& b) {
   return same_bits(a.x(), b.x()) && same_bits(a.y(), b.y());
 }
 
-// Whether it starts where `before` ends, bit for bit.
+// Whether the block starts where `before` ends, bit for bit.
 bool goes_on_from(const CompensatedBlock& before, const CompensatedBlock& block) {
   if (before.plane == block.plane)
     return same_bits(end_of(before.path), start_of(block.path)) &&
@@ -86,7 +86,7 @@ bool goes_on_from(const CompensatedBlock& before, const CompensatedBlock& block)
   return same_bits(end[0], start[0]) && same_bits(end[1], start[1]) && same_bits(end[2], start[2]);
 }
 
-// Whether every value but the first repeats the end of the one before it.
+// Whether every start but the first repeats the previous end.
 bool follows(const Doubles& starts, const Doubles& ends) {
   for (int i = 1; i < starts.size(); ++i)
     if (!same_bits(starts.Get(i), ends.Get(i - 1))) return false;
@@ -119,7 +119,7 @@ unsigned write_source(const Source& source, Columns& message) {
   return flags;
 }
 
-// The starts are nearly always ends: written only once it is known that one is not.
+// Starts nearly always repeat ends, so they are only written if one does not.
 void write_starts(std::span<const CompensatedBlock> blocks, const PositionColumns& starts) {
   starts.reserve(static_cast<int>(blocks.size()));
   for (const CompensatedBlock& block : blocks)
@@ -146,9 +146,9 @@ void collapse_all(Columns& message) {
   collapse(*message.mutable_planes());
 }
 
-// The columns of motions; knows the motion before each.
+// The columns of motions; remembers the previous motion.
 struct Motions {
-  // Returns what the motion is; adds to the flags of its block.
+  // Returns the kind of the motion; adds to the flags of its block.
   unsigned write(const CompensatedBlock& block, std::uint32_t index, unsigned& flags) {
     if (before == nullptr)
       first = &block;
@@ -173,7 +173,7 @@ struct Motions {
     if (arc != nullptr) return Columns::KIND_ARC;
     return block.rapid ? Columns::KIND_RAPID : Columns::KIND_LINEAR;
   }
-  // Each start, where not every motion begins where the one before it ends; else the first one.
+  // All starts if some motion does not begin where the previous one ends; otherwise only the first.
   void write_starts_of(std::span<const CompensatedBlock> blocks) {
     const PositionColumns starts{message.mutable_start_x(), message.mutable_start_y(),
                                  message.mutable_start_z()};
@@ -188,7 +188,7 @@ struct Motions {
   PositionColumns centers{message.mutable_center_x(), message.mutable_center_y(),
                           message.mutable_center_z()};
   const CompensatedBlock* first = nullptr;
-  const CompensatedBlock* before = nullptr;  // the last one
+  const CompensatedBlock* before = nullptr;  // the previous motion
   bool gaps = false;
 };
 

@@ -16,7 +16,7 @@ unsigned byte_at(const std::string& bytes, std::size_t index) {
   return static_cast<unsigned char>(bytes[index]);
 }
 
-// How many blocks have a value in the columns of each sort.
+// How many blocks have a value in each sort of column.
 struct Counts {
   std::size_t blocks = 0;
   std::size_t motions = 0;
@@ -54,10 +54,10 @@ Counts count(const Columns& message, const FieldPath& path, FieldFaults& faults)
   return counts;
 }
 
-// All columns of one message, read block by block.
+// Reads all columns of a message, block by block.
 class ColumnReader {
  public:
-  // The message can be read when no fault was added.
+  // The message can be read if no fault has been added.
   ColumnReader(const Columns& message, const Counts& counts, const FieldPath& path,
                FieldFaults& faults)
       : message_(message),
@@ -88,8 +88,7 @@ class ColumnReader {
     }
   }
 
-  // The blocks in order, everything but where text without motion stands. False
-  // when a fault was found.
+  // Reads the next block, except the place of a text without motion. False if it has a fault.
   bool next(CompensatedBlock& block, FieldFaults& faults) {
     const std::size_t before = faults.count();
     const unsigned kind = byte_at(message_.kinds(), next_);
@@ -118,7 +117,7 @@ class ColumnReader {
     return byte_at(message_.kinds(), next_) != Columns::KIND_TEXT;
   }
 
-  // Lists may hold nothing that stands at no block.
+  // Every entry of a list must belong to a block.
   void check_used_up(FieldFaults& faults) const {
     if (!texts_.used_up()) add_fault(FieldPath(path_, "texts"), "does not fit kinds", faults);
     if (!inverses_.used_up()) add_fault(FieldPath(path_, "inverses"), "does not fit kinds", faults);

@@ -12,7 +12,7 @@
 namespace trc::wire {
 namespace {
 
-// By the axis across each.
+// Indexed by the axis across the plane.
 constexpr std::array planes{v1::PLANE_YZ, v1::PLANE_ZX, v1::PLANE_XY};
 
 using Shape = EntryProposal::Shape;
@@ -162,12 +162,12 @@ Diagnostic from_proto(const v1::Diagnostic& message) {
                         .title = message.title(),
                         .text = message.text(),
                         .help = message.help()};
-  // A sender that has no texts for people yet is shown with its message.
+  // A sender without texts for people is shown with its message.
   if (texts.text.empty()) texts.text = texts.message;
   if (texts.help.empty()) texts.help = texts.remedy;
   diagnostic.texts = std::make_shared<const DiagnosticTexts>(std::move(texts));
   diagnostic.code = static_cast<Code>(message.code());
-  // A severity this reader does not know is taken for the gravest.
+  // An unknown severity counts as the gravest.
   diagnostic.severity = message.severity() == v1::Diagnostic::NOTE      ? Severity::note
                         : message.severity() == v1::Diagnostic::WARNING ? Severity::warning
                                                                         : Severity::error;

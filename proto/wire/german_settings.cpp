@@ -11,7 +11,7 @@ struct German {
   std::string_view german;
 };
 
-// By the key of the setting.
+// Rows by the key of the setting.
 constexpr auto meanings = std::to_array<German>({
     {"plane", "die Ebene der Kontur"},
     {"start_position", "wo das Werkzeug steht; Koordinaten, die fehlen, sind 0"},
@@ -117,7 +117,7 @@ constexpr auto meanings = std::to_array<German>({
     {"options.split.feed_seg2", "SPLIT: Vorschub des zweiten Abschnitts"},
 });
 
-// What values are, and their units.
+// Kinds of values, and their units.
 constexpr auto words = std::to_array<German>({
     {"a number", "eine Zahl"},
     {"a whole number", "eine ganze Zahl"},

@@ -28,8 +28,8 @@ Json::Json()
 Json::~Json() = default;
 
 void Json::append(const google::protobuf::Message& message, std::string& out) {
-  // MessageToJsonString serialises maps in the order of their hash table, which
-  // changes from run to run; therefore the two steps it takes are taken here.
+  // MessageToJsonString serialises maps in the order of their hash table, which changes from run to
+  // run. So its two steps are done here.
   binary_.clear();
   {
     google::protobuf::io::StringOutputStream stream(&binary_);

@@ -16,7 +16,7 @@ using google::protobuf::Descriptor;
 using google::protobuf::FieldDescriptor;
 using Pair = std::pair<std::string_view, std::string_view>;
 
-// Of text that is no JSON.
+// Faults of text that is not JSON.
 constexpr auto of_syntax = std::to_array<Pair>({
     {"Unexpected end of string", "the text ends too early"},
     {"Closing quote expected", "the closing quote is missing"},
@@ -54,7 +54,7 @@ std::optional<std::string_view> begun_by(std::span<const Pair> rows, std::string
   return row->second;
 }
 
-// What a field takes whose type protobuf names.
+// The values that a field of this type takes; protobuf names the type.
 std::string taken_by(std::string_view type) {
   if (const auto words = begun_by(of_types, type)) return std::string(*words);
   const std::string name(type.substr(type.rfind('/') + 1));
@@ -67,7 +67,7 @@ std::string taken_by(std::string_view type) {
   return words;
 }
 
-// "line 3, column 12: ", of what stands once in the text; else what stands there.
+// "line 3, column 12: " if the excerpt occurs once in the text; otherwise the text at the mark.
 std::string place_of(std::string_view excerpt, std::size_t mark, std::string_view text) {
   const std::size_t at = text.find(excerpt);
   if (at == text.npos || text.find(excerpt, at + 1) != text.npos)
@@ -78,7 +78,7 @@ std::string place_of(std::string_view excerpt, std::size_t mark, std::string_vie
   return "line " + std::to_string(line) + ", column " + std::to_string(column) + ": ";
 }
 
-// "(setup.options) revers: …" or "(setup.tool_radius): …": the field, and what is said of it.
+// "(setup.options) revers: …" or "(setup.tool_radius): …": the field, and the text about it.
 std::pair<std::string, std::string_view> field_and_rest(std::string_view said) {
   std::string field;
   if (said.starts_with('(')) {
@@ -93,8 +93,8 @@ std::pair<std::string, std::string_view> field_and_rest(std::string_view said) {
   return {field, said.substr(colon + 2)};
 }
 
-// "; did you mean lookAheadBlocks?" of "setup.lookAheadBlok", in the spelling that was chosen;
-// empty where no field of the message is near.
+// "; did you mean lookAheadBlocks?" for "setup.lookAheadBlok", in the user's style of spelling;
+// empty if no field of the message is similar.
 std::string meant_by(std::string_view field, const Descriptor& root) {
   const Descriptor* type = &root;
   while (const std::size_t dot = field.find('.') + 1) {
@@ -141,7 +141,7 @@ std::string json_fault(std::string_view said, std::string_view text, const Descr
   const std::size_t first = said.find('\n');
   const std::string_view what = said.substr(0, first);
   if (const auto words = begun_by(of_syntax, what)) {
-    // Below stands what is around the place, and below that an arrow.
+    // The next line is the excerpt around the place; the line below it has an arrow.
     const std::size_t last = said.rfind('\n');
     if (first == said.npos || last == first) return std::string(*words);
     const std::string_view excerpt = said.substr(first + 1, last - first - 1);

@@ -13,19 +13,19 @@ namespace {
 using google::protobuf::Descriptor;
 using google::protobuf::FieldDescriptor;
 
-// What is nested deeper Protobuf refuses; the paths of a million brackets would fill the memory.
+// Protobuf refuses deeper nesting; the paths of a million brackets would fill the memory.
 constexpr std::size_t deepest = 100;
 
-// An object or a list that has begun and not ended yet.
+// An object or a list that has begun but not ended.
 struct Open {
   std::string path;
-  const Descriptor* type = nullptr;  // none: of a map, or not known
+  const Descriptor* type = nullptr;  // null: a map, or unknown
   bool is_list = false;
   std::size_t index = 0;             // of a list
   std::vector<std::string> names{};  // of an object
 };
 
-// A name as it is meant: escapes of ASCII are read, others stay.
+// A name with its ASCII escapes resolved; other escapes stay.
 std::string plain(std::string_view text) {
   std::string name;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -60,8 +60,8 @@ const FieldDescriptor* field_of(const Descriptor* type, const std::string& name)
   return nullptr;
 }
 
-// Protobuf takes such a name without quotes; where another character stands it says itself what is
-// wrong, and where.
+// Protobuf accepts such a name without quotes. For any other character it reports the fault and its
+// place itself.
 bool begins_name(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '$';
 }
@@ -70,7 +70,7 @@ bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; 
 
 class Reader {
  public:
-  // JSON as such, a Struct, holds anything.
+  // A Struct is JSON as such and may hold anything.
   Reader(std::string_view json, const Descriptor& type)
       : json_(json),
         checks_lists_(type.well_known_type() == Descriptor::WELLKNOWNTYPE_UNSPECIFIED),
@@ -112,12 +112,12 @@ class Reader {
   }
 
  private:
-  // The one of the list that comes next, as "batch.blocks[3]".
+  // The next element of the list, as "batch.blocks[3]".
   [[nodiscard]] std::string element() const {
     return open_.back().path + "[" + std::to_string(open_.back().index) + "]";
   }
 
-  // Of the object or list that has begun, as "batch: "; empty where it is the whole.
+  // The present object or list, as "batch: "; empty for the whole text.
   [[nodiscard]] std::string place() const {
     return open_.empty() || open_.back().path.empty() ? "" : open_.back().path + ": ";
   }
@@ -161,10 +161,10 @@ class Reader {
   std::string_view json_;
   bool checks_lists_;
   std::size_t at_ = 0;
-  char before_ = '\0';  // the last one that is no space
+  char before_ = '\0';  // the last character that is not a blank
   std::vector<Open> open_;
   bool is_name_ = false;
-  // Of the value that comes next.
+  // The type of the next value.
   const Descriptor* type_;
   std::string path_;
 };

@@ -7,14 +7,14 @@
 namespace trc::wire {
 namespace {
 
-// What a block has anywhere beside its motion, tags and lengths included.
+// Bytes of a block besides its motion, including tags and lengths.
 std::size_t extras(const CompensatedBlock& block) {
   constexpr std::size_t inverse = 150;
   constexpr std::size_t about_text = 20;
   return (block.text.empty() ? 0 : about_text + block.text.size()) + (block.inverse ? inverse : 0);
 }
 
-// Of a number as a varint.
+// Bytes of a number as a varint.
 std::size_t number_bytes(std::uint64_t number) {
   return (static_cast<std::size_t>(std::bit_width(number | 1U)) + 6) / 7;
 }
@@ -41,7 +41,7 @@ std::size_t bytes_in_batch(const CompensatedBlock& block) {
   return bytes;
 }
 
-// Starts are sent only if one is not the end before it, which any block can bring about.
+// Counts the starts: they are sent if any block does not start at the previous end.
 std::size_t bytes_in_columns(const CompensatedBlock& block) {
   constexpr std::size_t kind_flags_origin_and_plane = 4;
   constexpr std::size_t position = 3 * sizeof(double);

@@ -9,7 +9,7 @@
 namespace trc::wire {
 namespace {
 
-// One option that is on or off.
+// An option that is on or off.
 struct Switch {
   bool TrcOptions::*option;
   std::optional<bool> TrcOptionChanges::*change;
@@ -144,7 +144,7 @@ TrcOptionChanges from_proto(const v1::TrcOptions& message, const FieldPath& path
   for (const Switch& row : switches)
     if ((message.*row.has)()) changes.*row.change = (message.*row.get)();
   if (message.has_stretch_factor()) {
-    // A finite value out of 1 … 9 is the core's to answer, with warning 22007.
+    // The core answers a finite value outside 1 … 9 with warning 22007.
     if (!std::isfinite(message.stretch_factor()))
       add_range_fault(message.stretch_factor(), {1, 9}, FieldPath(path, "stretch_factor"), faults);
     changes.stretch_factor = message.stretch_factor();

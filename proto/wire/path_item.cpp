@@ -6,7 +6,7 @@
 namespace trc::wire {
 namespace {
 
-// What the two messages that tell a clearance have in common.
+// The common fields of the two messages that report a clearance.
 template <class Message>
 void tell_where(const verify::ClearanceReport& report, Message& message) {
   const verify::Clearance& worst = *report.worst;
@@ -113,13 +113,13 @@ PathSummary from_proto(const v1::PathSummary& message) {
   core.programmed_length = message.programmed_length();
   core.compensated_length = message.compensated_length();
   if (message.has_certificate()) summary.clearance = from_proto(message.certificate());
-  // The lengths themselves are not sent.
+  // The message does not hold the lengths themselves.
   if (message.has_coverage()) {
     summary.clearance.wall_length = 1;
     summary.clearance.touched_length = message.coverage();
   }
   for (const v1::OriginCount& entry : message.blocks_by_origin()) {
-    // A newer server may know more origins; its total still counts them.
+    // A newer server may know more origins; its total includes them.
     FieldFaults ignored;
     const auto origin = from_proto(entry.origin(), FieldPath("origin"), ignored);
     if (origin) core.blocks_by_origin[static_cast<std::size_t>(*origin)] = entry.count();

@@ -13,7 +13,7 @@
 #include "proto/wire/options.h"
 #include "proto/wire/setup.h"
 
-// The setup of a program; that of its path is in setup.cpp.
+// The setup of a program; setup.cpp has the setup of its path.
 
 namespace trc::wire {
 namespace {
@@ -34,13 +34,13 @@ constexpr EnumTable<v1::Dialect, DialectName, 5> dialects{{
     {v1::DIALECT_HEIDENHAIN, DialectName::heidenhain},
 }};
 
-// Whether lengths count in inch.
+// Whether lengths are in inch.
 constexpr EnumTable<v1::LengthUnit, bool, 2> units{{
     {v1::LENGTH_UNIT_MM, false},
     {v1::LENGTH_UNIT_INCH, true},
 }};
 
-// Whether they are copied.
+// Whether unknown words are copied.
 constexpr EnumTable<v1::UnknownWords, bool, 2> unknown_words{{
     {v1::UNKNOWN_WORDS_REFUSE, false},
     {v1::UNKNOWN_WORDS_COPY, true},
@@ -63,8 +63,8 @@ constexpr EnumTable<v1::Encoding, Encoding, 3> encodings{{
     {v1::ENCODING_LATIN1, Encoding::any},
 }};
 
-// The tool of a name, which has a number of its own if it is given none. Nothing where another tool
-// has that name.
+// The number of a named tool; a tool without a number gets one of its own. None if another tool has
+// the name.
 std::optional<std::int64_t> tool_named(const v1::Tool& tool, ProgramSetup& program) {
   const auto next = first_named_tool + static_cast<std::int64_t>(program.tool_names.size());
   const std::int64_t number = tool.number() > 0 ? tool.number() : next;
@@ -130,7 +130,7 @@ void read_pass_words(const v1::ProgramSetup& message, const FieldPath& path, Pro
   }
 }
 
-// What the dialect has in force at the start, where the setup does not say so itself.
+// Reads the initial state of the dialect, unless the setup gives it.
 void read_dialect(const v1::ProgramSetup& message, const FieldPath& path, ProgramSetup& program,
                   FieldFaults& faults) {
   program.dialect = dialects.from_proto(message.dialect(), FieldPath(path, "dialect"), faults)
@@ -160,7 +160,7 @@ void read_dialect(const v1::ProgramSetup& message, const FieldPath& path, Progra
     program.mode.feed_adaptation = dialect.feed_adaptation;
 }
 
-// Of programs that compute.
+// Reads the settings of programs that compute.
 void read_computing(const v1::ProgramSetup& message, const FieldPath& path, ProgramSetup& program,
                     FieldFaults& faults) {
   constexpr std::size_t most_variables = 10'000;
@@ -194,7 +194,7 @@ void read_computing(const v1::ProgramSetup& message, const FieldPath& path, Prog
         add_fault(FieldPath(path, "subprogram_files"), "names " + name + ", as subprograms do",
                   faults);
   if (!message.has_max_executed_lines()) return;
-  // Not as a number with a fraction: of twenty digits it would show others than were sent.
+  // Not read as a double, whose message would show other digits for a number of twenty digits.
   constexpr std::uint64_t most_lines = 1'000'000'000;
   const std::uint64_t lines = message.max_executed_lines();
   if (lines < 1 || lines > most_lines)
@@ -231,7 +231,7 @@ ProgramSettings from_proto(const v1::ProgramSetup& message, const FieldPath& pat
   read_tools(message, path, settings.path.session.program, faults);
   read_dialect(message, path, settings.path.session.program, faults);
   read_computing(message, path, settings.path.session.program, faults);
-  // Behind G40 without a motion of its own a tool change and whole drilling cycles may follow.
+  // After G40 without a motion, a tool change and whole drilling cycles may follow.
   constexpr std::size_t most_passive_blocks = 10'000;
   if (settings.path.session.program.dialect != DialectName::isg &&
       !message.path().has_max_passive_blocks())

@@ -121,7 +121,7 @@ constexpr auto rows = std::to_array<SettingMeaning>({
     {"variables", "what variables hold that the program does not set itself", "", ""},
 });
 
-// Those of options, made of what is said of the #TRC words.
+// The meanings of options, made from those of the #TRC words.
 const std::map<std::string, SettingMeaning, std::less<>>& option_rows() {
   static const auto made = [] {
     static std::vector<std::string> initials;

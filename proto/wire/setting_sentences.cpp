@@ -55,7 +55,7 @@ constexpr auto sentences = std::to_array<Sentence>({
      "{}: ist leer, und nach dem größten wird nicht gefragt"},
     {"{}: is missing", "{}: fehlt"},
     {"{}: is not available, only {} is allowed", "{}: gibt es hier nicht, nur {} ist erlaubt"},
-    // JSON.
+    // Faults of JSON.
     {"{}: there is no such field", "{}: dieses Feld gibt es nicht"},
     {"{}: there is no such field; did you mean {}?",
      "{}: dieses Feld gibt es nicht; ist {} gemeint?"},
@@ -93,7 +93,7 @@ constexpr auto sentences = std::to_array<Sentence>({
     {"it is nested too deeply", "es ist zu tief verschachtelt"},
     {"an object in { }", "ein Objekt in { }"},
     {"text in Base64", "Text in Base64"},
-    // What values are.
+    // Kinds of values.
     {"a number", "eine Zahl"},
     {"a whole number", "eine ganze Zahl"},
     {"true or false", "true oder false"},

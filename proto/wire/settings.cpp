@@ -22,7 +22,7 @@ using google::protobuf::EnumDescriptor;
 using google::protobuf::FieldDescriptor;
 using google::protobuf::Message;
 
-// The word of the setup's enums for a G function.
+// The enum value in a setup for a G function.
 struct FunctionWord {
   std::string_view function;
   std::string_view value;  // full name, so that it fits one enum only
@@ -76,15 +76,15 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
-// Where a value goes: the fields from PathSetup down.
+// The place of a value: the fields from PathSetup down.
 using Route = std::vector<const FieldDescriptor*>;
 
 bool is_settable(const FieldDescriptor& field) {
   return field.type() != FieldDescriptor::TYPE_BYTES;
 }
 
-// A position is set as a whole or by coordinate, leads likewise; other fields of fields by their
-// parts only.
+// A position can be set as a whole or by coordinate, and so can leads. Other fields of message type
+// are only set by their parts.
 bool is_leads(const FieldDescriptor& field) {
   return field.message_type() == v1::Leads::descriptor();
 }
@@ -119,7 +119,7 @@ bool is_set_in(const Message& owner, const FieldDescriptor& field) {
                              : reflection.HasField(owner, &field);
 }
 
-// Of NC programs, beside those of their paths.
+// Fields of NC programs, besides those of their paths.
 const std::vector<const FieldDescriptor*>& program_fields() {
   static const std::vector<const FieldDescriptor*> fields{
       v1::ProgramSetup::descriptor()->FindFieldByName("block_skip"),
@@ -198,7 +198,7 @@ std::optional<bool> switch_from(std::string_view text) {
 
 std::optional<int> enum_from(const EnumDescriptor& type, std::string_view text) {
   const std::string word = lower(text);
-  // It was a switch once.
+  // This setting also accepts the words of a switch.
   if (&type == v1::Verification_descriptor())
     if (const auto on = switch_from(text))
       return *on ? v1::VERIFICATION_ENFORCE : v1::VERIFICATION_OFF;
@@ -226,7 +226,7 @@ bool set_position(Message& position, std::string_view text) {
   return true;
 }
 
-// "auto", "none", or how many blocks at the begin and at the end: "blocks:2,1".
+// "auto", "none", or the number of blocks at the begin and at the end: "blocks:2,1".
 bool set_leads(v1::Leads& leads, std::string_view text) {
   const auto parts = split(text, ':');
   const auto find = enum_from(*v1::Leads::Find_descriptor(), parts.front());
@@ -251,7 +251,7 @@ bool set_list(Message& owner, const FieldDescriptor& field, std::string_view tex
   return true;
 }
 
-// False when the text is no value of the field.
+// False if the text is no value of the field.
 bool set_field(Message& owner, const FieldDescriptor& field, std::string_view text) {
   const auto& reflection = *owner.GetReflection();
   if (is_leads(field))
@@ -286,7 +286,7 @@ bool set_field(Message& owner, const FieldDescriptor& field, std::string_view te
   }
 }
 
-// As set_field takes it.
+// In the form that set_field reads.
 std::string value_of(const Message& owner, const FieldDescriptor& field) {
   const auto& reflection = *owner.GetReflection();
   std::string text;
@@ -329,7 +329,7 @@ std::string value_of(const Message& owner, const FieldDescriptor& field) {
   }
 }
 
-// As `split`; what stands in quotes is not parted.
+// Works as `split`, but does not split within quotes.
 std::vector<std::string_view> split_outside_quotes(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
   bool quoted = false;
@@ -343,7 +343,7 @@ std::vector<std::string_view> split_outside_quotes(std::string_view text, char s
   return parts;
 }
 
-// Takes "A ""B""" from the front of a text; false: it has a begin and no end, or nothing in it.
+// Takes "A ""B""" from the front of a text; false: the name does not end, or is empty.
 bool take_name(std::string_view& text, std::string& name) {
   if (!text.starts_with('"')) return true;
   for (std::size_t at = 1; at < text.size(); ++at) {
@@ -358,8 +358,8 @@ bool take_name(std::string_view& text, std::string& name) {
   return false;
 }
 
-// What a tool is called by, its number, its name in quotes or both, and the edge its radius is of:
-// 7, "ROUGH 10", 7"ROUGH 10"/2.
+// Reads the number of a tool, its name in quotes or both, and the edge of its radius: 7, "ROUGH
+// 10", 7"ROUGH 10"/2.
 bool set_call(std::string_view text, v1::Tool& tool) {
   const std::size_t number_end = std::min(text.find_first_of("\"/"), text.size());
   const std::string_view digits = text.substr(0, number_end);
@@ -415,7 +415,7 @@ std::string set_variables(std::string_view text, v1::ProgramSetup& setup) {
   return {};
 }
 
-// By its whole key, or by its last part: more than one then where several end so.
+// The setting with this key; otherwise all settings whose last part is this key.
 std::vector<const Route*> routes_named(const std::string& key) {
   std::vector<const Route*> found;
   for (const Route& route : all_routes()) {
@@ -426,14 +426,14 @@ std::vector<const Route*> routes_named(const std::string& key) {
 }
 
 std::string unknown_key(const std::string& given) {
-  // As much of it as a key has: what it is compared with costs as much as it is long.
+  // Cut to the length of a key, because the cost of a comparison grows with the length.
   constexpr std::size_t longest = 64;
   const std::string_view key = std::string_view(given).substr(0, longest);
   std::vector<std::pair<std::size_t, std::string>> near;
   const auto consider = [&](const std::string& full) {
     const std::string last = full.substr(full.rfind('.') + 1);
     std::size_t distance = std::min(edit_distance(key, full), edit_distance(key, last));
-    // "radus" is a part of tool_radius, misspelled.
+    // "radus" is a misspelt part of tool_radius.
     for (std::size_t at = 0; at < last.size();) {
       const std::size_t end = std::min(last.find('_', at), last.size());
       distance = std::min(distance, edit_distance(key, last.substr(at, end - at)) + 1);

@@ -123,8 +123,8 @@ TrcMode read_mode(const v1::PathSetup& message, const FieldPath& path, FieldFaul
     mode.tool_radius = message.tool_radius();
   const FieldPath options(path, "options");
   mode.options = changed({}, from_proto(message.options(), options, faults));
-  // In a program this is a warning at its line; a setup has no line to warn about. What is not
-  // finite has been refused with the other options.
+  // In a program this is a warning at its line; a setup has no line to warn about. Values that are
+  // not finite have already been refused with the other options.
   if (message.options().has_stretch_factor() && std::isfinite(message.options().stretch_factor()))
     check_range(message.options().stretch_factor(), {1, 9}, FieldPath(options, "stretch_factor"),
                 faults);
@@ -170,7 +170,7 @@ void read_leads(const v1::PathSetup& message, const FieldPath& path, Compensator
     compensator.largest_masked_share = message.max_masked_share();
 }
 
-// D-43
+// The terms of the radius (D-43).
 void read_radius_terms(const v1::PathSetup& message, const FieldPath& path, ProgramSetup& program,
                        FieldFaults& faults) {
   const auto take = [&](bool present, double value, double low, const char* name, double& target) {
@@ -182,7 +182,7 @@ void read_radius_terms(const v1::PathSetup& message, const FieldPath& path, Prog
   take(message.has_wear(), message.wear(), -largest, "wear", program.wear);
   take(message.has_allowance(), message.allowance(), -largest, "allowance", program.allowance);
   take(message.has_max_wear(), message.max_wear(), 0, "max_wear", program.max_wear);
-  // A tenth of a micrometre is the finest there is (rule 1.6).
+  // A tenth of a micrometre is the smallest length (rule 1.6).
   take(message.has_nominal_radius(), message.nominal_radius(), 1e-4, "nominal_radius",
        program.nominal_radius);
 }
@@ -203,7 +203,7 @@ PathSettings from_proto(const v1::PathSetup& message, const FieldPath& path, Fie
   program.tool_radius_given = message.has_tool_radius();
   OptionalPosition start;
   from_proto(message.start_position(), FieldPath(path, "start_position"), start, faults);
-  // A zero with a sign becomes one without: the answer would carry the sign on.
+  // A negative zero becomes a positive one; otherwise the answer would carry its sign.
   constexpr double unsigned_zero = 0.0;
   for (std::size_t axis = 0; axis < start.size(); ++axis)
     program.start[axis] = start[axis].value_or(0) + unsigned_zero;

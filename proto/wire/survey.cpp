@@ -16,10 +16,10 @@
 namespace trc::wire {
 namespace {
 
-// A tenth of a micrometre is the finest there is (rule 1.6).
+// A tenth of a micrometre is the smallest length (rule 1.6).
 constexpr double smallest_radius = 1e-4;
 constexpr double largest_radius = 0.5 * ToolInForce::largest_tool_radius;
-// Of what a message names.
+// The most stretches that a message names.
 constexpr std::size_t most_stretches = 2000;
 
 void add_radius(double radius, const FieldPath& path, std::vector<double>& radii,
@@ -44,7 +44,7 @@ void add_range(const v1::RadiusRange& range, const FieldPath& path, std::vector<
   if (count > static_cast<double>(survey::most_radii))
     return add_fault(path, "are more than " + std::to_string(survey::most_radii) + " radii",
                      faults);
-  // Steps of a tenth must not add up to 0.30000000000000004.
+  // Rounded, so that steps of a tenth do not add up to 0.30000000000000004.
   constexpr double per_mm = 1e6;
   for (int i = 0; i < static_cast<int>(count); ++i)
     add_radius(std::round((range.from() + i * range.step()) * per_mm) / per_mm, path, radii,

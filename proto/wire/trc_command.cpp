@@ -45,7 +45,7 @@ bool from_proto(const v1::TrcCommand& message, const FieldPath& path, TrcCommand
   command.feed_adaptation = feed_adaptations.from_proto(message.feed_adaptation(),
                                                         FieldPath(path, "feed_adaptation"), faults);
   if (message.has_tangfeed_min_radius()) {
-    // A negative value is the core's to answer, with 20963.
+    // The core answers a negative value with 20963.
     constexpr double largest = Tolerances{}.largest_coordinate;
     check_range(message.tangfeed_min_radius(), {-largest, largest, "mm"},
                 FieldPath(path, "tangfeed_min_radius"), faults);

@@ -17,8 +17,8 @@ using google::protobuf::Message;
 using google::protobuf::Reflection;
 using google::protobuf::UnknownFieldSet;
 
-// Whether a message itself may hold unknown fields. Reflection, which is the public way to ask,
-// takes six nanoseconds for it: three messages make a block, and reading it takes 180.
+// Whether a message itself has no unknown fields. Reflection, the public way to ask, takes six
+// nanoseconds per message: a block has three messages, and reading it takes 180 ns.
 class Metadata : public google::protobuf::MessageLite {
  public:
   static bool is_bare(const MessageLite& message) {
@@ -26,8 +26,8 @@ class Metadata : public google::protobuf::MessageLite {
   }
 };
 
-// Of all within a message too: written out for blocks, as a search would take longer than reading
-// them does.
+// Includes all messages within a move. Written out for blocks, because a generic search would take
+// longer than reading them.
 template <class Move>
 bool is_move_bare(const Move& move) {
   return Metadata::is_bare(move) && Metadata::is_bare(move.end()) &&

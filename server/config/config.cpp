@@ -18,7 +18,7 @@
 namespace trc::server {
 namespace {
 
-// Kubernetes and linked containers tell each other where a service named trcd is.
+// Kubernetes and linked containers set these variables to announce a service named trcd.
 bool is_service_link(std::string_view variable) {
   const std::size_t port = variable.find("_PORT_");
   return variable.ends_with("_SERVICE_HOST") ||
@@ -27,7 +27,7 @@ bool is_service_link(std::string_view variable) {
           std::isdigit(static_cast<unsigned char>(variable[port + 6])) != 0);
 }
 
-// A misspelt variable is a setting that somebody believes to be in force.
+// A misspelt variable would silently have no effect.
 std::optional<std::string> fault_of_environment(const CLI::App& app) {
   std::vector<std::string> known{"TRCD_CONFIG"};
   for (const std::string& name : setting_names(app)) known.push_back(environment_name(name));
@@ -42,7 +42,7 @@ std::optional<std::string> fault_of_environment(const CLI::App& app) {
   return std::nullopt;
 }
 
-// Options that do not exist, said with what was likely meant.
+// The fault for options that do not exist, with the most likely intended name.
 std::string fault_of_extras(const CLI::App& app, int argc, const char* const* argv,
                             const std::string& fault) {
   std::vector<std::string> known;
@@ -57,8 +57,8 @@ std::string fault_of_extras(const CLI::App& app, int argc, const char* const* ar
   return fault;
 }
 
-// A guard that stands empty, as one does that a variable was to be put into, would be switched off
-// without a word. Those of the file are looked at where it is read.
+// An empty guard, for example from a variable that was never set, would silently be switched off.
+// The guards in a file are checked when the file is read.
 std::optional<std::string> fault_of_empty_guard(const CLI::App& app, int argc,
                                                 const char* const* argv) {
   for (const std::string& guard : guard_names()) {
@@ -80,8 +80,8 @@ std::optional<std::string> fault_of_empty_guard(const CLI::App& app, int argc,
   return std::nullopt;
 }
 
-// As TOML that reads back as the same. A guard that is not set would not be taken if it stood
-// empty.
+// TOML that reads back as the same settings. An unset guard becomes a comment, because an empty
+// guard is refused.
 std::string text_of(const Printed& printed) {
   std::string text;
   for (const PrintedSetting& setting : printed) {

@@ -24,7 +24,7 @@ std::optional<std::string> fault_of_address(const std::string& address) {
   return std::nullopt;
 }
 
-// A port without TLS: HOST:PORT of this machine, unless more is allowed; empty: none.
+// A port without TLS: HOST:PORT of this machine, unless `allowed`; empty: no port.
 std::optional<std::string> fault_of_plain_port(const std::string& name, const std::string& address,
                                                const std::string& permission, bool allowed) {
   if (address.empty()) return std::nullopt;
@@ -58,7 +58,7 @@ bool is_host_of_origin(std::string_view host) {
   return !host.empty() && host.find_first_not_of(allowed) == std::string_view::npos;
 }
 
-// A host, and a port where it is not the usual one.
+// A host, with a port if it is not the usual one.
 bool is_rest_of_origin(std::string_view rest, std::string_view usual_port) {
   const std::size_t colon = rest.rfind(':');
   if (colon == std::string_view::npos || rest.ends_with(']')) return is_host_of_origin(rest);
@@ -67,7 +67,7 @@ bool is_rest_of_origin(std::string_view rest, std::string_view usual_port) {
          is_host_of_origin(rest.substr(0, colon));
 }
 
-// As browsers write it (RFC 6454, 6.2): it is compared letter by letter.
+// The origin as browsers write it (RFC 6454, 6.2), because it is compared byte by byte.
 bool is_origin(std::string_view text) {
   constexpr std::string_view https = "https://";
   constexpr std::string_view http = "http://";
@@ -75,7 +75,7 @@ bool is_origin(std::string_view text) {
   return text.starts_with(http) && is_rest_of_origin(text.substr(http.size()), "80");
 }
 
-// What was likely meant by something that is no origin; empty: hard to say.
+// The origin that was probably meant; empty: no guess.
 std::string meant_origin(std::string_view text) {
   std::string meant = text.find("://") == std::string_view::npos ? "https://" : "";
   meant += text;

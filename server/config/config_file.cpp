@@ -20,10 +20,10 @@
 namespace trc::server {
 namespace {
 
-// A setting as a file has it.
+// A setting as the file gives it.
 struct FileEntry {
   std::string name{};
-  std::vector<std::string> values{};  // of a list, else one
+  std::vector<std::string> values{};  // one, or those of a list
   int line = 0;
 };
 
@@ -64,7 +64,7 @@ std::vector<FileEntry> toml_entries(const std::string& file, std::istream& input
   return entries;
 }
 
-// The null of YAML would be the name "null".
+// yaml-cpp would give null as the text "null".
 std::string yaml_scalar(const std::string& file, const YAML::Node& node, const FileEntry& entry) {
   if (node.IsNull()) refuse_file(file, entry.line, "'" + entry.name + "' has an empty entry");
   if (!node.IsScalar())
@@ -76,7 +76,7 @@ std::vector<FileEntry> yaml_entries(const std::string& file, std::istream& input
   std::vector<FileEntry> entries;
   try {
     const std::vector<YAML::Node> documents = YAML::LoadAll(input);
-    // Which of several would count is anybody's guess, and so it is with a key that comes twice.
+    // Several documents are refused, and so is a repeated key: it is unclear which value counts.
     if (documents.size() > 1)
       refuse_file(file, documents[1].Mark().line + 1, "must hold one document, not several");
     const YAML::Node whole = documents.empty() ? YAML::Node() : documents.front();
@@ -104,7 +104,7 @@ std::vector<FileEntry> yaml_entries(const std::string& file, std::istream& input
   return entries;
 }
 
-// What a value alone breaks, on a command line that has nothing else.
+// Checks one value by itself, on a command line with nothing else.
 class ValueCheck {
  public:
   ValueCheck() : app_("", "trcd") {
@@ -116,7 +116,7 @@ class ValueCheck {
                                                     const std::string& value) {
     try {
       const std::string option = "--" + name;
-      // From the last to the first, as CLI11 takes them.
+      // CLI11 parses this vector from the last element to the first.
       app_.parse(value.empty() ? std::vector<std::string>{"", option}
                                : std::vector<std::string>{option + "=" + value});
     } catch (const CLI::Error& fault) {
@@ -146,7 +146,7 @@ class ConfigFile : public CLI::ConfigTOML {
         refuse_file(file, entry.line,
                     "'" + entry.name + "' is empty; give it a value or leave it out");
       if (std::getenv(environment_name(entry.name).c_str()) != nullptr) continue;
-      // An empty list is that of the defaults, where it may be empty.
+      // An empty list keeps the default, if the list may be empty.
       if (is_list(entry.name) && value.empty() && !needs_entry(entry.name)) continue;
       if (const auto fault = check.fault_of(entry.name, value))
         refuse_file(file, entry.line, *fault);
@@ -166,7 +166,7 @@ class ConfigFile : public CLI::ConfigTOML {
     return app_.get_option("--" + name)->get_expected_min() > 0;
   }
 
-  // A list in the form that flags and the environment have it.
+  // The value in the form of flags and of the environment; a list is joined.
   [[nodiscard]] std::string value_of(const std::string& file, const FileEntry& entry) const {
     const CLI::Option* option = app_.get_option_no_throw("--" + entry.name);
     if (option == nullptr || !option->get_configurable())

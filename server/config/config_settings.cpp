@@ -30,14 +30,14 @@ std::string toml_of(const Value& value) {
   return text.str();
 }
 
-// CLI11 would read 010 as 8 and 0x10 as 16.
+// Without this check CLI11 reads 010 as 8 and 0x10 as 16.
 std::string fault_of_number(const std::string& text) {
   const bool decimal = !text.empty() && text.find_first_not_of("0123456789") == text.npos;
   if (decimal && (text == "0" || text.front() != '0')) return {};
   return "'" + text + "' is no whole number written in decimal digits";
 }
 
-// CLI11 would read 5 and yes as true.
+// Without this check CLI11 reads 5 and yes as true.
 std::string fault_of_switch(const std::string& text) {
   if (text == "true" || text == "false") return {};
   return "takes true or false, not '" + text + "'";
@@ -148,7 +148,7 @@ void declare_sizes(Settings& settings, Config& config) {
                   "threads that compute; 0: one per core");
   settings.number("max-message-bytes", config.max_message_bytes, 4096, 1U << 30U,
                   "largest message in either direction");
-  // Clients begin with batches of 1024 before they know the limits (D-58).
+  // Clients start with batches of 1024 before they know the limits (D-58).
   settings.number("max-blocks-per-batch", config.max_blocks_per_batch, 1024, 1'000'000,
                   "most blocks in one request");
   settings.number("max-batches-in-flight", config.max_batches_in_flight, 1, 1024,
@@ -219,7 +219,7 @@ void declare_times(Settings& settings, Config& config) {
       ->check(CLI::IsMember({"debug", "info", "warning", "error", "off"}));
 }
 
-// The name that a setting has now, as `word` spells it; empty: it never had another.
+// The present name of a setting that was renamed, in the spelling of `word`; empty: not renamed.
 std::string new_name_of(const std::string& word) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 1> renamed{
       {{"max-riders", "max-passive-blocks"}}};

@@ -20,10 +20,10 @@
 namespace trc::server::http {
 namespace {
 
-// Since it was last asked for.
+// Counted from the last request for the view.
 constexpr std::chrono::minutes view_lifetime{30};
 
-// How well a path fits a pattern.
+// Whether a path matches a pattern.
 bool fits(std::string_view pattern, std::string_view path) {
   while (!pattern.empty() && pattern.front() != '{') {
     if (path.empty() || path.front() != pattern.front()) return false;
@@ -46,7 +46,7 @@ const Route* route_of(const Request& request) {
   return nullptr;
 }
 
-// "GET, HEAD"; empty when nothing is there. At "*": what there is anywhere.
+// "GET, HEAD"; empty: the path does not exist. "*" gives the methods of all routes.
 std::string methods_at(std::string_view path) {
   std::string methods;
   for (const Route& route : routes()) {
@@ -60,13 +60,13 @@ std::string methods_at(std::string_view path) {
   return methods;
 }
 
-// "/trc.v1.TrcService/Name", whatever the names are.
+// "/trc.v1.TrcService/Name", for any names.
 bool names_rpc(std::string_view path) {
   const std::string_view service = path.substr(0, path.find('/', 1));
   return service.size() < path.size() && service.find('.') != std::string_view::npos;
 }
 
-// "Sun, 06 Nov 1994 08:49:37 GMT", whatever the locale is.
+// "Sun, 06 Nov 1994 08:49:37 GMT", independent of the locale.
 std::string date_of(std::chrono::system_clock::time_point now) {
   constexpr std::array<const char*, 7> days{"Sun", "Mon", "Tue", "Wed", "Thu", "Fri", "Sat"};
   constexpr std::array<const char*, 12> months{"Jan", "Feb", "Mar", "Apr", "May", "Jun",
@@ -87,8 +87,8 @@ std::string_view host_of(std::string_view host) {
   return host.substr(0, host.find(':'));
 }
 
-// Of the names that begin like one, as 127.0.0.1.example, anybody may own some. Names are the same
-// in small letters and in capitals.
+// Only whole addresses count: anybody can own a name such as 127.0.0.1.example. Case does not
+// matter in host names.
 bool is_this_machine(std::string_view host) {
   const bool numeric = host.find_first_not_of("0123456789.") == std::string_view::npos;
   const bool named = std::ranges::equal(host, std::string_view("localhost"), [](char a, char b) {
@@ -99,7 +99,7 @@ bool is_this_machine(std::string_view host) {
 
 }  // namespace
 
-// Lives until its turn is over.
+// Deletes itself at the end of its turn.
 class Api::Task final : public WorkerPool::Job {
  public:
   Task(Api& api, std::function<void()> work) : api_(api), work_(std::move(work)) {}
@@ -141,7 +141,7 @@ Service::Admission Api::admit(const Request& head) {
   if (!charset.empty() && charset != "utf-8" && charset != "us-ascii")
     return {.refused = problem(415, "CHARSET", "Bodies are taken in UTF-8",
                                "send the body with charset=utf-8")};
-  // JSON is about four times what it says.
+  // JSON takes about four times the bytes of the binary message.
   constexpr std::size_t json_overhead = 4;
   const std::size_t most_message = json_overhead * most_message_bytes();
   if (const Route* route = route_of(head)) {
@@ -191,9 +191,9 @@ void Api::handle(const ExchangePointer& exchange) {
   answer_connect(*this, exchange);
 }
 
-// A page of somebody else's must not use a server its reader can reach: browsers say where a
-// request comes from. Towards a server of this machine alone they are also kept from a name that
-// was turned to this machine's address.
+// A foreign page must not use a server that its reader can reach; browsers name the origin of a
+// request. A server for this machine alone also refuses foreign host names, because such a name may
+// have been pointed at this machine's address.
 std::optional<v1::Problem> Api::refuse_origin(const Request& request) const {
   const std::string_view host = host_of(request.header("host"));
   if (options_.local && !is_this_machine(host))
@@ -245,7 +245,7 @@ void Api::decorate(const Request& request, Head& head) {
 void Api::log(const Request& request, unsigned status, std::uint64_t bytes, double ms) {
   LogLine line("http");
   line.text("method", request.method).text("path", request.path).text("peer", request.peer);
-  // None of a request that was refused by its head.
+  // A request refused by its head has no trace.
   if (!request.trace.trace_id.empty()) add_trace(line, request.trace);
   line.number("status", std::uint64_t{status}).number("bytes_out", bytes).number("ms", ms);
   backend_.telemetry.log.info(line);
@@ -273,7 +273,7 @@ std::shared_ptr<RpcCall> Api::call(RpcCall::Options options, const Request& requ
 
 void Api::compute(std::function<void()> work) {
   begin();
-  // Deleted by its turn.
+  // The task deletes itself after its turn.
   backend_.pool.submit(*new Task(*this, std::move(work)));
 }
 

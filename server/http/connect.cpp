@@ -39,7 +39,7 @@ struct CodeRow {
   std::string_view name;
   unsigned status;
 };
-// Of the protocol.
+// The error codes of the Connect protocol.
 constexpr std::array<CodeRow, 16> codes{{
     {StatusCode::CANCELLED, "canceled", 499},
     {StatusCode::UNKNOWN, "unknown", 500},
@@ -65,7 +65,7 @@ const CodeRow& row_of(StatusCode code) {
   return codes[1];
 }
 
-// Base64 without padding, as the protocol has it for details.
+// Base64 without padding, as the protocol wants it for details.
 std::string base64(std::string_view bytes) {
   constexpr std::string_view letters =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -80,7 +80,7 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-// What a status says, for people who read German; one of a program brings its own.
+// Adds the German text of a status, unless a program's error has brought its own.
 void add_german(const grpc::Status& status, google::rpc::Status& rich) {
   for (const auto& any : rich.details())
     if (any.Is<google::rpc::LocalizedMessage>()) return;
@@ -99,7 +99,7 @@ google::protobuf::Struct error_of(const grpc::Status& status, Language language)
   fields["message"].set_string_value(presentable(status.error_message(), 4096));
   google::rpc::Status rich;
   if (!rich.ParseFromString(status.error_details()) || rich.details().empty()) {
-    // One of gRPC itself, as that of a deadline.
+    // The status is gRPC's own, for example of a deadline.
     google::rpc::ErrorInfo info;
     info.set_reason(std::string(name_of(status.error_code())));
     info.set_domain("trc.v1");
@@ -136,7 +136,7 @@ std::unique_ptr<Message> made(const google::protobuf::Descriptor& type) {
       google::protobuf::MessageFactory::generated_factory()->GetPrototype(&type)->New());
 }
 
-// The answers of an RPC as they are, or as JSON.
+// Passes the answers of an RPC on as they are, or as JSON.
 class ConnectFormat : public Format {
  public:
   ConnectFormat(const MethodDescriptor& method, bool as_json, Language language)
@@ -192,7 +192,7 @@ class StreamFormat final : public ConnectFormat {
     return true;
   }
   void close(std::string& out) override { out += enveloped(end_of_stream, "{}"); }
-  // Of a stream the status is always 200, and the last envelope says what it is.
+  // The HTTP status of a stream is always 200; the last envelope holds the error.
   void refuse(const ExchangePointer& exchange, const grpc::Status& status) override {
     std::string end;
     stop(status, end);
@@ -206,7 +206,7 @@ class StreamFormat final : public ConnectFormat {
   }
 };
 
-// An RPC that was asked for, its body, and how it answers.
+// The requested RPC, its body, and the format of its answer.
 struct Call {
   const MethodDescriptor& method;
   std::string_view body;
@@ -215,7 +215,7 @@ struct Call {
   std::shared_ptr<Format> format;
 };
 
-// The message in the body, as bytes; what is wrong with it instead.
+// The message in the body as bytes, or its fault.
 struct Question {
   std::string bytes{};
   std::string fault{};
@@ -234,7 +234,7 @@ Question read_question(const Call& call) {
   return question;
 }
 
-// The only message of a stream's request.
+// The request of a stream is exactly one message.
 bool open_envelope(std::string_view& body) {
   if (body.size() < envelope_bytes || body.front() != 0) return false;
   std::uint32_t size = 0;
@@ -249,7 +249,7 @@ void answer_unsupported(Exchange& exchange, std::string_view types) {
                                    "this RPC takes " + std::string(types) + ", not compressed"));
 }
 
-// What is wrong with a call before its message is looked at; empty: nothing.
+// The fault of a call apart from its message; empty: none.
 std::string fault_of(const Request& request) {
   if (!request.query.empty()) return "the call takes no query parameters, but a message";
   const std::string_view version = request.header("connect-protocol-version");
@@ -260,7 +260,7 @@ std::string fault_of(const Request& request) {
   return {};
 }
 
-// Reading JSON is work, and done by those who compute.
+// Reading JSON costs computing time, so a worker does it.
 void start(Api& api, const ExchangePointer& exchange, const Call& call) {
   api.compute([&api, exchange, call] {
     const auto refused = call.is_json ? refuse_size(call.body, api.backend().config) : std::nullopt;

@@ -71,7 +71,7 @@ class Connection final : public Exchange,
     asio::post(stream_.get_executor(), [self = this->shared_from_this()] { self->close_socket(); });
   }
 
-  // As of Exchange.
+  // Overrides of Exchange.
   Request& request() override { return request_; }
 
   void answer(Head head, std::string body) override {
@@ -148,7 +148,7 @@ class Connection final : public Exchange,
     is_whole_ = false;
     parser_.emplace(limits_.most_header_bytes);
     parser_->header_limit(static_cast<std::uint32_t>(limits_.most_header_bytes));
-    // The real limit follows when it is known what is asked.
+    // The real limit is set once the head is known.
     parser_->body_limit(std::numeric_limits<std::uint64_t>::max());
     waits();
     lowest().expires_after(limits_.timeout);
@@ -169,10 +169,10 @@ class Connection final : public Exchange,
     keep_alive_ = parser_->keep_alive();
     is_whole_ = parser_->is_done();
     const auto& head = parser_->get();
-    // Without chunks the end of the connection would be the end of an answer.
+    // Without chunks the end of an answer would be the end of the connection.
     if (head.version() != 11) return refuse(505, "HTTP_VERSION", "The server speaks HTTP/1.1");
     if (const auto fault_of_head = fault_of(request_)) {
-      // Where its body ends is not certain.
+      // The end of the body is not certain.
       keep_alive_ = false;
       return refuse(*fault_of_head);
     }
@@ -193,7 +193,7 @@ class Connection final : public Exchange,
     const std::size_t announced = length ? static_cast<std::size_t>(*length) : 0;
     if (const Room room = take_memory(announced); room != Room::some)
       return refuse(no_memory_for_body(room));
-    // Of chunks: none is waited for that is announced to be larger.
+    // For chunks: the parser refuses a body as soon as a chunk passes this limit.
     parser_->body_limit(most);
     const BodyBounds bounds{.most_bytes = most, .held_bytes = announced};
     if (expects_continue(parser_->get()) && !is_whole_)
@@ -215,7 +215,7 @@ class Connection final : public Exchange,
     dispatch();
   }
 
-  // What somebody sends now matters more than views that somebody has looked at.
+  // Memory for a request comes before memory for views that have been looked at.
   Room take_memory(std::size_t bytes) {
     if (!share_of_peer_.take(bytes)) return Room::none_of_own;
     while (!share_.take(bytes))
@@ -229,7 +229,7 @@ class Connection final : public Exchange,
     service_.handle(this->shared_from_this());
   }
 
-  // Looks for the end of the connection while the answer is computed.
+  // Notices when the client closes the connection while the answer is computed.
   void watch() {
     if (watching_) return;
     watching_ = true;
@@ -244,14 +244,13 @@ class Connection final : public Exchange,
     if (!fault) {
       char byte = 0;
       const auto got = ::recv(lowest().socket().native_handle(), &byte, 1, MSG_PEEK | MSG_DONTWAIT);
-      // There is more to read: the next request, which has time.
+      // These bytes are the next request, which can wait.
       if (got > 0) return;
       if (got < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) return watch();
     }
     lose();
   }
 
-  // The client has gone.
   void lose() {
     const auto gone = std::exchange(gone_, nullptr);
     if (gone) gone();
@@ -263,7 +262,7 @@ class Connection final : public Exchange,
     return bytes_of(head, length, keep_alive_);
   }
 
-  // An answer before the request is read whole ends the connection.
+  // An answer before the whole request is read ends the connection.
   void refuse(unsigned status, std::string_view reason, std::string_view title) {
     refuse(problem(status, reason, title, title));
   }
@@ -308,7 +307,6 @@ class Connection final : public Exchange,
     if (then) then(taken);
   }
 
-  // The answer is out.
   void finish() {
     record();
     gone_ = nullptr;
@@ -325,7 +323,7 @@ class Connection final : public Exchange,
   void say_farewell() {
     error_code ignored;
     give_memory_back();
-    // Who has an answer and stays may make room for others.
+    // The client has its answer; this connection may be closed to make room for others.
     waits();
     if constexpr (!is_tls) lowest().socket().shutdown(tcp::socket::shutdown_send, ignored);
     lowest().expires_after(longest_farewell);
@@ -364,7 +362,7 @@ class Connection final : public Exchange,
   Clock::time_point started_{};
   unsigned status_ = 0;
   std::uint64_t sent_ = 0;
-  std::string begun_;  // the head of an answer that has not been sent yet
+  std::string begun_;  // head of an answer, not sent yet
   std::string outgoing_;
   Written written_;
   std::function<void()> gone_;

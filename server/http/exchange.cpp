@@ -14,7 +14,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-// Of a type as in "text/plain; charset=utf-8", in lower case.
+// "text/plain" for "Text/plain; charset=utf-8".
 std::string without_parameters(std::string_view type) {
   return lower(trimmed(type.substr(0, type.find(';'))));
 }

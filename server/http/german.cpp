@@ -12,7 +12,7 @@ namespace trc::server::http {
 namespace {
 
 constexpr auto sentences = std::to_array<Sentence>({
-    // What the codes of gRPC stand for.
+    // Titles for the codes of gRPC.
     {"The request has a value that cannot be taken", "Ein Wert der Anfrage ist nicht möglich"},
     {"The request cannot be taken as it is", "Die Anfrage ist so nicht möglich"},
     {"The request is out of sequence", "Die Anfrage ist nicht an der Reihe"},
@@ -25,7 +25,7 @@ constexpr auto sentences = std::to_array<Sentence>({
     {"The server takes no work at the moment", "Der Server nimmt gerade keine Arbeit an"},
     {"The work was not done in time", "Die Arbeit war nicht rechtzeitig fertig"},
     {"The server has failed", "Der Server hat versagt"},
-    // Paths, methods and who asks.
+    // Paths, methods and callers.
     {"There is nothing at this path", "Unter diesem Pfad gibt es nichts"},
     {"see /v1/openapi.json for what there is", "was es gibt, steht in /v1/openapi.json"},
     {"there is no such RPC; {} has {}", "diesen RPC gibt es nicht; {} hat {}"},
@@ -143,7 +143,7 @@ void make_german(v1::Problem& problem) {
   problem.set_detail(german(problem.detail()));
   for (v1::FieldProblem& field : *problem.mutable_fields()) {
     const bool is_detail = problem.detail() == field.field() + " " + field.description();
-    // A sentence begins with its field.
+    // The sentence patterns begin with the field.
     const std::string begin = field.field() + ": ";
     const std::string sentence = german(begin + field.description());
     const bool is_known = sentence != begin + field.description() && sentence.starts_with(begin);

@@ -68,7 +68,7 @@ std::optional<v1::Problem> take_target(std::string_view target, std::string_view
     if (read->scheme != scheme)
       return problem(421, "SCHEME_NOT_SERVED", "This server is not the one that is meant",
                      "targets begin with " + std::string(scheme) + ":// here");
-    // It counts, whatever the header says.
+    // An absolute target names the host, whatever the header says.
     request.set_header("host", std::move(read->host));
   }
   request.path = std::move(read->path);

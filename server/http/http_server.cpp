@@ -30,7 +30,7 @@ namespace {
 namespace asio = boost::asio;
 using Tcp = asio::ip::tcp;
 
-// Connections that are looked at one after the other: how many, and which may go first.
+// Counts connections and finds the one that has waited longest.
 struct Waiting {
   void look_at(OpenConnection& connection) {
     ++count;
@@ -41,18 +41,18 @@ struct Waiting {
   }
 
   std::size_t count = 0;
-  OpenConnection* longest = nullptr;  // null: all are at work
+  OpenConnection* longest = nullptr;  // null: all are working
   OpenConnection::Clock::time_point since{};
 };
 
-// Where one may have all, that is no limit of its own.
+// No limit of its own if one client may have all the memory.
 std::size_t memory_of_peer(const Config& config) {
   const bool has_all = config.http_max_memory_per_peer_mib >= config.http_max_memory_mib;
   return has_all ? std::numeric_limits<std::size_t>::max()
                  : std::size_t{config.http_max_memory_per_peer_mib} << 20U;
 }
 
-// They move bytes; computing is done elsewhere.
+// These threads only move bytes; workers compute.
 constexpr unsigned thread_count = 2;
 
 std::string peer_of(const Tcp::socket& socket) {
@@ -80,13 +80,13 @@ struct HttpServer::Parts {
     for (unsigned i = 0; i < thread_count; ++i) threads.emplace_back([this] { run(); });
   }
 
-  // A connection for which there is no memory, or that fails, goes; the others stay.
+  // A connection that fails or finds no memory is dropped; the others stay.
   void run() {
     while (!io.stopped()) do_round([this] { serve_until_one_fails(); });
   }
   void serve_until_one_fails();
-  // Makes room for a connection of this client by the one that has waited longest for a request:
-  // of the client's own, when it has as many as it may have. False when all of them are at work.
+  // Makes room for a connection of this client by closing the one that has waited longest for a
+  // request, one of the client's own if the client has all it may have. False when all are working.
   bool make_room(const std::string& client, const std::string& peer);
   [[nodiscard]] bool any_works();
 
@@ -107,7 +107,7 @@ struct HttpServer::Parts {
   std::vector<std::thread> threads;
 };
 
-// What a handler throws must not end the process, on which the streams of gRPC depend.
+// An exception of a handler must not end the process, which also serves gRPC streams.
 void HttpServer::Parts::serve_until_one_fails() {
   try {
     io.run();
@@ -119,8 +119,8 @@ void HttpServer::Parts::serve_until_one_fails() {
 }
 
 bool HttpServer::Parts::make_room(const std::string& client, const std::string& peer) {
-  // Locked ones go after the mutex: a connection that ends does not come back here, but closing
-  // one takes its time.
+  // These pointers are released after the mutex: closing a connection takes time. A connection that
+  // ends does not call back here.
   std::vector<std::shared_ptr<OpenConnection>> alive;
   const std::lock_guard lock(mutex);
   Waiting of_all;
@@ -172,7 +172,7 @@ HttpServer::~HttpServer() {
       if (alive.back() != nullptr) alive.back()->close();
     }
   }
-  // What they have asked for ends now that nobody waits for it.
+  // The computations of these connections end; nobody waits for them any more.
   parts_->api.stop();
   parts_->work.reset();
   parts_->io.stop();
@@ -187,7 +187,7 @@ void HttpServer::take(Descriptor connection) {
     return;
   const int on = 1;
   ::setsockopt(connection.number(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
-  // Else the system keeps megabytes of an answer that nobody reads.
+  // Otherwise the system keeps megabytes of an answer that nobody reads.
   const int send_buffer = 256 << 10;
   ::setsockopt(connection.number(), SOL_SOCKET, SO_SNDBUF, &send_buffer, sizeof send_buffer);
   Tcp::socket socket(asio::make_strand(parts.io));

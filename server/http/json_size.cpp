@@ -6,7 +6,7 @@
 namespace trc::server::http {
 namespace {
 
-// More than any block has.
+// Upper bounds: no block has more.
 constexpr std::size_t most_objects_of_block = 8;
 constexpr std::size_t most_values_of_block = 64;
 
@@ -15,7 +15,7 @@ struct Size {
   std::size_t values = 0;
 };
 
-// Without looking whether the rest of it is JSON.
+// Does not check whether the text is valid JSON.
 Size size_of(std::string_view json) {
   Size size;
   bool is_text = false;

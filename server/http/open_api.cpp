@@ -21,7 +21,7 @@
 #include "trc/v1/path_item.pb.h"
 #include "trc/v1/trc_service.pb.h"
 
-// The OpenAPI document is made of what it describes: the routes, the settings and the messages.
+// The OpenAPI document is generated from the routes, the settings and the messages.
 namespace trc::server::http {
 namespace {
 
@@ -48,7 +48,7 @@ class Schemas {
  public:
   explicit Schemas(Struct& components) : all_(object(components, "schemas")) {}
 
-  // Refers to a message, which is described once.
+  // Refers to a message; each message is described once.
   void refer(const Descriptor& type, Struct& schema) {
     text(schema, "$ref", std::string(schemas) + type.name());
     if (!known_.insert(&type).second) return;
@@ -89,7 +89,7 @@ class Schemas {
         return text(schema, "type", "integer");
       case FieldDescriptor::CPPTYPE_INT64:
       case FieldDescriptor::CPPTYPE_UINT64:
-        // As JSON has no whole numbers of 64 bits.
+        // JSON has no 64-bit integers.
         text(schema, "type", "string");
         return text(schema, "format", "int64");
       default:
@@ -126,7 +126,7 @@ void number(Struct& owner, const std::string& name, double value) {
   if (std::isfinite(value)) (*owner.mutable_fields())[name].set_number_value(value);
 }
 
-// "direct (G138), indirect (G139)": the words alone. Empty: it is no choice of words.
+// "direct (G138), indirect (G139)": the words alone. Empty: the setting is no choice of words.
 std::vector<std::string> words_in(std::string_view values) {
   std::vector<std::string> words;
   while (!values.empty()) {
@@ -160,7 +160,7 @@ void add_kind(const wire::SettingMeaning& meaning, std::string_view values, Stru
   if (!initial.empty()) (*schema.mutable_fields())["default"] = fallback;
 }
 
-// What the page asks people comes from here: `x-values` in words, `x-meaning`, `x-unit`.
+// The page builds its form from these values: `x-values` in words, `x-meaning`, `x-unit`.
 void add_setting(Struct& operation, const wire::SettingMeaning& meaning, std::string_view values) {
   Struct& parameter = item(operation, "parameters");
   text(parameter, "name", meaning.key);
@@ -173,7 +173,7 @@ void add_setting(Struct& operation, const wire::SettingMeaning& meaning, std::st
   add_kind(meaning, values, object(parameter, "schema"));
 }
 
-// How the path is measured where `verify` is not given.
+// How the path is measured if `verify` is not given.
 std::string_view measured_by(const Route& route) {
   if (route.handle == make_view || route.handle == record_program) return "report";
   return route.handle == verify_program ? "enforce" : "off";
@@ -225,7 +225,7 @@ void add_body(const Route& route, Struct& operation, Schemas& known) {
       object(object(content, "application/json"), "schema"));
 }
 
-// What a route is called in generated clients, and what it answers.
+// The name of a route in generated clients, and the message it answers with.
 struct Operation {
   void (*handle)(Api& api, const ExchangePointer& exchange);
   std::string_view id;
@@ -266,7 +266,7 @@ void add_header(Struct& answer, const std::string& name, std::string_view meanin
   text(object(header, "schema"), "type", "string");
 }
 
-// Of answers that may begin before their end is known.
+// For answers that may begin before their end is known.
 void add_stream(Struct& answer) {
   text(answer, "description",
        "The answer; above 1 MiB it begins before its end is known, and is whole only where the "

@@ -12,7 +12,7 @@
 namespace trc::server::http {
 namespace {
 
-// Everything the page needs is in it; nothing else is loaded, and nothing inline is run.
+// The page holds everything it needs; it loads nothing else and runs nothing inline.
 constexpr const char* policy =
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; "
     "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";

@@ -18,22 +18,22 @@ namespace {
 
 constexpr const char* preview_path_rpc = "/trc.v1.TrcService/PreviewPath";
 constexpr const char* survey_radii_rpc = "/trc.v1.TrcService/SurveyRadii";
-// What an answer may hold at most, in messages.
+// The largest answer, in messages.
 constexpr std::size_t most_messages = 4;
 
-// Commands count: what is wrong with a path of them alone is told as of a program.
+// Commands count as blocks: a fault in a path of commands alone is reported like that of a program.
 template <class Message>
 bool has_blocks(const Message& path) {
   return path.has_columns() ? !path.columns().kinds().empty() : !path.batch().blocks().empty();
 }
 
-// What the RPC is asked, or which setting cannot be taken.
+// The messages for the RPC, or the setting that is refused.
 struct Asked {
   std::vector<grpc::ByteBuffer> messages{};
   std::string refused{};
 };
 
-// Has the body read by a worker, who makes of it what `ask` says, and asks the RPC.
+// Has a worker read the body, turns it into messages with `ask`, and calls the RPC.
 template <class Message, class Ask>
 void start(Api& api, const ExchangePointer& exchange, const char* rpc, Ask ask,
            std::shared_ptr<Format> format) {
@@ -89,7 +89,7 @@ void compensate(Api& api, const ExchangePointer& exchange, bool verify,
   start<v1::PreviewPathRequest>(api, exchange, preview_path_rpc, ask, std::move(format));
 }
 
-// The setup, and the path as the last batch.
+// The setup, then the path as the last batch.
 Asked survey_messages(v1::SurveyPathRequest& path) {
   v1::SurveyRadiiRequest setup;
   setup.mutable_setup()->Swap(path.mutable_setup());

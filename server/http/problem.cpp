@@ -19,7 +19,7 @@ using grpc::StatusCode;
 
 constexpr std::size_t longest_detail = 1000;
 
-// In words what the codes of gRPC stand for here.
+// What a gRPC code means here.
 struct Meaning {
   unsigned status;
   std::string_view title;
@@ -67,15 +67,15 @@ void set_reason(v1::Problem& problem, std::string_view reason) {
   problem.set_type("urn:trc:" + std::string(reason));
 }
 
-// Limits that a smaller request keeps; waiting does not help. Not what is too large on the machine:
-// WEAR_TOO_LARGE, INSIDE_CORNER_ANGLE_TOO_LARGE.
+// Limits that a smaller request would keep; waiting does not help. Limits of the machine are not
+// among them: WEAR_TOO_LARGE, INSIDE_CORNER_ANGLE_TOO_LARGE.
 bool is_about_size(std::string_view reason) {
   constexpr std::array sizes{"ANSWER_TOO_LARGE", "BATCH_TOO_LARGE", "COMPUTING_TEXT_TOO_LONG",
                              "NC_LINE_TOO_LONG", "SELECTION_TOO_LONG"};
   return std::find(sizes.begin(), sizes.end(), reason) != sizes.end();
 }
 
-// A limit that this request meets whenever it comes.
+// A limit that this request exceeds at any time.
 bool is_beyond_a_limit(const grpc::Status& status, const google::rpc::Status& rich) {
   bool may_come_again = false;
   for_each<google::rpc::RetryInfo>(rich, [&](const auto&) { may_come_again = true; });
@@ -102,7 +102,7 @@ v1::Problem problem_of(const grpc::Status& status) {
     }
     const bool is_too_large = !of_program && is_about_size(info.reason());
     if (is_too_large || is_beyond_a_limit(status, rich)) problem.set_status(413);
-    // Of a path there is one batch.
+    // A path is always one batch.
     if (info.reason() == "BATCH_TOO_LARGE")
       problem.set_detail("it has " + info.metadata().at("got") + " blocks, at most " +
                          info.metadata().at("max_blocks_per_batch") +

@@ -16,7 +16,7 @@ namespace {
 constexpr const char* compensate_program_rpc = "/trc.v1.TrcService/CompensateProgram";
 constexpr const char* survey_radii_rpc = "/trc.v1.TrcService/SurveyRadii";
 
-// The setup of a request; what is wrong with the request is answered.
+// Reads the setup of a request; false: it has a fault, which has been answered.
 bool read_setup(Exchange& exchange, const Pairs& query, v1::ProgramSetup& setup) {
   const auto refused = read_settings(query, exchange.request().header("accept-language"), setup);
   if (refused) answer_problem(exchange, *refused);
@@ -29,7 +29,7 @@ bool read_flag(const std::string& name, const std::string& value, bool& flag, st
   return fault.empty();
 }
 
-// What a survey asks besides the settings, which are left over.
+// Takes the parameters that only a survey has; returns the remaining settings.
 Pairs take_questions(const Pairs& query, v1::SurveySetup& setup, std::string& fault) {
   Pairs left;
   for (const auto& [name, value] : query) {

@@ -18,7 +18,7 @@ bool is_number(std::string_view text, Number& number) {
   return fault == std::errc() && end == text.data() + text.size();
 }
 
-// Empty: the value can be taken.
+// The fault of a value; empty: none.
 std::string fault_of(const Question& question, std::string_view value) {
   std::uint64_t count = 0;
   if (question.kind == Question::Kind::number && !is_number(value, count))
@@ -49,7 +49,7 @@ std::string fault_of(const Route& route, const std::string& name, std::string_vi
 
 std::optional<v1::Problem> refuse_query(const Route& route, const Pairs& query) {
   v1::Problem refused = problem(400, "QUERY_INVALID", "A query parameter cannot be taken", {});
-  // More than there are: what follows looks at each of them for each of them.
+  // More than there are settings. The code below compares every parameter with every other.
   constexpr std::size_t most_parameters = 256;
   if (query.size() > most_parameters) {
     refused.set_detail("there are " + std::to_string(query.size()) + " parameters, at most " +

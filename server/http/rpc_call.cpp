@@ -21,7 +21,7 @@ std::shared_ptr<RpcCall> RpcCall::start(const std::shared_ptr<grpc::Channel>& ch
     call->context_.set_deadline(std::chrono::system_clock::now() + *options.timeout);
   call->stub_ = std::make_unique<grpc::GenericStub>(channel);
   call->stub_->PrepareBidiStreamingCall(&call->context_, options.method, {}, call.get());
-  // Writes are started outside of reactions; released when reading has ended.
+  // The hold allows writes outside of reactions; it is released when reading has ended.
   call->AddHold();
   call->StartCall();
   return call;

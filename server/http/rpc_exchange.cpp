@@ -7,7 +7,7 @@
 namespace trc::server::http {
 namespace {
 
-// How much of an answer waits for its end.
+// The most bytes held back before the answer is sent while it is still computed.
 constexpr std::size_t most_held_bytes = 1U << 20U;
 
 }  // namespace
@@ -21,8 +21,8 @@ void RpcExchange::start(Api& api, ExchangePointer exchange, RpcCall::Options cal
         self->exchange_->post([self, status] { self->on_done(status); });
       });
   self->exchange_->when_gone([self] { self->give_up(); });
-  // In this order: within one process the only answer of a unary RPC is lost where nobody reads yet
-  // when its status comes.
+  // Reading starts first: within one process the only answer of a unary RPC is lost if its status
+  // arrives before a read has started.
   self->read();
   self->ask();
 }
@@ -49,7 +49,7 @@ void RpcExchange::read() {
 }
 
 void RpcExchange::on_answer(bool ok, const grpc::ByteBuffer& answer) {
-  // The status follows.
+  // The RPC has ended; its status follows.
   if (!ok) return;
   const auto work = [self = shared_from_this(), answer] { self->format(answer); };
   if (format_->computes())
@@ -82,7 +82,7 @@ void RpcExchange::pass_on() {
     exchange_->begin(std::move(head));
   }
   exchange_->write(std::exchange(held_, {}), [self = shared_from_this()](bool /*taken*/) {
-    // Also where the client has gone: reading is what ends the call.
+    // It reads on even if the client has gone: only reading ends the call.
     self->read();
   });
 }

@@ -55,13 +55,13 @@ std::string read_one(const std::string& name, const std::string& value, v1::Prog
   return {};
 }
 
-// Null: the message has no place for one.
+// Null: the message has no path setup.
 v1::PathSetup* path_setup_of(google::protobuf::Message& message) {
   if (auto* path = dynamic_cast<v1::PreviewPathRequest*>(&message)) return path->mutable_setup();
   if (auto* program = dynamic_cast<v1::CompensateProgramOnceRequest*>(&message))
     return program->mutable_setup()->mutable_path();
   auto* survey = dynamic_cast<v1::SurveyPathRequest*>(&message);
-  // One with a program is refused as it is.
+  // A survey with a program is refused elsewhere.
   if (survey == nullptr || survey->setup().has_program()) return nullptr;
   return survey->mutable_setup()->mutable_path();
 }

@@ -35,7 +35,7 @@ std::shared_ptr<ssl::context> context_of(const Certificate& certificate) {
   if (!certificate.client_authorities.empty()) {
     context->add_certificate_authority(boost::asio::buffer(certificate.client_authorities));
     context->set_verify_mode(ssl::verify_peer | ssl::verify_fail_if_no_peer_cert);
-    // Each is trusted as it stands, as gRPC has it: D-165.
+    // Every certificate in the file is trusted for itself, as gRPC does: D-165.
     X509_VERIFY_PARAM_set_flags(SSL_CTX_get0_param(native), X509_V_FLAG_PARTIAL_CHAIN);
   }
   return context;
@@ -61,7 +61,7 @@ std::vector<std::string> alternative_names(X509* certificate) {
     const ASN1_IA5STRING* text = name->d.ia5;
     std::string read(reinterpret_cast<const char*>(ASN1_STRING_get0_data(text)),
                      static_cast<std::size_t>(ASN1_STRING_length(text)));
-    // A URI that reads like a host's name is none.
+    // A URI that reads like a host name is not a host name.
     if (is_uri(read) == (name->type == GEN_URI)) result.push_back(std::move(read));
   }
   GENERAL_NAMES_free(names);
@@ -78,8 +78,8 @@ std::shared_ptr<ssl::context> Tls::context() {
     context_ = context_of(*certificate);
     version_ = certificate->version;
   } catch (const boost::system::system_error&) {
-    // Loading has checked that the files belong together; what is left is a fault of the chain's
-    // further certificates. The context before it stays in use.
+    // Loading has checked that the files belong together; the fault is in a further certificate of
+    // the chain. The previous context stays in use.
   }
   return context_;
 }

@@ -13,7 +13,7 @@ int digit_of(char c) {
   return -1;
 }
 
-// In a query a plus sign is a blank.
+// In a query a plus sign means a blank.
 std::optional<std::string> decoded(std::string_view text, bool plus_is_blank) {
   std::string result;
   result.reserve(text.size());
@@ -33,7 +33,7 @@ std::optional<std::string> decoded(std::string_view text, bool plus_is_blank) {
   return result;
 }
 
-// Host and port, as in [::1]:8080. Names of users have no place in a request.
+// Host and port, such as [::1]:8080. A user name is not allowed in a request.
 bool is_authority(std::string_view text) {
   std::string_view port;
   if (text.starts_with('[')) {
@@ -51,7 +51,7 @@ bool is_authority(std::string_view text) {
          text.find_first_of("@\\") == std::string_view::npos;
 }
 
-// Takes scheme and host from an absolute target, so that its path is left; false: it is none.
+// Takes scheme and host from an absolute target and leaves its path; false: the target has none.
 bool take_origin(std::string_view& target, Target& read) {
   constexpr std::string_view mark = "://";
   const std::size_t end = target.find(mark);
@@ -72,7 +72,7 @@ std::optional<Target> read_target(std::string_view method, std::string_view targ
   Target read;
   const bool is_whole = !target.starts_with('/') && target != "*";
   if (is_whole && !take_origin(target, read)) return std::nullopt;
-  // What has no path means the root, and of OPTIONS the server.
+  // An absolute target without a path means the root, or for OPTIONS the whole server.
   if (target.empty()) target = method == "OPTIONS" ? "*" : "/";
   if (target == "*" && method != "OPTIONS") return std::nullopt;
   const std::size_t mark = target.find('?');

@@ -32,8 +32,8 @@ v1::Problem no_view() {
                  "views are given up when there are too many or after a while; make a new one");
 }
 
-// Makes a view of the answers of CompensateProgram. A program that is refused becomes one too: it
-// is looked at all the more.
+// Makes a view from the answers of CompensateProgram. A refused program becomes a view as well: its
+// user looks at it all the more.
 class ViewFormat final : public Format, public std::enable_shared_from_this<ViewFormat> {
  public:
   ViewFormat(Api& api, std::shared_ptr<ViewBuilder> builder, std::shared_ptr<ViewTap> tap)
@@ -62,7 +62,7 @@ class ViewFormat final : public Format, public std::enable_shared_from_this<View
   }
 
   void refuse(const ExchangePointer& exchange, const grpc::Status& status) override {
-    // Then its stream was ended for that.
+    // The stream was ended because the view found no memory.
     if (!builder_->has_memory()) return answer_problem(*exchange, no_memory());
     const v1::Problem problem = problem_of(status);
     constexpr unsigned refused_program = 422;
@@ -96,7 +96,7 @@ class ViewFormat final : public Format, public std::enable_shared_from_this<View
   std::string said_;
 };
 
-// The view a path names, which is asked for by that.
+// The view that a path names; asking for it extends its life.
 std::shared_ptr<View> view_of(Api& api, const Request& request) {
   constexpr std::string_view before = "/v1/views/";
   const std::string_view rest = std::string_view(request.path).substr(before.size());
@@ -116,7 +116,7 @@ std::uint64_t number_in(const Pairs& query, std::string_view name, std::uint64_t
   return otherwise;
 }
 
-// Has something said of the view that the path names. `make` computes, `Message` is what it gives.
+// Answers with the message that a worker makes from the view with `make`.
 template <class Make>
 void answer_of_view(Api& api, const ExchangePointer& exchange, const Make& make) {
   const auto view = view_of(api, exchange->request());
@@ -129,7 +129,7 @@ void answer_of_view(Api& api, const ExchangePointer& exchange, const Make& make)
   });
 }
 
-// Once, and no longer than somebody may ask for it.
+// Makes the compensated text, once, and stops when nobody can ask for it any more.
 void make_output_of(Api& api, const std::shared_ptr<View>& view) {
   if (view->said().refused() || !view->begin_output()) return;
   struct Abandoned {};
@@ -144,7 +144,7 @@ void make_output_of(Api& api, const std::shared_ptr<View>& view) {
   });
 }
 
-// The tile a path …/tiles/LEVEL/X/Y names; none: there is no such tile.
+// The tile of a path …/tiles/LEVEL/X/Y; none: no such tile.
 std::optional<TileName> tile_named(std::string_view path) {
   std::array<std::uint64_t, 3> numbers{};
   for (std::size_t i = numbers.size(); i-- > 0;) {
@@ -171,7 +171,7 @@ void start_view(Api& api, const ExchangePointer& exchange, AskedView& asked) {
   const Api::Stay stay(api);
   if (api.stopping()) return exchange->break_off();
   const auto text = asked.program.text;
-  // Older views give way to a new one.
+  // Older views are given up for a new one.
   auto builder = std::make_shared<ViewBuilder>(std::move(asked.program), api.memory(),
                                                [&api] { return api.views().give_up_one(); });
   if (asked.measured_later) builder->measure_later();
@@ -187,7 +187,7 @@ void start_view(Api& api, const ExchangePointer& exchange, AskedView& asked) {
       std::make_shared<ViewFormat>(api, std::move(builder), std::move(tap)));
 }
 
-// Takes from the query which plane is shown; false: it is none.
+// Takes the shown plane from the query; false: the value is no plane.
 bool take_plane(Pairs& query, std::optional<Plane>& plane) {
   const auto asked = std::ranges::find(query, "shown_plane", &Pairs::value_type::first);
   if (asked == query.end()) return true;
@@ -213,7 +213,7 @@ void make_view(Api& api, const ExchangePointer& exchange) {
   if (const auto refused =
           read_settings(query, exchange->request().header("accept-language"), setup))
     return answer_problem(*exchange, *refused);
-  // Measuring takes longer than all else.
+  // Measuring takes longer than everything else.
   constexpr std::size_t large_bytes = 1U << 20U;
   const bool measured_later =
       exchange->request().body.size() > large_bytes &&
@@ -259,7 +259,7 @@ void view_tile(Api& api, const ExchangePointer& exchange) {
   if (!tile)
     return answer_problem(*exchange, problem(404, "TILE_OUTSIDE", "There is no such tile",
                                              "levels and tiles are counted from 0"));
-  // So that somebody with a large screen and many tiles asks for less of each.
+  // A client with a large screen and many tiles can ask for fewer segments per tile.
   constexpr std::uint64_t usual = 2048;
   const auto segments = static_cast<std::size_t>(std::clamp<std::uint64_t>(
       number_in(exchange->request().query, "segments", usual), 256, 16'384));

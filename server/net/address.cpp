@@ -26,7 +26,7 @@ bool is_local_address(const std::string& address) {
   if (address.starts_with(unix_prefix)) return true;
   const auto parts = split_host_port(address);
   if (!parts) return false;
-  // A host name may begin with 127 too.
+  // A host name may also begin with 127.
   const bool numeric = parts->host.find_first_not_of("0123456789.") == std::string::npos;
   return parts->host == "localhost" || parts->host == "::1" ||
          (numeric && parts->host.starts_with("127."));

@@ -20,7 +20,7 @@
 namespace trc::server {
 namespace {
 
-// All certificates of a file, in its order; a block that is none is a fault.
+// All certificates of a file, in order; a block that is no certificate is a fault.
 struct Chain {
   std::vector<X509Pointer> certificates{};
   std::string fault{};
@@ -43,7 +43,7 @@ Chain certificates_in(const std::string& setting, const std::string& path, const
   return chain;
 }
 
-// That each certificate is signed by the one behind it, as clients are to follow them.
+// Checks that each certificate is signed by the next one, because clients follow this order.
 std::string fault_of_order(const std::string& path, const Chain& chain) {
   for (std::size_t i = 0; i + 1 < chain.certificates.size(); ++i) {
     X509* const authority = chain.certificates[i + 1].get();
@@ -63,7 +63,7 @@ std::int64_t seconds_of(const ASN1_TIME* time) {
   return ASN1_TIME_to_tm(time, &parts) == 1 ? static_cast<std::int64_t>(timegm(&parts)) : 0;
 }
 
-// The days on which the whole chain is good.
+// The time in which the whole chain is valid.
 void read_dates(const Chain& chain, Certificate& read) {
   read.begins_s = std::numeric_limits<std::int64_t>::min();
   read.expires_s = std::numeric_limits<std::int64_t>::max();
@@ -73,7 +73,8 @@ void read_dates(const Chain& chain, Certificate& read) {
   }
 }
 
-// Of two that overlap one may have expired: with each client the dates of its own are looked at.
+// One of two overlapping authorities may have expired: each client is checked against the dates of
+// its own authority.
 std::string fault_of_authorities(const Certificates::Files& files, const Certificate& read) {
   const Chain chain =
       certificates_in("tls-client-ca-file", files.client_authorities, read.client_authorities);
@@ -116,8 +117,8 @@ std::string day_of(std::int64_t seconds) {
   return text.data();
 }
 
-// A certificate beyond its dates never takes the place of a good one. At the start, where there is
-// none yet, one that is not good yet is taken: the clock of a machine may be set later.
+// An expired certificate is refused. One that is not valid yet never replaces a good one; without a
+// good one it is taken: the clock of the machine may be set later.
 std::string fault_of_dates(const Certificates::Files& files, const Certificate& read,
                            const Certificate* before, std::int64_t now_s) {
   const std::string which = "tls-cert-file: '" + files.chain + "' ";
@@ -129,7 +130,7 @@ std::string fault_of_dates(const Certificates::Files& files, const Certificate& 
   return {};
 }
 
-// What keeps a file from being read, of the first one that is not.
+// Reads the files; returns the fault of the first one that cannot be read.
 std::string read_files(const Certificates::Files& files, Certificate& read) {
   std::string fault;
   const auto take = [&](const char* setting, const std::string& path, std::string& content) {

@@ -23,23 +23,23 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::seconds window{10};
-// A connection on which no more than this has come besides messages since gRPC was asked about it
-// has not begun many streams: each takes a head of some fifteen bytes at least.
+// A connection that has received no more than this besides messages since gRPC was last asked about
+// it has not begun many streams: each needs a head of at least some fifteen bytes.
 constexpr double idle_bytes = 2 << 10;
-// Until the calls of a connection that was shut down are gone.
+// Time until the calls of a connection that was shut down have ended.
 constexpr std::chrono::seconds clearing{5};
-// Frames and records of TLS around small messages.
+// Allows for frames and TLS records around small messages.
 constexpr double bytes_for_a_byte = 1.5;
-// What a call, a message, and a second of pings and windows take besides.
+// Further bytes of a call, of a message, and of a second of pings and window updates.
 constexpr double bytes_of_call = 1024;
 constexpr double bytes_of_message = 64;
 constexpr double bytes_of_second = 64 << 10;
-// Measured: 17 KiB of a stream that is only there, 46 KiB with an answer of GetServerInfo.
+// Measured: 17 KiB for an idle stream, 46 KiB with an answer of GetServerInfo.
 constexpr std::uint64_t bytes_of_open_stream = 36U << 10U;
-// A connection of which less is unfinished is not what fills the buffers.
+// A connection with fewer unfinished bytes is not the one that fills the buffers.
 constexpr double least_to_close = 1 << 20;
 
-// The number the kernel gives this socket and no other; none when the descriptor is no socket.
+// The kernel's unique number of this socket; none: the descriptor is no socket.
 std::optional<std::uint64_t> cookie_of(int descriptor) {
   std::uint64_t cookie = 0;
   socklen_t size = sizeof(cookie);
@@ -62,8 +62,8 @@ std::string name_of(const char* kind, const void* address, int family, in_port_t
          std::to_string(ntohs(port));
 }
 
-// As gRPC names it; empty when it is not one of TCP. A local IPv6 address with a zone is not known
-// by this name, and not watched.
+// The peer as gRPC names it; empty: no TCP socket. A local IPv6 address with a zone does not have
+// this name and is not watched.
 std::string peer_name(int descriptor) {
   sockaddr_storage peer{};
   socklen_t size = sizeof(peer);
@@ -117,9 +117,9 @@ class Connections::Connection {
   }
   [[nodiscard]] bool is_shut() const { return shut_; }
   [[nodiscard]] const std::string& address() const { return address_; }
-  // That gRPC held when it was asked last.
+  // Streams that gRPC held when it was last asked.
   [[nodiscard]] std::uint64_t alive() const { return alive_; }
-  // Bytes of messages that have not come to their end.
+  // Bytes of messages that are not complete yet.
   [[nodiscard]] double unfinished() const { return unfinished_; }
 
   void call_ended(bool early) {
@@ -133,11 +133,11 @@ class Connections::Connection {
     ++ended_;
     ++calls_ended_;
     if (early) ++early_;
-    // A client that cancels one call in ten does nothing amiss, however many it makes.
+    // A client that cancels fewer than half of its calls is harmless, however many it makes.
     if (early_ > all_.limits_.early_cancels && 2 * early_ > ended_) close(Reason::early_cancels);
   }
 
-  // Bytes that came beyond those of messages, over what is allowed by now. True where streams may
+  // Checks the bytes beyond those of messages against the present allowance. True if streams may
   // have begun.
   bool look(Clock::time_point now, TransportCounts& counts) {
     if (use_ == Use::http) return false;
@@ -155,8 +155,8 @@ class Connections::Connection {
     if (all_.closed_) all_.closed_(peer_, reason);
   }
 
-  // Streams that came and were not ended by the server: those its client has reset, and the few
-  // that are open.
+  // Counts streams that began but were not ended by the server: streams that the client has reset,
+  // and the few open ones.
   void look_at_streams(Clock::time_point now, TransportCounts& counts) {
     const auto number = counts.number_of(peer_);
     const auto streams = number ? TransportCounts::streams_of(*number) : std::nullopt;
@@ -172,7 +172,7 @@ class Connections::Connection {
     const std::uint64_t open = all_.limits_.calls;
     if (started > succeeded + open + all_.limits_.early_cancels && started > 2 * succeeded)
       close(Reason::early_cancels);
-    // Also those nobody has been told of, or that gRPC serves by itself.
+    // These include streams that were never reported to the server or that gRPC serves itself.
     if (alive_ > open) close(Reason::calls);
   }
 
@@ -198,8 +198,8 @@ class Connections::Connection {
     unasked_ += std::max(more - bytes_for_a_byte * carried, 0.0);
   }
 
-  // gRPC reads a connection that was shut down to its end, and a flood leaves megabytes behind. In
-  // the thread that accepts, so that no other connection has got the descriptor meanwhile.
+  // gRPC reads a connection that was shut down to its end, and a flood leaves megabytes behind.
+  // Runs in the thread that accepts, so that no new connection has taken over the descriptor.
   void discard() const {
     constexpr std::size_t all = std::size_t{1} << 30U;
     while (is_there() && recv(descriptor_, nullptr, all, MSG_DONTWAIT | MSG_TRUNC) > 0) {
@@ -223,7 +223,7 @@ class Connections::Connection {
   std::uint64_t ended_ = 0;
   std::uint64_t early_ = 0;
 
-  // Of the thread that looks alone.
+  // Used only by the thread that calls look().
   Clock::time_point looked_at_ = Clock::now();
   std::uint64_t received_ = 0;
   double overhead_ = 0;
@@ -322,7 +322,7 @@ bool Connections::look() {
   return has_begun;
 }
 
-// An address is a client, or a proxy that gives each of its own connections of their own.
+// An address is a client, or a proxy that opens one connection per client.
 void Connections::close_most_streams(std::vector<std::shared_ptr<Connection>> here,
                                      Clock::time_point now) {
   std::erase_if(here, [](const auto& one) { return one->is_shut() || one->alive() == 0; });
@@ -333,7 +333,7 @@ void Connections::close_most_streams(std::vector<std::shared_ptr<Connection>> he
   const std::uint64_t most =
       std::max(limits_.unfinished / bytes_of_open_stream, std::uint64_t{2} * limits_.calls);
   if (alive() <= most) return;
-  // Many may have ended since gRPC was asked.
+  // Many streams may have ended since gRPC was last asked.
   for (const auto& connection : here) connection->look_at_streams(now, counts_);
   std::uint64_t sum = alive();
   std::unordered_map<std::string_view, std::uint64_t> of_addresses;
@@ -348,8 +348,8 @@ void Connections::close_most_streams(std::vector<std::shared_ptr<Connection>> he
   }
 }
 
-// gRPC takes a message of any size in before it looks at it, and where its buffers are full it ends
-// the stream of anybody.
+// gRPC reads a message of any size before it checks the size; when its buffers are full it ends a
+// stream of any client.
 void Connections::close_heaviest(std::vector<std::shared_ptr<Connection>> here) {
   std::erase_if(here, [](const auto& connection) { return connection->is_shut(); });
   double sum = 0;
@@ -364,8 +364,8 @@ void Connections::close_heaviest(std::vector<std::shared_ptr<Connection>> here) 
   }
 }
 
-// gRPC hands over calls more slowly than it reads them, so what a flood has taken becomes free long
-// after.
+// gRPC hands calls over more slowly than it reads them, so memory of a flood becomes free much
+// later.
 void Connections::give_back_memory(Clock::time_point now) {
   if (has_shut_.exchange(false)) gives_back_at_ = now + clearing;
   if (gives_back_at_ == Clock::time_point() || now < gives_back_at_) return;

@@ -9,8 +9,8 @@
 namespace trc::server {
 namespace {
 
-// gRPC's C++ classes read certificates once, or watch files and take whatever they hold. Only its
-// C interface asks at every handshake.
+// The C++ classes of gRPC read certificates once, or watch files and take any content. Only its C
+// interface asks at every handshake.
 class CurrentCertificate final : public grpc::ServerCredentials {
  public:
   explicit CurrentCertificate(std::shared_ptr<const Certificates> certificates)
@@ -31,7 +31,7 @@ class CurrentCertificate final : public grpc::ServerCredentials {
     return grpc_server_add_http2_port(server, address.c_str(), credentials_);
   }
 
-  // Called under a lock of the listening address.
+  // gRPC calls this with a lock of the listening address held.
   static grpc_ssl_certificate_config_reload_status fetch(
       void* self, grpc_ssl_server_certificate_config** config) {
     auto& credentials = *static_cast<CurrentCertificate*>(self);
@@ -40,7 +40,7 @@ class CurrentCertificate final : public grpc::ServerCredentials {
       return GRPC_SSL_CERTIFICATE_CONFIG_RELOAD_UNCHANGED;
     const grpc_ssl_pem_key_cert_pair pair{.private_key = current->key.c_str(),
                                           .cert_chain = current->chain.c_str()};
-    // gRPC insists on authorities, also where it asks for no certificate.
+    // gRPC needs authorities even if it asks for no client certificate.
     const std::string& authorities =
         current->client_authorities.empty() ? current->chain : current->client_authorities;
     *config = grpc_ssl_server_certificate_config_create(authorities.c_str(), &pair, 1);

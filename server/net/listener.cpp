@@ -26,15 +26,15 @@ namespace trc::server {
 namespace {
 
 constexpr int backlog = 1024;
-// How many descriptors connections leave to the rest of the process, at most an eighth of all.
-// Those that ask for its health may take half of them.
+// Descriptors that connections leave to the rest of the process, at most an eighth of all.
+// Connections to the health port may use half of them.
 constexpr int kept_descriptors = 32;
-// Each may have streams that ask for nothing but health, of some kilobytes each.
+// Each connection may have streams that only ask for health and take a few kilobytes each.
 constexpr std::size_t usual_of_one_peer = 1024;
-// What comes between two looks at the connections is not bounded.
+// Nothing limits what arrives between two looks at the connections.
 constexpr int round_ms = 50;
 constexpr int busy_round_ms = 10;
-// Without descriptors: until the next attempt. What waits in the backlog is served then.
+// The wait for the next attempt when no descriptor is left; the backlog is served then.
 constexpr int exhausted_ms = 50;
 
 std::int64_t now_ns() {
@@ -50,7 +50,7 @@ std::string refused(const std::string& address, int why) {
   return refused(address, std::strerror(why));
 }
 
-// Somebody who answers at a socket file is a fault; a file nobody listens at is left over from a
+// If somebody answers at a socket file, that is a fault; otherwise the file is left over from a
 // server that was killed.
 bool somebody_listens_at(const sockaddr_un& address) {
   const Descriptor probe(socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
@@ -69,7 +69,7 @@ Socket listening(int family, const sockaddr* address, socklen_t length) {
   const int number = result.descriptor.number();
   const int on = 1;
   if (number >= 0 && family != AF_UNIX) {
-    // After a restart, and without a delay for small messages; connections inherit it.
+    // Allows a restart, and small messages without delay; connections inherit both.
     setsockopt(number, SOL_SOCKET, SO_REUSEADDR, &on, sizeof(on));
     setsockopt(number, IPPROTO_TCP, TCP_NODELAY, &on, sizeof(on));
     if (family == AF_INET6) setsockopt(number, IPPROTO_IPV6, IPV6_V6ONLY, &on, sizeof(on));
@@ -131,7 +131,7 @@ Listener::Opened Listener::open_path(const std::string& address) {
   }
   struct stat there {};
   if (lstat(path.c_str(), &there) == 0) {
-    // A file that holds somebody's work is not taken away for a misspelt address.
+    // A misspelt address must not delete somebody's file.
     if (!S_ISSOCK(there.st_mode)) {
       opened.fault = refused(address, "there is a file which is no socket");
       return opened;
@@ -169,8 +169,8 @@ Listener::Opened Listener::open_port(const std::string& address) {
   for (const addrinfo* one = found; one != nullptr; one = one->ai_next) {
     Socket made = listening(one->ai_family, one->ai_addr, one->ai_addrlen);
     if (!made.descriptor.valid()) {
-      // A name may stand for an address of a family this machine has switched off; one that is
-      // taken must not go unnoticed.
+      // A name may have an address of a family that is switched off on this machine. An address in
+      // use must not go unnoticed.
       why = made.why;
       if (why == EADDRINUSE) break;
       continue;
@@ -179,7 +179,7 @@ Listener::Opened Listener::open_port(const std::string& address) {
     listener.socket_ = std::move(made.descriptor);
     listener.port_ = port_of(listener.socket_.number());
     opened.listeners.push_back(std::move(listener));
-    // With port 0 each address would get one of its own.
+    // With port 0 each address would get a port of its own.
     if (parts->port == 0) return opened;
   }
   if (why == EADDRINUSE || opened.listeners.empty()) {
@@ -190,7 +190,7 @@ Listener::Opened Listener::open_port(const std::string& address) {
 }
 
 Listener::~Listener() {
-  // Another server may have put its own in the place of one that somebody has taken away.
+  // If the file was removed, another server may have put its own in its place.
   struct stat there {};
   if (socket_.valid() && !file_.empty() && lstat(file_.c_str(), &there) == 0 &&
       there.st_ino == file_number_)
@@ -247,7 +247,8 @@ void Acceptor::run() {
       looked_at_ns = last_round_ns_;
       until_next_ms = look_after_connections() ? busy_round_ms : round_ms;
     }
-    // What could not be accepted would wake this thread at once: only the stop is waited for.
+    // A connection that cannot be accepted would wake this thread at once, so it only waits for the
+    // stop.
     const auto watched = exhausted ? 1 : static_cast<nfds_t>(waits.size());
     const int ready = poll(waits.data(), watched, exhausted ? exhausted_ms : until_next_ms);
     if (ready < 0 && errno != EINTR) return;
@@ -256,7 +257,7 @@ void Acceptor::run() {
     try {
       for (const Door& door : doors_) exhausted = !accept_from(door) || exhausted;
     } catch (const std::bad_alloc&) {
-      exhausted = true;  // as without descriptors: later there may be some
+      exhausted = true;  // memory may be free later, as descriptors may
     }
   }
 }
@@ -272,7 +273,8 @@ bool Acceptor::accept_from(const Door& door) {
     Descriptor connection(
         accept4(door.listener.socket(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK));
     if (connection.valid()) {
-      // Numbers are given from below, so the number tells how many there are.
+      // The system gives the lowest free number, so the number shows how many descriptors are in
+      // use.
       if (connection.number() > door.last_usable) {
         ++refused_;
         continue;
@@ -282,7 +284,7 @@ bool Acceptor::accept_from(const Door& door) {
       door.take(std::move(connection));
       continue;
     }
-    // The peer has gone, or a signal has come.
+    // The peer has gone, or a signal has arrived.
     if (errno == ECONNABORTED || errno == EINTR) continue;
     return errno == EAGAIN;
   }

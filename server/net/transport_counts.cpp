@@ -11,7 +11,7 @@
 namespace trc::server {
 namespace {
 
-// The JSON gRPC answers with is its own: names of machines and numbers, no text from outside.
+// gRPC writes this JSON itself: names of machines and numbers, no text from outside.
 class Text {
  public:
   explicit Text(char* text) : text_(text, &gpr_free) {}
@@ -23,7 +23,7 @@ class Text {
   std::unique_ptr<char, decltype(&gpr_free)> text_;
 };
 
-// What stands between the quotes behind `"name":`, from `at` on, which goes behind it. Empty when
+// The text in quotes after `"name":`, searched from `at` on; `at` then lies at its end. Empty:
 // there is no more.
 std::string_view next(std::string_view text, std::string_view name, std::size_t& at) {
   const std::string key = '"' + std::string(name) + "\":\"";
@@ -82,7 +82,7 @@ void TransportCounts::read_numbers() {
 std::optional<TransportCounts::Streams> TransportCounts::streams_of(std::int64_t number) {
   const Text socket(grpc_channelz_get_socket(number));
   if (socket.view().empty()) return std::nullopt;
-  // What ends while it is counted must not seem to have ended before it began.
+  // A stream that ends during the count must not seem to have ended before it began.
   Streams streams{.started = count_in(socket.view(), "streamsStarted"),
                   .succeeded = count_in(socket.view(), "streamsSucceeded"),
                   .failed = count_in(socket.view(), "streamsFailed")};

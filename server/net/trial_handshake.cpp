@@ -22,7 +22,7 @@ namespace {
 using Context = std::unique_ptr<SSL_CTX, Free<SSL_CTX_free>>;
 using Connection = std::unique_ptr<SSL, Free<SSL_free>>;
 
-// OpenSSL's "certificate verify failed" does not say what is wrong with the certificate.
+// The message "certificate verify failed" of OpenSSL does not name the fault of the certificate.
 std::string fault_of_client(const SSL* client, const std::string& otherwise) {
   const auto result = SSL_get_verify_result(client);
   return result == X509_V_OK ? otherwise : X509_verify_cert_error_string(result);
@@ -58,14 +58,14 @@ bool take(SSL_CTX& context, const std::string& chain, const std::string& key) {
   return secret != nullptr && SSL_CTX_use_PrivateKey(&context, secret.get()) == 1;
 }
 
-// A client that trusts the end of the chain and looks at all else as every client does: what the
-// certificates are for, and how strong they are. Dates have messages of their own.
+// Makes the client trust the end of the chain. It checks everything else as any client does: the
+// purpose and the strength of the certificates. Dates have messages of their own.
 bool trust_end_of(const std::string& chain, SSL_CTX& client) {
   const BioPointer certificates = pem_reader(chain);
   X509Pointer end;
   while (X509Pointer next{PEM_read_bio_X509(certificates.get(), nullptr, nullptr, nullptr)})
     end = std::move(next);
-  ERR_clear_error();  // the end of the file is one
+  ERR_clear_error();  // reading past the last certificate sets an error
   X509_STORE* const trusted = SSL_CTX_get_cert_store(&client);
   X509_VERIFY_PARAM_set_flags(SSL_CTX_get0_param(&client),
                               X509_V_FLAG_PARTIAL_CHAIN | X509_V_FLAG_NO_CHECK_TIME);
@@ -77,7 +77,7 @@ bool waits(const SSL* connection, int result) {
   return result == 1 || SSL_get_error(connection, result) == SSL_ERROR_WANT_READ;
 }
 
-// The bits that OpenSSL asks of keys at its level of security, which is that of the system.
+// The fewest bits that OpenSSL accepts for keys at the system's level of security.
 int least_security_bits() {
   constexpr std::array<int, 6> bits_of_level{0, 80, 112, 128, 192, 256};
   const Context context = context_as_of_grpc();
@@ -94,7 +94,7 @@ std::string fault_of_authority(X509& authority) {
     return "has a key that is too weak (" + std::to_string(EVP_PKEY_get_bits(key)) + " bits)";
   constexpr int as_authority = 1;
   constexpr int as_client = 0;
-  // A client may also show the very certificate that is trusted: D-165.
+  // A client may also present the trusted certificate itself: D-165.
   if (X509_check_purpose(&authority, X509_PURPOSE_SSL_CLIENT, as_authority) == 0 &&
       X509_check_purpose(&authority, X509_PURPOSE_SSL_CLIENT, as_client) == 0)
     return "is not meant to vouch for clients (keyUsage, extendedKeyUsage)";

@@ -15,21 +15,21 @@
 namespace trc::server {
 namespace {
 
-// Room for the stacks of some threads, of 8 MiB each; less where there is no room for it.
+// Room for the stacks of a few threads, 8 MiB each; less if there is not enough room.
 constexpr std::size_t most_bytes = 64U << 20U;
 constexpr std::size_t least_bytes = 8U << 20U;
-// What a turn may take while the reserve is not whole: strings, and messages about what went wrong.
+// The most that a turn may take while the reserve is not whole: strings and error messages.
 constexpr std::size_t trifle_bytes = 4U << 10U;
 
-// Room that nobody writes to.
+// Reserved memory that is never written to.
 class Room {
  public:
-  // Pages of the system, of use for stacks as well.
+  // Pages of the system, which stacks can use as well.
   static Room of_pages(std::size_t bytes) {
     void* memory = mmap(nullptr, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     return memory == MAP_FAILED ? Room() : Room(memory, bytes);
   }
-  // What the heap has free. A small piece at its end keeps it from giving that back, all of its
+  // Free memory of the heap. A small block at the end of the heap can keep it from giving back any
   // address space.
   static Room of_heap(std::size_t bytes) { return {std::malloc(bytes), 0}; }
 
@@ -52,7 +52,7 @@ class Room {
 };
 
 Room take_room() {
-  // Where there is none, nobody is asked for it.
+  // In a turn an allocation fails at once if there is no room.
   const HeapReserve::Turn turn;
   for (const auto take : {&Room::of_pages, &Room::of_heap}) {
     for (std::size_t bytes = most_bytes; bytes >= least_bytes; bytes /= 2) {
@@ -74,8 +74,8 @@ bool is_whole() {
   return reserve.is_there();
 }
 
-// A thread of gRPC or of the log would end the process. Streams are about to end and to give back
-// what they hold (MemoryWatch), so it waits for that. False where that takes too long.
+// Without memory a thread of gRPC or of the log would end the process. Streams are about to end and
+// to free their memory (MemoryWatch), so the thread waits. False after too long a wait.
 bool wait_for_memory() {
   using Clock = std::chrono::steady_clock;
   constexpr auto step = std::chrono::milliseconds(5);
@@ -93,7 +93,7 @@ bool wait_for_memory() {
 }  // namespace
 
 void HeapReserve::install() {
-  // What make_room uses has to be there before.
+  // Creates the statics that make_room uses.
   PagePiece::give_back_spare();
   installed = true;
   refill();
@@ -119,7 +119,7 @@ bool HeapReserve::make_room() noexcept {
 
 bool HeapReserve::refill() noexcept {
   if (!installed || is_whole()) return true;
-  // Not under the lock: a heap that is empty asks for what is reserved.
+  // Outside the lock: an empty heap asks for the reserve.
   Room room = take_room();
   const std::lock_guard lock(mutex);
   if (!room.is_there()) return !used;

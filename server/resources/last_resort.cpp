@@ -1,7 +1,7 @@
-// What gRPC asks the system for, in trcd. Where malloc gives nothing gRPC 1.51 aborts or writes to
-// address 0 (its read buffers), and where a thread cannot be made, what waits for it waits for
-// ever. So these calls, of all libraries, ask again when there is room, and the reserve for
-// threads.
+// Replaces the calls with which gRPC asks the system for memory and threads, in trcd. If malloc
+// fails, gRPC 1.51 aborts or writes to address 0 (its read buffers); if a thread cannot be made,
+// its work waits for ever. So these calls, for all libraries, try again when there is room, and use
+// the reserve of threads.
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 
@@ -20,8 +20,8 @@ using trc::server::ThreadReserve;
 
 namespace {
 
-// Where there is room, it is the number of threads that is limited: waiting would not help, and
-// hold up whoever else the thread that waits works for.
+// If there is room for a stack, the number of threads is the limit. Waiting would not help, and
+// would hold up everybody the waiting thread works for.
 bool has_room_for_stack() {
   constexpr std::size_t usual_bytes = 9U << 20U;
   void* const stack = mmap(nullptr, usual_bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
@@ -34,7 +34,7 @@ bool has_room_for_stack() {
 
 extern "C" {
 
-// The heap of glibc under its other names.
+// The heap functions of glibc under their other names.
 void* __libc_malloc(std::size_t bytes);
 void* __libc_calloc(std::size_t count, std::size_t bytes);
 void* __libc_realloc(void* memory, std::size_t bytes);

@@ -8,24 +8,24 @@ namespace trc::server {
 namespace {
 
 constexpr std::uint64_t mib = 1U << 20U;
-// The program itself, its threads, and gRPC without a stream.
+// The program itself, its threads, and gRPC without streams.
 constexpr std::uint64_t base_mib = 64;
-// One stream, and a quarter for the program, fit into no less.
+// The least that holds one stream, with a quarter for the program.
 constexpr std::uint64_t least_mib = 16;
 constexpr std::uint64_t usual_session_mib = 1024;
 constexpr std::uint64_t usual_streams = 1000;
 constexpr std::uint64_t usual_http_mib = 512;
-// An answer is at most so large (Answers).
+// The largest answer (Answers).
 constexpr std::uint64_t answer_bytes = 192U << 10U;
 
-// One message on its way in and one on its way out.
+// One incoming and one outgoing message.
 std::uint64_t buffer_of_stream(const Config& config) {
   return config.max_message_bytes + std::min<std::uint64_t>(answer_bytes, config.max_message_bytes);
 }
 
 std::uint64_t in_mib(std::uint64_t bytes) { return (bytes + mib - 1) / mib; }
 
-// What a single peer may have where nothing is said: never all.
+// The default for a single peer: never everything.
 template <class Number>
 Number most_of(Number all) {
   return std::max<Number>(1, all - all / 4);
@@ -45,16 +45,16 @@ std::optional<std::string> fill_in_limits(Config& config, std::uint64_t memory_b
     return "memory-limit-mib: the server needs " + std::to_string(least_mib) + " or more, not " +
            std::to_string(whole);
   fill_in(config.http_max_memory_mib, std::min(usual_http_mib, whole / 4));
-  // Where all come from this machine, there is nobody a share could be kept for.
+  // If all clients are on this machine, there is no other peer to keep a share for.
   const bool has_one_peer = is_local_address(config.http_listen);
   const auto share_of = [&](std::uint64_t all) { return has_one_peer ? all : most_of(all); };
   fill_in(config.http_max_connections_per_peer, share_of(config.http_max_connections));
   fill_in(config.http_max_memory_per_peer_mib, share_of(config.http_max_memory_mib));
-  // A larger body would be taken and then find no room.
+  // A larger body would be accepted and then find no room.
   config.http_max_body_mib = std::min(
       {config.http_max_body_mib, config.http_max_memory_mib, config.http_max_memory_per_peer_mib});
   const std::uint64_t http = config.http_listen.empty() ? 0 : config.http_max_memory_mib;
-  // What HTTP leaves to the rest.
+  // The memory that HTTP leaves to the rest.
   const std::uint64_t limit = whole - std::min(http, whole);
   const std::uint64_t base = std::min(base_mib, limit / 4);
   fill_in(config.max_session_memory_mib, std::min(usual_session_mib, limit / 2));
@@ -66,7 +66,7 @@ std::optional<std::string> fill_in_limits(Config& config, std::uint64_t memory_b
   fill_in(config.max_streams_per_peer, most_of(config.max_streams));
   fill_in(config.max_memory_per_peer_mib, most_of(config.max_session_memory_mib));
 
-  // A token comes back in a message, which has more in it.
+  // A token comes back inside a message, which holds more than the token.
   config.max_resume_token_bytes =
       std::min(config.max_resume_token_bytes, config.max_message_bytes / 2);
   const std::uint64_t buffers = in_mib(config.max_streams * each);

@@ -38,7 +38,7 @@ void give_back(void* memory) noexcept {
   std::free(memory);
 }
 
-// What the standard asks of a heap that is empty.
+// Behaves as the standard requires when the heap is empty.
 template <class Take>
 void* take_or_throw(std::size_t bytes, Take take_once) {
   if (!trc::server::HeapReserve::lets_take(bytes)) throw std::bad_alloc();
@@ -52,7 +52,7 @@ void* take_or_throw(std::size_t bytes, Take take_once) {
 
 }  // namespace
 
-// All of them: a checker that replaces some would pair its own with these.
+// All operators are replaced: a checker that replaces some would mix its own with these.
 void* operator new(std::size_t bytes) {
   return take_or_throw(bytes, [bytes] { return take(bytes); });
 }

@@ -22,27 +22,27 @@ namespace {
 
 constexpr std::uint64_t none = std::numeric_limits<std::uint64_t>::max();
 
-// Streams take a gigabyte in a second or two.
+// Streams can fill a gigabyte in one or two seconds.
 constexpr std::chrono::milliseconds round{20};
-// Giving back holds up who takes memory meanwhile.
+// Giving memory back holds up threads that allocate meanwhile.
 constexpr unsigned rounds_between = 50;
 constexpr std::uint64_t worth_giving_back = 32U << 20U;
-// Where somebody has to go for it otherwise.
+// The smaller amount that counts when a stream would have to end otherwise.
 constexpr std::uint64_t worth_giving_back_at_once = 1U << 20U;
-// What could not be given back once may be free by now: what gRPC holds is counted nowhere, and
-// goes without a word.
+// Memory that could not be given back earlier may be free by now: the memory of gRPC is not
+// counted, and gRPC does not report when it frees some.
 constexpr unsigned rounds_until_forgotten = 1500;
-// A stream that was told to end does so where its turn passes by next.
+// A stream that was asked to end does so at its next check.
 constexpr unsigned most_rounds_of_one_ending = 50;
 
-// "max" is none, and so is what version 1 writes for it, which passes every machine.
+// "max" means no limit; version 1 writes a number larger than any machine.
 std::uint64_t number_in(const std::string& path) {
   std::uint64_t number = 0;
   return std::ifstream(path) >> number ? number : none;
 }
 
-// Of the group and of all above it. In a container the file names the path as the host sees it,
-// which is not there: the top of the hierarchy is the container's own group then.
+// The limit of the group and of all groups above it. In a container the file names the path that
+// the host sees, which does not exist here; the top of the hierarchy is the container's group then.
 std::uint64_t smallest_limit(const std::string& hierarchy, std::string group, const char* file) {
   std::uint64_t smallest = number_in(hierarchy + "/" + file);
   while (!group.empty() && group != "/") {
@@ -89,7 +89,7 @@ std::uint64_t memory_limit_bytes() {
 }
 
 std::uint64_t resident_bytes() {
-  // Without the heap: it is looked at most of all when there is nothing left to take.
+  // Without the heap: this runs most often when no memory is left.
   std::array<char, 128> text{};
   const int file = open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
   if (file < 0) return 0;
@@ -97,7 +97,7 @@ std::uint64_t resident_bytes() {
   close(file);
   if (length <= 0) return 0;
   char* rest = text.data();
-  std::strtoull(rest, &rest, 10);  // the address space
+  std::strtoull(rest, &rest, 10);  // skips the address space
   const std::uint64_t resident = std::strtoull(rest, &rest, 10);
   const std::uint64_t of_files = std::strtoull(rest, &rest, 10);
   return (resident - std::min(resident, of_files)) *
@@ -122,7 +122,7 @@ void MemoryWatch::run() {
     lock.unlock();
     has_room_ = HeapReserve::refill();
     do_round([this] {
-      // Others wait for what this thread does.
+      // Other threads wait for this thread, so it must not wait for memory.
       const HeapReserve::Turn turn;
       look();
     });
@@ -131,7 +131,7 @@ void MemoryWatch::run() {
 }
 
 void MemoryWatch::look() {
-  // Asked before anything is measured: what it has freed is in no number of before.
+  // Asked before measuring: otherwise the measurement could include a stream that has just ended.
   const bool is_one_ending =
       settings_.is_one_ending() && ++rounds_of_one_ending_ < most_rounds_of_one_ending;
   if (!is_one_ending) rounds_of_one_ending_ = 0;
@@ -142,19 +142,19 @@ void MemoryWatch::look() {
   constexpr std::uint64_t scarce = 85;
   constexpr std::uint64_t critical = 95;
   if (passes(critical) || (passes(scarce) && state_ == State::ample)) {
-    // Perhaps it is only not given back yet.
+    // Perhaps freed memory has only not been given back yet.
     rounds_until_give_back_ = 0;
     give_back(resident, worth_giving_back_at_once);
     resident = settings_.resident_bytes();
   }
-  // Address space has a limit of its own (RLIMIT_AS).
+  // The address space has a limit of its own (RLIMIT_AS).
   if (passes(critical) || !has_room_) {
     state_ = State::critical;
     if (!is_one_ending) settings_.end_largest();
   } else {
     state_ = passes(scarce) ? State::scarce : State::ample;
   }
-  // Nothing new is begun until it is less.
+  // No new stream starts while memory is scarce, so giving back is tried again.
   if (passes(scarce)) left_ = 0;
   give_back(resident, worth_giving_back);
 }
@@ -162,7 +162,7 @@ void MemoryWatch::look() {
 void MemoryWatch::give_back(std::uint64_t resident, std::uint64_t worth) {
   if (gives_back_soon_.exchange(false)) {
     rounds_until_give_back_ = 0;
-    // What could not be given back before is free now.
+    // Memory that could not be given back before is free now.
     left_ = 0;
   }
   if (++rounds_since_trimmed_ >= rounds_until_forgotten) left_ = 0;

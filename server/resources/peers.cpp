@@ -13,12 +13,12 @@ std::shared_ptr<Peer> Peers::of(std::string_view name) {
     {
       const std::lock_guard gone(mutex_);
       const auto found = peers_.find(key);
-      // Another of this name may have come meanwhile.
+      // Another peer of this name may have come meanwhile.
       if (found != peers_.end() && found->second.expired()) peers_.erase(found);
     }
     delete peer;
   };
-  // Before the lock, which it takes when it is not needed.
+  // Before the lock: if the new peer is not needed, its deleter takes the lock.
   std::shared_ptr<Peer> peer(new Peer(most_bytes_), forget);
   const std::lock_guard lock(mutex_);
   std::weak_ptr<Peer>& known = peers_[std::string(name)];
@@ -38,7 +38,7 @@ std::string peer_of_address(std::string_view address) {
   if (kind != "ipv4" && kind != "ipv6") return std::string(kind);
   const std::string_view host = address.substr(kind_end + 1, address.rfind(':') - kind_end - 1);
   if (kind == "ipv4") return std::string(host);
-  // In brackets, which gRPC writes as %5B and %5D, and perhaps with a zone.
+  // The address is in brackets, which gRPC writes as %5B and %5D, and may have a zone.
   std::string bare(host);
   for (const std::string_view bracket : {"%5B", "%5D", "[", "]"})
     if (const std::size_t at = bare.find(bracket); at != std::string::npos)
@@ -47,7 +47,7 @@ std::string peer_of_address(std::string_view address) {
   constexpr std::size_t network_bytes = 8;
   std::array<unsigned char, 16> bytes{};
   if (inet_pton(AF_INET6, bare.c_str(), bytes.data()) != 1) return bare;
-  // An IPv4 address in IPv6 clothes.
+  // An IPv4 address mapped to IPv6.
   if (bare.starts_with("::ffff:") && bare.find('.') != std::string::npos) return bare.substr(7);
   std::fill(bytes.begin() + network_bytes, bytes.end(), static_cast<unsigned char>(0));
   std::array<char, INET6_ADDRSTRLEN> text{};

@@ -12,7 +12,7 @@
 namespace trc::server {
 namespace {
 
-// A thread that waits, and what it is to do then.
+// A waiting thread, and the work it will be given.
 struct Spare {
   pthread_t thread{};
   void* (*run)(void*) = nullptr;
@@ -29,7 +29,7 @@ struct Reserve {
   ThreadReserve::Create create = nullptr;
 };
 
-// Outlives the end of main: its threads do.
+// Never destroyed, because its threads outlive main.
 Reserve& reserve() {
   static auto* const only = new Reserve;
   return *only;
@@ -51,7 +51,7 @@ void* wait_until_given(void* argument) {
 
 long cores() { return std::max(1L, sysconf(_SC_NPROCESSORS_CONF)); }
 
-// Takes one out of the reserve, of which there is one: it does this from now on.
+// Gives the work to a thread of the reserve, which must not be empty.
 pthread_t give_first(void* (*run)(void*), void* argument) {
   Reserve& all = reserve();
   Spare* const spare = all.first;
@@ -67,14 +67,15 @@ pthread_t give_first(void* (*run)(void*), void* argument) {
 }  // namespace
 
 std::size_t ThreadReserve::usual() {
-  // gRPC's executor grows to two threads per core when much is handed from thread to thread, which
-  // many cores do not make likelier. Timers and events have some more.
+  // gRPC's executor grows to two threads per core when threads hand over much work, which more
+  // cores do not make more likely. Timers and events need a few more.
   constexpr long most_of_executor = 28;
   return static_cast<std::size_t>(std::min(2 * cores(), most_of_executor) + 4);
 }
 
 std::size_t ThreadReserve::at_start() {
-  // Workers, gRPC's pollers and events, one for each core at most; log, ports, watches, timers.
+  // Workers, gRPC's pollers and events need one per core at most; log, ports, watches and timers
+  // need the rest.
   return static_cast<std::size_t>(3 * cores() + 16);
 }
 
@@ -116,7 +117,7 @@ bool ThreadReserve::give(pthread_t* thread, const pthread_attr_t* attributes, vo
   Reserve& all = reserve();
   const std::lock_guard lock(all.mutex);
   if (all.count == 0) {
-    // Before there is a reserve whoever asks is told, and the start fails.
+    // Before the first reserve is complete, the caller gets the error and the start fails.
     if (all.wanted > 0) somebody_went_without = true;
     return false;
   }

@@ -11,11 +11,12 @@
 namespace trc::server {
 namespace {
 
-// Whether gRPC names a caller within this process so; that of Debian 12 does not know the name of
-// its own transport there. Who comes through a port has an address, whatever he says.
+// Whether gRPC uses this name for a caller within this process. gRPC in Debian 12 does not know the
+// name of its own in-process transport. A caller on a port always has an address.
 bool is_own_process(std::string_view peer) { return peer == "inproc" || peer == "unknown"; }
 
-// What a call of this process' own says in its metadata; of all others, and else, `otherwise`.
+// The metadata that a call from this process carries; `otherwise` if it has none, and for other
+// calls.
 std::string said_by_own_process(const grpc::CallbackServerContext& context, const char* name,
                                 std::string otherwise) {
   const auto found = context.client_metadata().find(name);
@@ -23,8 +24,8 @@ std::string said_by_own_process(const grpc::CallbackServerContext& context, cons
   return {found->second.data(), found->second.size()};
 }
 
-// Whether a certificate carries a name. A URI is taken for one only where the list says a URI: one
-// that reads like the name of a machine must not pass for that machine.
+// Whether a certificate carries a name. URIs are only compared with names that are URIs: a URI that
+// reads like a host name must not pass for that host.
 bool carries(const grpc::AuthContext& certificate, const std::string& name) {
   const auto has = [&](const char* kind) {
     const auto values = certificate.FindPropertyValues(kind);

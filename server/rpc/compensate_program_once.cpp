@@ -45,7 +45,7 @@ Turn CompensateProgramOnce::collect(Turn turn, v1::CompensateProgramOnceResponse
       const std::string bytes = part_.SerializeAsString();
       bytes_ += bytes.size();
       if (bytes_ > most_bytes_) return end(refuse(Refusal::answer_too_large));
-      // Blocks are in it as bytes that are still to be read.
+      // Parsing turns blocks that are still bytes into messages, which `add` can merge.
       part_.ParseFromString(bytes);
       add(part_, response);
     }

@@ -41,7 +41,7 @@ void describe_limits(const Config& config, v1::Limits& limits) {
   limits.set_max_coordinate(Tolerances{}.largest_coordinate);
 }
 
-// D-43
+// The terms of the radius (D-43).
 void describe_radius_terms(v1::GetServerInfoResponse& response) {
   constexpr double largest = ToolInForce::largest_tool_radius;
   const ProgramSetup initial;

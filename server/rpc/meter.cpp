@@ -18,8 +18,8 @@ Meter::Running::Running(Meter& meter) : meter_(meter), started_s_(thread_cpu_sec
 
 Meter::Running::~Running() { meter_.cpu_seconds_ += thread_cpu_seconds() - started_s_; }
 
-// What the passes hold is known from outside only by what they release: all blocks since something
-// came out last, or a full window.
+// Only the output shows how much the passes hold: all blocks read since something last came out, or
+// a full window.
 bool Meter::note(const Summary& so_far) {
   const bool came_out = so_far.blocks_out > blocks_out_;
   if (came_out) {

@@ -10,15 +10,15 @@
 namespace trc::server {
 namespace {
 
-// What a diagnostic may take in a message: its sentences are written out, in English and in the
-// language that was asked for.
+// Upper bound for a diagnostic in a message: its sentences are written out in English and in the
+// requested language.
 std::size_t message_bytes(const Diagnostic& diagnostic) {
   constexpr std::size_t sentences = 1200;
   constexpr std::size_t per_value = 120;
   return sentences + 3 * diagnostic.detail.size() + per_value * diagnostic.values.size();
 }
 
-// Memory that is worth giving back once it is empty: a client that does not read holds it.
+// A larger buffer is freed once it is empty: a client that does not read would keep it alive.
 constexpr std::size_t large = 64U << 10U;
 
 template <class Buffer>
@@ -29,7 +29,7 @@ void empty_out(Buffer& buffer) {
     buffer.clear();
 }
 
-// The pages of a portion go back to the system with it.
+// The memory pages of a portion go back to the system with it.
 void empty_portion(std::vector<CompensatedBlock>& blocks) {
   const std::size_t bytes = blocks.capacity() * sizeof(CompensatedBlock);
   void* const memory = blocks.data();
@@ -86,7 +86,7 @@ Outbox::Slice Outbox::take(wire::Layout layout, std::size_t most_bytes) {
   taken_.blocks += count;
   blocks_taken_ += count;
 
-  // A line begun in this slice is finished in it.
+  // Each line that begins in this slice also ends in it.
   const std::size_t end_byte = part.text.size();
   std::size_t stop = std::min(end_byte, taken_.bytes + most_bytes - std::min(most_bytes, bytes));
   if (stop < end_byte && stop > taken_.bytes) {
@@ -112,7 +112,7 @@ void Outbox::take_diagnostics(std::size_t bytes, std::size_t most_bytes, Slice& 
 
 bool Outbox::holds(std::size_t bytes) const {
   std::size_t held = 0;
-  // Not what is reserved: memory that was never written to is none.
+  // Reserved memory does not count: it was never written to.
   const auto add = [&](const Answer& part, const Taken& taken) {
     held += (part.blocks.size() - taken.blocks) * sizeof(CompensatedBlock) + part.text.size() -
             taken.bytes + (part.diagnostics.size() - taken.diagnostics) * sizeof(Diagnostic);

@@ -45,8 +45,8 @@ void PathRun::feed_batch(const Batch& batch, const char* field, std::int64_t blo
   }
   const std::uint32_t most = stream_.backend.config.max_blocks_per_batch;
   if (blocks > most) return responses_.end_with(refuse_batch_of(std::to_string(blocks), most));
-  // Corners give transition blocks too. All would be moved again and again while their number
-  // grows.
+  // Twice the blocks, because corners insert transition blocks. Without the reservation all blocks
+  // would be moved each time the vector grows.
   std::vector<CompensatedBlock>& ready = answers().blocks();
   ready.reserve(ready.size() + static_cast<std::size_t>(2 * blocks));
   read(batch);
@@ -57,7 +57,7 @@ template <class Batch>
 void PathRun::read(const Batch& batch) {
   const Meter::Running running(meter_);
   wire::FieldFaults faults;
-  items_ = 0;  // groups begin with a batch: a resumed stream has those of the unbroken one
+  items_ = 0;  // groups begin with a batch, so that a resumed stream has those of the unbroken one
   reader_.read(
       batch, [&](const wire::PathInput& input) { return give(input); }, faults);
   if (responses_.failed()) return;
@@ -66,7 +66,7 @@ void PathRun::read(const Batch& batch) {
 }
 
 bool PathRun::give(const wire::PathInput& input) {
-  // So many items at once: few enough to lie in the caches still.
+  // Few enough items to stay in the caches.
   constexpr std::size_t group = 256;
   if (!wire::apply(input, session_.program())) return false;
   if (++items_ % group != 0) return true;

@@ -5,11 +5,11 @@
 namespace trc::server {
 namespace {
 
-// After so much text it is asked whether the client is still there.
+// After each piece the run checks that the client is still there.
 constexpr std::size_t bytes_per_piece = 16U << 10U;
-// A few lines, or blocks.
+// A few lines or blocks.
 constexpr std::size_t few_bytes = 16U << 10U;
-// So much output leaves before more input is taken.
+// This much output leaves before the run takes more input.
 constexpr std::size_t much_output_bytes = 512U << 10U;
 
 std::function<void(std::span<const Block>)> tapped_by(const StreamContext& stream) {
@@ -72,13 +72,13 @@ void ProgramRun::go_on() {
   const Summary so_far = session_.summary();
   stream_.record.taken(so_far.blocks_in - blocks_seen_);
   blocks_seen_ = so_far.blocks_in;
-  // Those that leave as blocks are counted with their answers.
+  // Blocks that leave as blocks are counted with their answers.
   if (gives_text_ || stream_.run_tap) stream_.record.given(so_far.blocks_out - blocks_written_);
   blocks_written_ = so_far.blocks_out;
   note_progress();
 }
 
-// Of a program that computes: until much has come out, or all of it. Whether more is left.
+// Executes a program that computes until much output has come out, or all. True: some is left.
 bool ProgramRun::execute() {
   while (!responses_.outbox().holds(much_output_bytes)) {
     stream_.pass();
@@ -113,7 +113,7 @@ void ProgramRun::close_record(Response& response, const v1::ProgramSummary* summ
 }
 
 std::string ProgramRun::resume_token(const ResumeTokens::Digest& setup) const {
-  // What has been collected to be executed is sent again with the text since the last token.
+  // Lines collected for execution are sent again with the text since the last token.
   if (session_.is_computing()) return {};
   if (record_) return token_of(setup, bytes_in_, bytes_out_, blocks_seen_, *record_);
   return token_of(setup, bytes_in_, bytes_out_, blocks_seen_);
@@ -131,7 +131,7 @@ std::optional<Ending> ProgramRun::resume(std::string_view token,
 bool ProgramRun::is_short(const Request* request) const {
   constexpr std::size_t bytes_per_line = 16;
   const std::size_t bytes = request == nullptr ? 0 : request->text().text().size();
-  // What the last text begins to execute may take long.
+  // The execution that the last text starts may take long.
   const bool executes = is_executing_ || (request && request->text().final());
   return input_.empty() && !executes && is_soon_done(bytes / bytes_per_line, few_bytes);
 }

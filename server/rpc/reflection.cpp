@@ -24,7 +24,7 @@ using google::protobuf::FileDescriptor;
 
 const DescriptorPool& known() { return *DescriptorPool::generated_pool(); }
 
-// The answer to one question; both versions of the protocol have the same messages.
+// The answer to one request; both versions of the protocol have equal messages.
 template <class Request, class Response>
 class Reply {
  public:
@@ -55,7 +55,7 @@ class Reply {
     response_.mutable_error_response()->set_error_message(message);
   }
 
-  // With all it needs, each file once.
+  // The file and all it depends on, each file once.
   void file(const FileDescriptor* file) {
     if (file == nullptr) return fault(grpc::StatusCode::NOT_FOUND, "there is no such file");
     std::set<const FileDescriptor*> seen{file};
@@ -115,7 +115,7 @@ class ReflectionStream final : public StreamWork<Request, Response> {
   Turn ended(Response& /*response*/) override { return end({}); }
 };
 
-// One version of the protocol.
+// The service of one version of the protocol.
 template <class Service, class Request, class Response>
 class ReflectionService final : public Service::template WithRawCallbackMethod_ServerReflectionInfo<
                                     typename Service::Service> {
@@ -148,7 +148,7 @@ struct Reflection::Services {
 };
 
 Reflection::Reflection(Backend& backend) : services_(std::make_unique<Services>(backend)) {
-  // It can describe a service only with its descriptor linked in.
+  // The service can only be described if its descriptor is linked into the program.
   grpc::health::v1::HealthCheckRequest::descriptor();
 }
 

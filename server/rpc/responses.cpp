@@ -2,7 +2,7 @@
 
 namespace trc::server {
 
-// Several faults of reading may have been found in one run; the status tells the first.
+// A run may find several read faults; the status reports the first.
 void Responses::end_with_error() {
   const Diagnostic* error = outbox_.error();
   if (error == nullptr) return;

@@ -38,7 +38,7 @@ constexpr std::size_t key_bytes = 32;
 constexpr std::size_t longest_key = 4096;
 constexpr std::size_t fewest_different_bytes = 8;
 
-// Of ELF notes the one with the build id; empty without.
+// The build id among ELF notes; empty: there is none.
 std::string build_id_in(std::string_view notes) {
   while (notes.size() >= sizeof(ElfW(Nhdr))) {
     ElfW(Nhdr) head{};
@@ -52,8 +52,8 @@ std::string build_id_in(std::string_view notes) {
   return {};
 }
 
-// The build id the linker has put into this program; random bytes when there is none, so that the
-// tokens of two such programs never pass for each other's.
+// The build id that the linker has written into this program; random bytes if it has none, so that
+// two such programs never accept each other's tokens.
 std::string linker_build_id() {
   std::string id;
   const auto look = [](dl_phdr_info* program, std::size_t /*size*/, void* found) {
@@ -64,7 +64,7 @@ std::string linker_build_id() {
         result = build_id_in(
             {reinterpret_cast<const char*>(program->dlpi_addr + part.p_vaddr), part.p_memsz});
     }
-    return 1;  // the first one is the program itself
+    return 1;  // the program itself comes first
   };
   dl_iterate_phdr(look, &id);
   if (id.empty()) {
@@ -91,15 +91,15 @@ Digest mac_of(std::string_view text, const std::string& key) {
   return mac;
 }
 
-// Releases differ in what a session holds, and so do commits between them. Where the commit is not
-// known, outside of a clone, the linker's number of the program stands for it.
+// The state of a session differs between releases, and also between commits. Without a known
+// commit, outside of a clone, the build id of the linker takes its place.
 const Digest& build_digest() {
   static const Digest digest = sha256(std::string(version()) + "+" + std::string(commit()) +
                                       (commit() == "unknown" ? linker_build_id() : ""));
   return digest;
 }
 
-// Takes so many bytes and then fails, so that the attempt costs little when a session holds much.
+// Fails after `most_bytes`, so that the attempt costs little when a session holds much.
 class BoundedBuffer : public std::streambuf {
  public:
   explicit BoundedBuffer(std::size_t most_bytes) : most_bytes_(most_bytes) {}
@@ -189,24 +189,24 @@ std::string key_fault(const std::string& path, const std::string& what) {
   return "resume-key-file: '" + path + "' " + what;
 }
 
-// Of a file that guards nothing.
+// The fault of a key that would not protect anything; empty: none.
 std::string fault_of_key(const std::string& path, const struct stat& file, const std::string& key) {
   if ((file.st_mode & (S_IWGRP | S_IWOTH)) != 0)
     return key_fault(path, "can be written by others than its owner; chmod 600");
   if (key.size() < key_bytes) return key_fault(path, "holds fewer than 32 bytes");
-  // Random bytes have some thirty different ones, their digits sixteen.
+  // Random bytes have some thirty different values; hexadecimal digits have sixteen.
   if (std::set<char>(key.begin(), key.end()).size() < fewest_different_bytes)
     return key_fault(path, "holds no random bytes");
   return {};
 }
 
-// The key of a file that is there; no value when there is none.
+// The key in the file; none: the file does not exist.
 std::optional<ResumeKey> key_there(const std::string& path) {
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (!file.valid()) {
     const int why = errno;
     struct stat link {};
-    // A link to nothing is there too, and would have to be replaced.
+    // A dangling link exists as well, and would have to be replaced.
     if (why == ENOENT && lstat(path.c_str(), &link) != 0) return std::nullopt;
     return ResumeKey{.fault =
                          key_fault(path, std::string("cannot be read: ") + std::strerror(why))};
@@ -235,9 +235,9 @@ ResumeKey resume_key(const std::string& path) {
   }
   if (path.empty()) return result;
 
-  // Written aside and linked into place: of servers that start at the same time one makes the key
-  // and the others read it, never half of it. Process numbers would not tell them apart: in
-  // containers each of them is number 1.
+  // Written to a draft and linked into place: if several servers start at one time, one makes the
+  // key and the others read it, never half of it. A process number in the name would not be unique:
+  // in containers each server is number 1.
   std::string draft = path + ".XXXXXX";
   const Descriptor file(::mkostemp(draft.data(), O_CLOEXEC));
   const bool written =

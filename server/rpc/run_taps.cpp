@@ -8,7 +8,7 @@ namespace trc::server {
 
 void RunTaps::add(std::string name, std::weak_ptr<RunTap> tap) {
   const std::lock_guard lock(mutex_);
-  // Of calls that have never come.
+  // Expired taps belong to calls that never came.
   std::erase_if(waiting_, [](const auto& entry) { return entry.second.expired(); });
   waiting_.insert_or_assign(std::move(name), std::move(tap));
 }

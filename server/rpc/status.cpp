@@ -157,10 +157,10 @@ const Row& row_of(Refusal refusal) {
 
 constexpr std::string_view domain = "trc.v1";
 
-// A peer drops a status whose trailers pass 8 KB, and the details travel in base64.
+// A peer drops a status whose trailers exceed 8 KB, and details travel in base64.
 constexpr std::size_t longest_in_list = 80;
 constexpr std::size_t longest_localized = 1000;
-// Whole sentences, and a status with it still fits into the 8 KiB of metadata that clients take.
+// Room for whole sentences; the status still fits into the 8 KiB of metadata that clients accept.
 constexpr std::size_t longest_of_diagnostic = 400;
 
 Ending finished(StatusCode code, std::string_view reason, std::string_view message,
@@ -171,7 +171,7 @@ Ending finished(StatusCode code, std::string_view reason, std::string_view messa
           .reason = std::string(reason)};
 }
 
-// With a key made beforehand: g++ 12 warns of overflows that are none where the map makes it.
+// The key is made beforehand: g++ 12 wrongly warns of overflows if the map makes it.
 void set_value(google::rpc::ErrorInfo& info, const std::string& name, std::string value) {
   (*info.mutable_metadata())[name] = std::move(value);
 }
@@ -183,7 +183,7 @@ google::rpc::ErrorInfo error_info(std::string_view reason) {
   return info;
 }
 
-// What happened and what helps, for people who read another language than English.
+// What happened and what helps, for readers of a language other than English.
 void add_localized(const Diagnostic& diagnostic, google::rpc::Status& rich) {
   if (diagnostic.language == Language::english) return;
   google::rpc::LocalizedMessage localized;
@@ -198,7 +198,7 @@ void add_localized(const Diagnostic& diagnostic, google::rpc::Status& rich) {
 }  // namespace
 
 std::span<const Sentence> refusal_sentences() {
-  // Alone, and with a detail behind it.
+  // Each sentence alone, and with a detail after it.
   static const auto patterns = [] {
     std::vector<std::pair<std::string, std::string>> made;
     for (const Row& row : table) {
@@ -286,7 +286,7 @@ Ending refuse(const Diagnostic& diagnostic) {
   std::string message;
   if (source.line > 0) message = "line " + std::to_string(source.line) + ": ";
   message += "error " + code + ": " + presentable(message_of(diagnostic), longest_of_diagnostic);
-  // Nothing is wrong with the program that passes a limit of this server.
+  // The program has no fault; it exceeds a limit of this server.
   const StatusCode status = diagnostic.code == Code::selection_too_long
                                 ? StatusCode::RESOURCE_EXHAUSTED
                                 : StatusCode::INVALID_ARGUMENT;

@@ -12,7 +12,7 @@ std::chrono::nanoseconds thread_time() {
   return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
 }
 
-// Streams that hold less are not worth refusing when the process is short of memory.
+// When the process is short of memory, streams that hold less are not worth refusing.
 constexpr std::uint64_t little_bytes = 1U << 20U;
 
 void refuse_over(std::chrono::nanoseconds taken, std::uint32_t most_s, const char* setting) {
@@ -44,7 +44,8 @@ void StreamAccount::note_time() {
   mark_ = now;
 }
 
-// The clock of the kernel's ticks, a few milliseconds apart, is read in as many nanoseconds.
+// This clock follows the ticks of the kernel, a few milliseconds apart; reading it takes a few
+// nanoseconds.
 bool StreamAccount::is_due() {
   std::timespec now{};
   clock_gettime(CLOCK_MONOTONIC_COARSE, &now);

@@ -91,7 +91,7 @@ std::optional<Ending> SurveyRadii::keep(const Batch& batch, const char* field,
 
 void SurveyRadii::read_path(ProgramState& state, wire::FieldFaults& faults) const {
   wire::BlockReader reader(settings_->program.path.session.program.tracking_axes.size());
-  // It is asked between them whether anybody waits still.
+  // After each group the survey checks that the client is still there.
   constexpr unsigned group = 256;
   unsigned given = 0;
   const auto give = [&](const wire::PathInput& input) {
@@ -141,7 +141,7 @@ Turn SurveyRadii::proceed(v1::SurveyRadiiResponse& response) {
     return {.write = true, .next = Turn::Next::proceed, .ending = {}};
   }
   v1::SurveySummary& summary = *response.mutable_summary();
-  // Of nothing every radius would be the largest.
+  // Without blocks every radius would be the largest.
   if (settings_->wants_largest && survey_->blocks() > 0)
     wire::to_proto(survey_->largest(), *summary.mutable_largest());
   summary.set_blocks(survey_->blocks());

@@ -10,14 +10,14 @@
 namespace trc::server {
 namespace {
 
-// Refuses one call.
+// Refuses one call and deletes itself.
 class Refusing final : public grpc::ServerGenericBidiReactor {
  public:
   explicit Refusing(const grpc::Status& status) { Finish(status); }
   void OnDone() override { delete this; }
 };
 
-// With the names of all RPCs it fits into a status.
+// Short enough to fit into a status with the names of all RPCs.
 constexpr std::size_t longest_name = 60;
 
 }  // namespace

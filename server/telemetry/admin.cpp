@@ -21,7 +21,7 @@ struct Answer {
   std::string body;
 };
 
-// Connects and says nothing.
+// Connects without sending anything.
 void knock_at(const std::string& address, int port) {
   const auto parts = split_host_port(address);
   const bool at_all =
@@ -95,8 +95,8 @@ std::unique_ptr<Admin> Admin::open(const std::string& address, Answers answers) 
 
 Admin::Admin(std::unique_ptr<CivetServer> http) : http_(std::move(http)) {}
 
-// The server stops its threads before the pages they answer from go. CivetWeb looks every two
-// seconds whether it is to stop, and at each connection: longer than the end of a process may take.
+// Stops the threads of the HTTP server before the pages they use are destroyed. CivetWeb checks for
+// a stop every two seconds, which is too long for the end of a process, and at each connection.
 Admin::~Admin() {
   const int port = this->port();
   std::atomic<bool> stopped = false;
@@ -108,7 +108,7 @@ Admin::~Admin() {
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
       }
     });
-  } catch (const std::system_error&) {  // it stops all the same
+  } catch (const std::system_error&) {  // the server stops without knocking, only later
   }
   http_.reset();
   stopped = true;

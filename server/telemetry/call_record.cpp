@@ -66,7 +66,7 @@ void CallRecord::answered() { metrics_.batch->Observe(seconds_since(received_));
 void CallRecord::ended(const Ending& ending) noexcept {
   try {
     const double seconds = seconds_since(started_);
-    // What has given an answer, or was thought over, was meant.
+    // A call that has given an answer or run for a while was not an early cancel.
     call_.ended(ending.status.error_code() == grpc::StatusCode::CANCELLED && blocks_out_ == 0 &&
                 seconds < 1);
     metrics_.handling->Observe(seconds);
@@ -74,7 +74,7 @@ void CallRecord::ended(const Ending& ending) noexcept {
     if (!ending.reason.empty()) telemetry_.metrics.count_error(ending.reason);
     log_end(ending, seconds);
   } catch (const std::bad_alloc&) {
-    // The call has ended all the same.
+    // The call ends even if there is no memory to record it.
   }
 }
 
@@ -111,8 +111,8 @@ Ending CallRecord::out_of_memory() noexcept {
   try {
     return refuse(Refusal::memory_limit);
   } catch (const std::exception&) {
-    // Texts that need no heap. Without a reason a client takes the stream for lost and goes on
-    // elsewhere, which is what it should do.
+    // These texts need no heap. Without a reason the client treats the stream as lost and goes on
+    // elsewhere, as it should.
     return {.status = grpc::Status(grpc::StatusCode::RESOURCE_EXHAUSTED, "no memory"),
             .reason = "MEMORY_LIMIT"};
   }

@@ -26,11 +26,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Lines that wait to be written. spdlog has a place ready for each of them.
+// Lines that wait to be written. spdlog allocates a place for each in advance.
 constexpr std::size_t most_waiting = 1024;
 
-// Writes the bytes without a buffer of its own, so that nothing is left for the end of the process
-// to write, which would wait for a reader.
+// Writes without a buffer of its own: otherwise the end of the process would write the rest, and
+// wait for a reader.
 class StandardOutput final : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
  public:
   [[nodiscard]] std::uint64_t written() const { return written_; }
@@ -55,7 +55,7 @@ class StandardOutput final : public spdlog::sinks::base_sink<spdlog::details::nu
   }
   void flush_() override {}
 
-  // How many of the bytes are out: not all where nobody is there any more, or no room.
+  // Writes the bytes; returns how many. Fewer if the reader has gone or the disk is full.
   static std::size_t put_out(std::string_view bytes) {
     std::size_t at = 0;
     while (at < bytes.size()) {
@@ -63,7 +63,7 @@ class StandardOutput final : public spdlog::sinks::base_sink<spdlog::details::nu
       if (count > 0) at += static_cast<std::size_t>(count);
       if (count >= 0 || errno == EINTR) continue;
       if (errno != EAGAIN) break;
-      // Whoever has opened it does not let us wait in write.
+      // Standard output is non-blocking, so `write` does not wait.
       pollfd output{.fd = STDOUT_FILENO, .events = POLLOUT, .revents = 0};
       ::poll(&output, 1, -1);
     }
@@ -73,18 +73,18 @@ class StandardOutput final : public spdlog::sinks::base_sink<spdlog::details::nu
   std::atomic<Clock::rep> writing_since_ = 0;  // 0: not writing
   std::atomic<std::uint64_t> written_ = 0;
   std::atomic<std::uint64_t> failed_ = 0;
-  bool torn_ = false;  // what came last is not the end of a line
+  bool torn_ = false;  // the last bytes written do not end a line
 };
 
-// Standard output and the thread that writes it, shared by all logs of the process. It is never
-// destroyed: its thread may wait for a reader for ever.
+// Standard output and the thread that writes to it, shared by all logs of the process. Never
+// destroyed, because its thread may wait for a reader for ever.
 class Output {
  public:
   static Output& get() {
     static Output& output = *new Output;
     return output;
   }
-  // False as long as nobody has logged anything.
+  // False until something is logged.
   static bool exists() { return exists_; }
 
   void put(spdlog::level::level_enum level, const std::string& line) {
@@ -207,7 +207,7 @@ struct Log::State {
       else
         output.count_over_rate();
     } catch (const std::exception&) {
-      // Without memory for a line there is none.
+      // A line that finds no memory is lost.
     }
   }
 };

@@ -32,7 +32,7 @@ Gauge& gauge(prometheus::Registry& registry, const char* name, const char* help)
   return prometheus::BuildGauge().Name(name).Help(help).Register(registry).Add({});
 }
 
-// Of what is counted elsewhere.
+// For totals that are counted elsewhere.
 void set_total(Counter& counter, std::uint64_t total) {
   counter.Increment(static_cast<double>(total) - counter.Value());
 }

@@ -8,8 +8,8 @@
 namespace trc::server {
 namespace {
 
-// A quarter of what all streams of a connection may have under way, beyond those that are known of:
-// gRPC tells of a call with one request only when that has come.
+// `read_ahead` adds a quarter of the bytes that all streams of a connection may have under way, for
+// streams not known yet: gRPC reports a call with one request only when the request has arrived.
 Connections::Limits limits_of(const Config& config) {
   const std::uint64_t all =
       std::uint64_t{config.max_streams_per_connection} * config.max_message_bytes;
@@ -17,7 +17,7 @@ Connections::Limits limits_of(const Config& config) {
           .overhead_bytes_per_s = std::uint64_t{config.max_overhead_kib_per_s} << 10U,
           .read_ahead_of_call = config.max_message_bytes,
           .read_ahead = (std::uint64_t{8} << 20U) + all / 4,
-          // gRPC's own count knows nothing of a stream its client has reset.
+          // gRPC's own count does not include streams that their client has reset.
           .calls = std::max(2 * config.max_streams_per_connection, 16U),
           .unfinished = (std::uint64_t{config.max_grpc_buffer_mib} << 20U) / 4 * 3};
 }

@@ -17,7 +17,7 @@ bool is_id(std::string_view text) {
 }
 
 std::string random_id(std::size_t length) {
-  // Ids need to differ, not to be secret.
+  // Ids must differ; they need not be secret.
   thread_local std::mt19937_64 random{std::random_device{}()};
   std::string id;
   while (id.size() < length) {
@@ -41,7 +41,7 @@ std::optional<Trace> read_traceparent(std::string_view header) {
     return text.find_first_not_of(digits) == std::string_view::npos;
   };
   if (!is_hex(version) || version == "ff" || !is_hex(flags)) return std::nullopt;
-  // Later versions may add something behind.
+  // Later versions may append fields.
   if (header.size() > length && (version == "00" || header[length] != '-')) return std::nullopt;
   const std::string_view trace_id = header.substr(3, 32);
   const std::string_view parent_id = header.substr(36, 16);

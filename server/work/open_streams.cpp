@@ -122,7 +122,8 @@ std::size_t OpenStreams::count() const {
 }
 
 void OpenStreams::leave(Ticket::Place place) {
-  // Notified under the lock: whoever waits for the last stream may destroy this object next.
+  // Notified under the lock: the thread that waits for the last stream may then destroy this
+  // object.
   const std::lock_guard lock(mutex_);
   streams_.erase(place);
   changed_.notify_all();

@@ -17,24 +17,24 @@
 namespace trc::server {
 namespace {
 
-// Of this thread. What it has to wait for a core does not count: on a crowded machine short turns
-// would give way too.
+// CPU time of this thread. Time spent waiting for a core does not count: otherwise short turns
+// would give way on a crowded machine.
 std::chrono::nanoseconds time_computed() {
   std::timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
   return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
 }
 
-// When the turn of this thread began, or went on; none in a thread of somebody else.
+// When the turn of this thread began or went on; none: the thread is not of the pool.
 thread_local std::optional<std::chrono::nanoseconds> began;
 
-// Of the turn of this thread.
+// The group of this thread's turn.
 thread_local WorkerPool::Group* group_of_turn = nullptr;
 
-// Of this thread alone, on Linux: ten steps below the process, wherever that stands. Where that is
-// refused its work takes what it would have taken. A tenth of a core is left where all are wanted:
-// a process ends only when its last thread has had its turn, and at the lowest priority that takes
-// seconds. For that reason threads that have had no work yet stay as they are.
+// For this thread alone, on Linux: ten steps below the process, whatever its priority. If the
+// system refuses, the thread keeps its priority. When all cores are busy, the thread still gets
+// about a tenth of one: the process ends only after each thread has run, which would take seconds
+// at the lowest priority. For that reason threads without work so far keep their priority.
 void leave_the_cores_to_others() {
   constexpr int steps_below = 10;
   (void)setpriority(PRIO_PROCESS, 0, getpriority(PRIO_PROCESS, 0) + steps_below);
@@ -42,7 +42,7 @@ void leave_the_cores_to_others() {
   (void)sched_setscheduler(0, SCHED_BATCH, &none);
 }
 
-// Several turns of batches: giving way costs two changes of thread.
+// Several turns of batches, because giving way costs two thread switches.
 constexpr std::chrono::milliseconds share_of_time{5};
 
 }  // namespace
@@ -50,7 +50,7 @@ constexpr std::chrono::milliseconds share_of_time{5};
 WorkerPool::WorkerPool(unsigned places, Priority priority)
     : places_(places > 0 ? places : std::max(1U, std::thread::hardware_concurrency())),
       priority_(priority) {
-  // No thread is lost for want of a place to note it down.
+  // Reserved in advance, so that a new thread is never lost because the vector cannot grow.
   threads_.reserve(2 * places_ + TurnQueue::most_standing);
   try {
     for (std::size_t i = 0; i < places_; ++i) threads_.emplace_back([this] { run(); });
@@ -109,7 +109,7 @@ void WorkerPool::give_way() {
       --taken_;
       changed_.notify_one();
     } else {
-      // Perhaps this one.
+      // The next standing turn may be this one.
       TurnQueue::StandingTurn& next = *queue_.pop_standing().standing;
       next.goes_on = true;
       next.changed.notify_one();
@@ -148,7 +148,7 @@ void WorkerPool::run() {
     changed_.wait(lock, [this] { return queue_.empty() ? stopping_ : taken_ < places_; });
     --idle_;
     if (queue_.empty()) {
-      // Whoever has waited for a place must look again.
+      // Other threads that wait for a place must check again.
       changed_.notify_all();
       return;
     }

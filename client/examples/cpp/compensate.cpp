@@ -1,6 +1,6 @@
-// compensate ADDRESS FILE: the program with TRC resolved on standard output, diagnostics on
-// standard error. A lost server is waited for and the stream resumed, which the library does by
-// itself.
+// compensate ADDRESS FILE: writes the program with TRC resolved to standard output and its
+// diagnostics to standard error. If the server is lost, the library waits for it and resumes the
+// stream.
 
 #include <fstream>
 #include <iostream>

@@ -16,7 +16,7 @@
 namespace trc {
 namespace {
 
-// Plain programs are in mm, have centres as the dialect begins with them and axes of one letter.
+// Plain programs use mm, the initial centre mode of the dialect and axis names of one letter.
 NcWriter::Setup plain_setup(const ProgramSetup& setup, const Dialect& to) {
   NcWriter::Setup plain = writer_setup(setup, to);
   plain.absolute_center = to.name == DialectName::heidenhain;
@@ -68,12 +68,12 @@ class Conversion {
   std::uint64_t index_ = 0;
   Position place_;
   Plane plane_;
-  std::int64_t tool_ = 0;  // of T, until it is loaded
-  // The tool in the spindle, where the program has said it, and the one made ready.
+  std::int64_t tool_ = 0;  // of the T word, until M6 loads it
+  // The tool in the spindle, if the program has named it, and the tool made ready.
   std::optional<std::int64_t> loaded_{};
   std::optional<std::int64_t> ready_{};
-  std::int64_t length_ = 0;           // of this tool is in force; 0: none
-  bool has_length_to_write_ = false;  // the output has another one
+  std::int64_t length_ = 0;           // the tool whose length is in force; 0: none
+  bool has_length_to_write_ = false;  // the output still has another length
   bool has_feed_ = false;
   bool ended_ = false;
 };
@@ -85,7 +85,7 @@ LinePointer Conversion::new_line() {
   line->source = {.index = index_++, .line = 1};
   line->absolute_center = klartext_;
   line->plane = plane_;
-  // No feed of the program: the writer puts in what its own text needs.
+  // The feed is not one of the program: the writer adds the feed that its own text needs.
   line->feed = -1;
   return line;
 }
@@ -128,7 +128,7 @@ std::string Conversion::spelled(const PlainWords& words) const {
   return text;
 }
 
-// In Klartext tool and speed are a statement of their own.
+// Klartext writes tool and speed as a separate statement.
 bool Conversion::write_tool(const ProgramLine& line, PlainWords& words) {
   if (!klartext_) return true;
   if (words.tool) tool_ = *words.tool;
@@ -139,8 +139,8 @@ bool Conversion::write_tool(const ProgramLine& line, PlainWords& words) {
   return true;
 }
 
-// Which length counts from the line on. SINUMERIK and HEIDENHAIN take that of the tool with its
-// change, the others by a word of their own.
+// Finds the length that is in force from the line on. SINUMERIK and HEIDENHAIN activate the length
+// of a tool with its change, the others with a separate word.
 bool Conversion::take_length(const ProgramLine& line, const PlainWords& words) {
   const bool comes_with_tool =
       setup_.dialect == DialectName::sinumerik || setup_.dialect == DialectName::heidenhain;
@@ -155,7 +155,7 @@ bool Conversion::take_length(const ProgramLine& line, const PlainWords& words) {
     return words_.fail(line, "D1, the length of a tool without its T");
   if (words.begins_length && !wanted) return words_.fail(line, "G43 without the number of a tool");
   if (!wanted) return true;
-  // There the length is that of the tool in the spindle, and of no other.
+  // These controls only use the length of the tool in the spindle.
   const bool takes_own = klartext_ || to_.name == DialectName::sinumerik;
   if (takes_own && *wanted != 0 && *wanted != loaded_)
     return words_.fail(line, (setup_.dialect == DialectName::isg ? "D" : "G43 H") +
@@ -176,8 +176,8 @@ std::string Conversion::length_word() {
   return length_ == 0 ? "G49" : "G43 H" + number;
 }
 
-// FANUC: G43 in a block by itself moves some machines by the length, so that it stands beside the
-// next Z, as people write it.
+// FANUC: G43 alone in a block moves some machines by the length. It therefore waits for the next Z,
+// as programmers write it.
 bool Conversion::waits_for_motion(const ProgramLine& line, const std::vector<Block>& blocks) const {
   return to_.name == DialectName::fanuc && (blocks.empty() || (axes_named(line) & 4) == 0);
 }
@@ -195,8 +195,8 @@ AxisSet Conversion::axes_named(const ProgramLine& line) const {
   return named;
 }
 
-// The words of the line for axes stay, also where they need not move by our count: where the
-// machine stands on them before, the line alone may say (D-94).
+// Keeps the axis words of the line even if the axes do not have to move by our count: perhaps the
+// line alone gives their position on the machine (D-94).
 LinePointer Conversion::line_of_motion(const ProgramLine& line, std::string_view words,
                                        std::string_view comment) {
   LinePointer written = new_line();
@@ -248,7 +248,7 @@ bool Conversion::write_motions(const ProgramLine& line, const std::vector<Block>
     motion.path = moved != nullptr ? moved->path : Segment(Line{stands, stands});
     place_ = from_plane(motion.plane, end_of(motion.path), motion.normal.to);
     const bool cuts = !motion.rapid && (moved != nullptr || std::get<PassiveBlock>(block).moves);
-    // The feed before it would stay in force.
+    // The previous feed would stay in force.
     if (cuts && motion.feed == 0 && has_feed_)
       return words_.fail(line, "a feed that is no number per minute");
     has_feed_ |= motion.feed > 0;
@@ -297,7 +297,7 @@ bool Conversion::write_line(const ProgramLine& line, std::vector<Block>& blocks)
   } else if (!write_motions(line, blocks, text, comment)) {
     return false;
   }
-  // T2 M6 T3: behind the change.
+  // T2 M6 T3: T3 comes after the change.
   if (words.next_tool && klartext_) tool_ = *words.next_tool;
   if (words.next_tool && !klartext_) write_text("T" + std::to_string(*words.next_tool));
   return true;

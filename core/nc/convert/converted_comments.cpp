@@ -10,8 +10,8 @@
 namespace trc {
 namespace {
 
-// #500=#500+1, R1=R1+1 and V.S.PARTS = 2, which the control keeps for programs of its own (D-88,
-// D-89). Where what sets them begins; npos: the line is another one.
+// #500=#500+1, R1=R1+1 and V.S.PARTS = 2, which the control keeps for its own programs (D-88,
+// D-89). Returns where the assignment begins; npos: the line is not an assignment.
 std::size_t begin_of_setting(std::string_view line, DialectName dialect) {
   constexpr std::string_view digits = "0123456789";
   const auto behind_blanks = [&](std::size_t at) {
@@ -26,7 +26,7 @@ std::size_t begin_of_setting(std::string_view line, DialectName dialect) {
     return text.starts_with('R') && behind > 1 && behind != std::string::npos &&
            text[behind] == '=';
   };
-  // #3003 and the like are switches of the control.
+  // Longer numbers such as #3003 are switches of the control.
   constexpr std::size_t most_digits = 3;
   bool sets = false;
   if (dialect == DialectName::fanuc)
@@ -81,11 +81,11 @@ std::string with_settings_as_comments(std::string_view program, DialectName dial
 
 std::string spelled_comment(std::string comment, DialectName to) {
   if (comment.empty()) return comment;
-  // One of Klartext may have several lines, others end with theirs.
+  // A Klartext comment may span several lines; the others end with their line.
   std::ranges::replace_if(
       comment, [](char sign) { return sign == '\r' || sign == '\n'; }, ' ');
   if (to == DialectName::isg) comment = as_utf8(comment);
-  // `~` at the end of a line of Klartext says that it goes on.
+  // In Klartext a `~` at the end of a line continues it.
   if (to == DialectName::heidenhain && comment.ends_with('~')) comment.back() = '-';
   if (to == DialectName::heidenhain || to == DialectName::sinumerik) return "; " + comment;
   if (to == DialectName::linuxcnc && is_command_of_linuxcnc(comment)) comment.insert(0, "- ");

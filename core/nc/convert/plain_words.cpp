@@ -24,14 +24,14 @@ std::int64_t whole_behind(std::string_view word, char letter) {
   return number;
 }
 
-// Of SINUMERIK: what it says has been resolved.
+// Words of SINUMERIK whose effect is already in the compensated path.
 bool says_how_trc_goes(std::string_view word) {
   constexpr auto words = std::to_array<std::string_view>(
       {"NORM", "KONT", "CFC", "CFTCP", "CFIN", "CDON", "CDOF", "CDOF2", "G450", "G451"});
   return std::ranges::find(words, word) != words.end();
 }
 
-// A number of S, without sign.
+// The number of an S word, without sign.
 bool is_speed(std::string_view text) {
   return !text.empty() && text.find_first_not_of("0123456789.") == std::string_view::npos;
 }
@@ -53,14 +53,14 @@ void PlainWordsReader::look_for_tool_changes(const std::vector<LinePointer>& lin
       return whole_behind(in_capitals(line->word(word)), 'M') == 6;
     });
   };
-  // T of LINUXCNC prepares a tool, also where nothing loads it.
+  // T of LINUXCNC only prepares a tool, even if nothing loads it.
   changes_by_t_ = from_.name != DialectName::linuxcnc && std::ranges::none_of(lines, changes_tool);
 }
 
 bool PlainWordsReader::read_mode(const ProgramLine& line, std::string_view given,
                                  PlainWords& words) {
   const std::string word = in_capitals(given);
-  // The coordinates are written absolutely and in mm, whatever they were.
+  // The output has absolute coordinates in mm, whatever the program used.
   constexpr auto resolved =
       std::to_array<std::string_view>({"G90", "G91", "G20", "G21", "G70", "G71", "G700", "G710",
                                        "G40", "R0", "G161", "G162", "G90.1", "G91.1"});
@@ -76,7 +76,7 @@ bool PlainWordsReader::read_mode(const ProgramLine& line, std::string_view given
   return fail(line, std::string(given));
 }
 
-// TOOL CALL 5 Z S900 F120 DR+0.1: the radius has been compensated, a length would be lost.
+// TOOL CALL 5 Z S900 F120 DR+0.1: DR is compensated already; a length would be lost.
 bool PlainWordsReader::read_tool_call(const ProgramLine& line, std::string_view given,
                                       PlainWords& words) {
   const std::string statement = statement_of(given);
@@ -103,10 +103,10 @@ bool PlainWordsReader::read_tool_call(const ProgramLine& line, std::string_view 
   return true;
 }
 
-// G43 H2, G49, D2 of ISG and D1 of SINUMERIK: whether the word says which length counts.
+// G43 H2, G49, D2 of ISG and D1 of SINUMERIK: whether the word selects a length.
 bool PlainWordsReader::read_length(std::string_view word, PlainWords& words) const {
-  // An edge of Sinumerik has a length of its own, and without a tool there is none. The D of the
-  // others is that of the radius, which has been compensated.
+  // Each SINUMERIK edge has its own length, and D1 needs a tool. D of the other dialects gives the
+  // radius, which is compensated already.
   if (const std::int64_t edge = whole_behind(word, 'D');
       edge == 1 || (edge > 1 && from_.name != DialectName::sinumerik)) {
     words.names_edge |= from_.name == DialectName::sinumerik;
@@ -146,7 +146,7 @@ bool PlainWordsReader::read_technology(const ProgramLine& line, std::string_view
     words.loads_tool = true;
     return true;
   }
-  // M13 and M14 are M3 and M4 with M8 on controls of HEIDENHAIN; elsewhere they are the machine's.
+  // M13 and M14 are M3 and M4 with M8 on HEIDENHAIN controls; elsewhere they belong to the machine.
   if (from_.name == DialectName::heidenhain && (m == 13 || m == 14)) {
     words.functions.push_back(m == 13 ? "M3" : "M4");
     words.functions.push_back("M8");
@@ -157,7 +157,7 @@ bool PlainWordsReader::read_technology(const ProgramLine& line, std::string_view
     words.ends_program |= m == 2 || m == 30;
     return true;
   }
-  // What holds at the start anyway.
+  // A function that is in force initially.
   double number = 0;
   bool whole = false;
   if (word[0] == 'G' && read_number(std::string_view(word).substr(1), number, whole) > 0)
@@ -175,9 +175,9 @@ bool PlainWordsReader::read(const ProgramLine& line, PlainWords& words) {
              (whole.empty() || in_capitals(word) == whole);
     });
   };
-  // Stops and coolant behind a `/` that the setup has decided about; the line has nothing else.
+  // The setup leaves out lines with `/`. This one only has stops and coolant after its `/`.
   if (setup_.block_skip == BlockSkip::leave_out && has('/')) return true;
-  // The limit would become the speed.
+  // The speed limit would become the speed.
   if (from_.name == DialectName::fanuc && has('S') && has('G', "G50"))
     return fail(line, "G50 with S, a limit of the speed");
   bool said = true;
@@ -194,24 +194,24 @@ bool PlainWordsReader::read_word(const ProgramLine& line, const WordRange& range
     case WordRole::comment: {
       std::string_view text = word.substr(1);
       if (word[0] == '(' && text.ends_with(')')) text.remove_suffix(1);
-      // The number of a program has no place here.
+      // The output has no place for the program number.
       if (word[0] != '(' && word[0] != ';' && word[0] != '*') return true;
       words.comment += words.comment.empty() ? "" : " ";
       words.comment += without_blanks_in_front(without_blanks_behind(text));
       return true;
     }
     case WordRole::mode:
-      // A label is one to which nothing jumps.
+      // Nothing jumps to this label.
       return word.ends_with(':') || read_mode(line, word, words);
     case WordRole::technology:
     case WordRole::stop:
-      // The arcs of a pole have their centres in their own blocks.
+      // The centres of the arcs about a pole are in their own blocks.
       if (line.klartext && line.klartext->sets_pole) return true;
       return in_capitals(word).starts_with("ENDPGM") || read_technology(line, word, words);
     case WordRole::trc:
       return fail(line, std::string(word));
     case WordRole::coordinate:
-      // X1=5: how another control calls the axis nobody says.
+      // X1=5: the other control may call this axis by another name.
       if (const std::string_view name = long_name_of(line, range);
           std::ranges::any_of(setup_.tracking_axes, [name](const std::string& axis) {
             return axis.size() > 1 && same_name(axis, name);
@@ -219,7 +219,7 @@ bool PlainWordsReader::read_word(const ProgramLine& line, const WordRange& range
         return fail(line, std::string(word));
       return !says_way_round(line, range) || fail(line, std::string(word) + ", a way round");
     case WordRole::feed:
-      // FZ0.1, FQ1: the feed before would stay in force.
+      // FZ0.1, FQ1: the previous feed would stay in force.
       return line.feed > 0 || fail(line, std::string(word));
     default:
       return true;

@@ -12,7 +12,7 @@
 #include "core/nc/dialect/sinumerik_arcs.h"
 #include "core/nc/dialect/sinumerik_leads.h"
 
-// What a block does that has been read: modes, tool and radius, compensation, motion.
+// Carries out a block that has been read: modes, tool and radius, compensation, motion.
 
 namespace trc {
 namespace {
@@ -38,14 +38,14 @@ Selection selection_of(int g_number) {
   }
 }
 
-// Of a line that is copied: what it moves counts on the feed in force.
+// Whether a copied line may move axes at the feed in force.
 bool may_move_at_the_feed(const Reading& reading, const BlockWords& block) {
   using enum GGroup;
   if (!block.copied || block.isg.homes || block.has(dwell) || block.has(frame) ||
       block.has(zero_shift) || block.has(axis_technology) || block.has(tool_data))
     return false;
   if (block.has(single_move)) {
-    // Always rapid; rapid as G00 is in force; of the others only the control knows.
+    // These always move at rapid. G53 and G153 do under G00; for the rest only the control knows.
     constexpr std::array always_rapid{27, 28, 29, 30, 60, 74, 75};
     const int number = block.of(single_move).function->number;
     const bool moves_as_g00_says = number == 53 || number == 153 || block.has(motion);
@@ -57,8 +57,8 @@ bool may_move_at_the_feed(const Reading& reading, const BlockWords& block) {
          reading.motion != MotionKind::rapid;
 }
 
-// G92 shifts the axes it names. Controls differ in whether G53 holds for its own block only, so
-// that the place its motion leads to is known to none of them.
+// G92 shifts the axes it names. Controls differ in whether G53 acts in its own block only, so the
+// end of its motion is unknown.
 void forget_position(Reading& reading, const ProgramLine& line, const BlockWords& block) {
   std::array<bool, 3> axes{};
   for (std::size_t axis = 0; axis < axes.size(); ++axis)
@@ -72,12 +72,12 @@ std::array<bool, 3> axes_of_bits(AxisBits bits) {
   return axes;
 }
 
-// Where the axes stand behind a line that is copied.
+// Where the axes are after a copied line.
 void follow_copied_axes(Reading& reading, const ProgramLine& line, const BlockWords& block) {
   if (block.forget != 0) reading.state.forget_position(axes_of_bits(block.forget), line.source);
   if (block.without_value.axes != 0)
     reading.state.forget_position(axes_of_bits(block.without_value.axes), line.source,
-                                  Unknown::without_value);
+                                  Unknown::without_value);  // D-168
 }
 
 bool apply_modes(Reading& reading, const ProgramLine& line, const BlockWords& block) {
@@ -103,7 +103,7 @@ bool apply_modes(Reading& reading, const ProgramLine& line, const BlockWords& bl
     reading.gcode.feed_mode_line = line.source.line;
   }
   if (block.feed) reading.feed = block.feed->value * reading.feed_unit(reading.unit);
-  // A feed per tooth, which blocks have no number for.
+  // Blocks cannot express a feed per tooth.
   if (block.tooth_feed) reading.feed = 0;
   if (block.has(circle_center)) {
     const GFunction& function = *block.of(circle_center).function;
@@ -167,7 +167,7 @@ bool apply_tool(Reading& reading, const ProgramLine& line, const BlockWords& blo
                                  reading.place_of_word(line, block.tools.d_word->begin)));
 }
 
-// Modes and radius before the side, so that G41 begins with all of its block.
+// Modes and radius come before the side, so that G41 starts with everything in its block.
 bool apply_trc(Reading& reading, const ProgramLine& line, const BlockWords& block) {
   using enum GGroup;
   const Source& source = line.source;
@@ -203,10 +203,10 @@ bool apply_trc(Reading& reading, const ProgramLine& line, const BlockWords& bloc
   if (has(selection) &&
       !reading.state.set_selection(selection_of(block.of(selection).function->number), source))
     return false;
-  // A smooth retraction runs along the contour before it ends TRC.
+  // A smooth retraction follows the contour before it ends TRC.
   const bool ends = has(side) && block.deselects() && !block.soft.is_followed;
   if (has(tangential) && !reading.state.set_tangential(source)) return false;
-  // The tool of such a block is no longer one of the contour: D0 takes it out of force.
+  // The D word of such a block no longer belongs to the contour: D0 deselects its tool.
   if (ends && at(block.of(side).begin) && !reading.state.select(Side::off, source)) return false;
   if (!apply_tool(reading, line, block)) return false;
   if (!has(side) || block.deselects()) return true;
@@ -214,7 +214,7 @@ bool apply_trc(Reading& reading, const ProgramLine& line, const BlockWords& bloc
   return reading.state.select(side_of(block.of(side).function->number), source);
 }
 
-// Feeds that blocks have no number for cannot be adapted; on lines nothing is.
+// TRC cannot adapt a feed that blocks cannot express; on lines it adapts none.
 bool check_feed_of_contour(Reading& reading, const ProgramLine& line, const BlockWords& block,
                            std::uint32_t begin) {
   if (reading.feed_mode == 94 && !reading.gcode.tooth_feed) return true;
@@ -276,7 +276,7 @@ void scale(const Reading& reading, MoveRequest& request) {
   for (auto& coordinate : request.center) scale(coordinate);
   scale(request.radius);
   if (request.corner) request.corner->size *= mm_per_inch;
-  // U V W are linear axes, A B C turn: degrees have no inch.
+  // U V W are linear axes. A B C are rotary: degrees do not scale with inches.
   const auto& names = reading.state.setup().tracking_axes;
   for (std::size_t axis = 0; axis < request.tracking.size(); ++axis)
     if (!names[axis].empty() &&
@@ -331,8 +331,7 @@ bool move(Reading& reading, ProgramLine& line, MoveRequest& request) {
   request.incremental = reading.incremental;
   request.feed = reading.feed_mode == 94 ? reading.feed : 0;
   if (reading.unit == LengthUnit::inch) scale(reading, request);
-  // Of an arc of Fanuc that has both, R is what counts.
-  // R counts beside I and J (D-126).
+  // FANUC takes R if an arc has both R and I, J (D-126).
   if (reading.dialect.name == DialectName::fanuc && request.radius) request.center = {};
   // Many post-processors write all three centre words.
   auto& across = request.center[axes_of(reading.state.mode().plane).third];

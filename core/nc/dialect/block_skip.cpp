@@ -13,7 +13,7 @@ std::size_t behind_digits(std::string_view line, std::size_t at) {
   return std::min(line.find_first_not_of("0123456789", at), line.size());
 }
 
-// N10, and in Klartext the number alone.
+// N10; in Klartext the number alone.
 std::size_t behind_number(std::string_view line, std::size_t at, bool klartext) {
   const std::size_t digits = at < line.size() && upper(line[at]) == 'N' ? at + 1 : at;
   const std::size_t end = behind_digits(line, digits);
@@ -29,7 +29,7 @@ SkipSign skip_sign_of(std::string_view line, DialectName dialect) {
   const bool klartext = dialect == DialectName::heidenhain;
   const std::size_t begin = behind_number(line, behind_blanks(line, 0), klartext);
   if (begin >= line.size() || line[begin] != '/') return {};
-  // The digits of Klartext are those of the block.
+  // In Klartext the digits are the block number.
   const std::size_t number = klartext ? begin + 1 : behind_digits(line, begin + 1);
   return {.begin = begin, .end = behind_blanks(line, number)};
 }
@@ -60,7 +60,7 @@ bool is_beside_the_path(std::string_view line, const SkipSign& sign, DialectName
     if (digits == 0 || !passes) return false;
     at = behind_blanks(line, at + 1 + digits);
   }
-  // Behind a comment in parentheses further words may stand.
+  // More words may follow a comment in parentheses.
   const std::size_t close = at < line.size() && line[at] == '(' ? line.find(')', at) : line.size();
   return close == std::string_view::npos || close >= line.size() ||
          behind_blanks(line, close + 1) == line.size();

@@ -10,16 +10,17 @@
 #include "core/nc/dialect/reading.h"
 #include "core/nc/text/characters.h"
 
-// Lines of plain letters and numbers that are copied as they stand, since what they do is not
-// followed: which, what is known of the position behind them, and that no contour hangs on them.
+// Lines of plain letters and numbers that are copied unchanged because their effect is not
+// followed: which lines these are, which positions remain known after them, and that no contour
+// depends on them.
 
 namespace trc {
 namespace {
 
 using enum GGroup;
 
-// "G16, " in front of what the function does, "Z=R1, " of a value that is no number; of plain axis
-// words nothing.
+// The prefix of a meaning: "G16, " for a function, "Z=R1, " for a value that is no number, nothing
+// for plain axis words.
 std::string name_of_function(const ProgramLine& line, std::uint32_t begin) {
   const auto word = std::ranges::find(line.words, begin, &WordRange::begin);
   if (word == line.words.end()) return {};
@@ -30,15 +31,15 @@ std::string name_of_function(const ProgramLine& line, std::uint32_t begin) {
   return std::string(text.substr(0, text.find_first_of("(=["))) + ", ";
 }
 
-// What keeps a line from being followed. Empty: nothing.
+// Why a line is not followed. Empty: it is followed.
 struct NotWhileActive {
   Code code = Code::nc_unsupported;
-  std::optional<std::uint32_t> begin{};  // of the line
+  std::optional<std::uint32_t> begin{};  // in the line
   std::string meaning{};
   bool hangs_on_what_was_told = false;
 };
 
-// Copies the line for its function of `group`, if it has one.
+// Copies the line if it has a function of `group`.
 void copy_for(GGroup group, AxisBits forget, BlockWords& block, NotWhileActive& found) {
   if (!block.has(group)) return;
   block.copied = true;
@@ -60,7 +61,7 @@ void copy_for_functions(Reading& reading, BlockWords& block, AxisBits named,
            block, found);
   if (leaves_across) found = {};
   copy_for(cycle, static_cast<AxisBits>(named | third), block, found);
-  // Both controls: the axes named stand where the block says, the others where they stood.
+  // On both controls the named axes are then where the block says; the others keep their position.
   block.coordinates.sets_position = block.of(frame).is(92, 0) && block.axis &&
                                     !reading.incremental && !block.to_skip &&
                                     !block.of(dimension).is(91);
@@ -72,8 +73,8 @@ void copy_for_functions(Reading& reading, BlockWords& block, AxisBits named,
   copy_for(unfollowed_end, all_axes, block, found);
 }
 
-// LinuxCNC: a tool offset in the plane moves the coordinates; along the third axis nothing hangs
-// on it (D-71).
+// LinuxCNC: a tool offset in the plane shifts the coordinates; an offset along the third axis does
+// not matter (D-71).
 void follow_tool_offset(Reading& reading, BlockWords& block, AxisBits named,
                         NotWhileActive& found) {
   const AxisBits third = main_axis_bit(axes_of(reading.state.mode().plane).third);
@@ -89,7 +90,7 @@ void follow_tool_offset(Reading& reading, BlockWords& block, AxisBits named,
     found.begin = block.of(technology).begin, found.meaning = "a tool offset in the plane";
 }
 
-// Copies a line that moves, unless another reason does so already.
+// Copies a line that moves, unless it is copied already for another reason.
 void copy_motion(const char* why, AxisBits forget, BlockWords& block, NotWhileActive& found) {
   const bool moves = block.axis || block.center || block.moves_unfollowed();
   if (block.copied || !moves || block.has(dwell)) return;
@@ -102,7 +103,7 @@ void copy_motion(const char* why, AxisBits forget, BlockWords& block, NotWhileAc
   block.forget |= forget;
 }
 
-// What began the cycle, or changed the coordinates, has been told where TRC is active.
+// While TRC is active, the start of the cycle or the change of coordinates has been reported.
 void copy_under_modes(Reading& reading, BlockWords& block, AxisBits named, NotWhileActive& found) {
   const bool told = !block.copied || block.has(unfollowed_end);
   const AxisBits third = main_axis_bit(axes_of(reading.state.mode().plane).third);
@@ -118,7 +119,7 @@ void copy_under_modes(Reading& reading, BlockWords& block, AxisBits named, NotWh
   found.hangs_on_what_was_told = told && block.copied;
 }
 
-// Its other axis still stands beside the contour, or where only the control knows.
+// The other axis of the plane is still beside the contour, or only the control knows its position.
 bool leaves_from_lost_place(const Reading& reading, const BlockWords& block) {
   const bool incremental = block.has(dimension) ? block.of(dimension).is(91) : reading.incremental;
   const bool stands_beside = reading.contour_open() && (!reading.trc_active() || block.deselects());
@@ -130,18 +131,18 @@ bool leaves_from_lost_place(const Reading& reading, const BlockWords& block) {
 
 void copy_for_words_of_line(Reading& reading, BlockWords& block, AxisBits named,
                             NotWhileActive& found) {
-  // A pole moves nothing. That of G110 counts from where the tool stands.
+  // A pole moves no axis. G110 counts from the tool position.
   const bool sets_pole = block.of(axis_technology).is(110) && !reading.trc_active();
   if (sets_pole || block.of(axis_technology).is(111) || block.of(axis_technology).is(112)) {
     block.copied = true;
   } else if (block.axis) {
     copy_for(axis_technology, AxisBits{0}, block, found);
   }
-  // Where the axes stop only the machine knows.
+  // Only the machine knows where the axes stop.
   if (block.measures) copy_motion("measuring", named, block, found);
   if (block.unfollowed_word) copy_motion("which is not followed here", all_axes, block, found);
   if (block.without_value.begin) copy_motion("a variable without a value", named, block, found);
-  // In a contour they have centres (take_tangent).
+  // In a contour these arcs get centres (take_tangent).
   const bool follows_tangent = reading.trc_active() && !block.has(side);
   if (reading.gcode.tangent_arcs.in_force && !follows_tangent)
     copy_motion("CT", named, block, found);
@@ -155,8 +156,8 @@ void copy_for_words_of_line(Reading& reading, BlockWords& block, AxisBits named,
   }
 }
 
-// Decides whether the line is copied as it stands, and which axes it may move. Returns what must
-// not stand there while TRC is active.
+// Decides whether the line is copied unchanged, and which axes it may move. Returns the reason why
+// it is not allowed while TRC is active.
 NotWhileActive find_what_is_copied(Reading& reading, BlockWords& block) {
   NotWhileActive found;
   const AxisBits named = block.named_axes();
@@ -167,7 +168,7 @@ NotWhileActive find_what_is_copied(Reading& reading, BlockWords& block) {
   copy_for_words_of_line(reading, block, named, found);
   if (block.has(zero_shift) && !found.begin)
     found.begin = block.of(zero_shift).begin, found.meaning = "work coordinate system";
-  // The contour would go on with the radius of the tool before.
+  // The contour would continue with the radius of the previous tool.
   if (block.tools.change && reading.dialect.name != DialectName::isg && !found.begin)
     found.begin = block.tools.change, found.meaning = "a tool change";
   if (block.to_skip && block.has(side)) {
@@ -177,8 +178,8 @@ NotWhileActive find_what_is_copied(Reading& reading, BlockWords& block) {
   return found;
 }
 
-// What counts on the motion before it cannot be copied behind one that TRC moves, and what no
-// number says cannot be written anew.
+// A line that depends on the motion before it cannot be copied after a motion that TRC changes, and
+// a way round (DC, ACP, ACN), which no number expresses, cannot be rewritten.
 bool check_motion_before(Reading& reading, const ProgramLine& line, const BlockWords& block) {
   const bool selects = block.selects();
   if (reading.gcode.tangent_arcs.in_force && block.axis && reading.gcode.leaves_contour &&
@@ -283,7 +284,7 @@ bool copy_gcode_block(Reading& reading, ProgramLine& line, BlockWords& block) {
                                                         ? name_of_function(line, *found.begin) +
                                                               found.meaning + " while TRC is active"
                                                         : found.meaning});
-  // G41 would come out, and the control compensate once more.
+  // The output would contain G41, and the control would compensate a second time.
   if (block.copied && selects_here)
     return reading.refuse(line, TextFault{.code = Code::nc_unsupported,
                                           .begin = block.of(side).begin,

@@ -12,7 +12,7 @@
 namespace trc {
 namespace {
 
-// The others reach the contour as under G138: straight to the point beside its start.
+// The other dialects reach the contour as under G138: straight to the point beside its start.
 const std::array<Dialect, 5>& dialects() {
   static const std::array<Dialect, 5> table{{
       {.name = DialectName::isg,
@@ -52,7 +52,7 @@ const std::array<Dialect, 5>& dialects() {
   return table;
 }
 
-// The text in capitals, without comments and blanks in front.
+// The text in capitals, without comments and leading blanks.
 std::string words_of(std::string_view line) {
   std::string words;
   for (const char sign : line) {
@@ -63,7 +63,7 @@ std::string words_of(std::string_view line) {
   return words;
 }
 
-// The words of a line that begin with one letter, as G or M functions do.
+// The words of a line that begin with one letter, such as G or M functions.
 class Functions {
  public:
   Functions(std::string_view words, char letter) {
@@ -75,7 +75,7 @@ class Functions {
     }
   }
 
-  // Whether one of them has this number.
+  // Whether one of the functions has this number.
   [[nodiscard]] bool have(std::string_view number) const {
     return std::ranges::any_of(numbers_, [&](std::string_view found) {
       if (!found.starts_with(number)) return false;
@@ -85,7 +85,7 @@ class Functions {
   }
 
  private:
-  std::vector<std::string_view> numbers_;  // and what stands behind them
+  std::vector<std::string_view> numbers_;  // each with the rest of the line
 };
 
 bool starts_with_any(std::string_view words, std::initializer_list<std::string_view> beginnings) {
@@ -117,7 +117,7 @@ void Dialect::begin(TrcMode& mode) const {
 }
 
 const GFunction* Dialect::function(double number) const {
-  // What a program has computed is not exact; G40.9999999 is no function.
+  // Computed numbers are not exact; G40.9999999 is no function.
   constexpr double rounding = 1e-9;
   const double tenths = number * 10;
   if (!(tenths >= 0 && tenths < 100'000) || std::abs(tenths - std::round(tenths)) > rounding)
@@ -169,7 +169,7 @@ std::optional<DialectName> looks_like(std::string_view line) {
   if (preparatory.have("41.1") || preparatory.have("42.1") || preparatory.have("90.1") ||
       preparatory.have("91.1") || starts_with_any(words, {"O<", "#<"}))
     return DialectName::linuxcnc;
-  // Smoothing by a tolerance.
+  // Smoothing with a tolerance.
   if (preparatory.have("64") && contains_any(words, {" P"})) return DialectName::linuxcnc;
   const bool numbered = words.size() > 1 && is_digit(words[1]);
   if (numbered && (words[0] == 'O' || words[0] == '#')) return DialectName::fanuc;

@@ -8,7 +8,7 @@ namespace {
 
 using enum GGroup;
 
-// Milling controls of the Fanuc family, Haas' own functions among them.
+// Milling controls of the FANUC family, including the functions of Haas.
 constexpr auto functions = std::to_array<GFunction>({
     {0, motion, "straight, rapid", true},
     {1, motion, "straight, at feed"},

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double most_turns = 1000;
 
-// From one arm of a circle to the other, more than 0, at most a full turn.
+// The sweep between two radius vectors; more than 0, at most a full turn.
 double sweep_between(const Vector& from, const Vector& to, bool clockwise) {
   const double turn = std::atan2(cross(from, to), from.dot(to));
   const double sweep = clockwise ? -turn : turn;

@@ -130,7 +130,7 @@ constexpr auto functions = std::to_array<GFunction>({
 
 static_assert(std::ranges::is_sorted(functions, {}, &GFunction::number));
 
-// The place of each number in `functions`, + 1.
+// The index of each number in `functions`, plus 1.
 constexpr auto places = [] {
   std::array<std::uint8_t, 1000> result{};
   for (std::size_t place = 0; place < functions.size(); ++place)

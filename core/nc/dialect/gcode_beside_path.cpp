@@ -7,21 +7,20 @@
 #include "core/nc/text/characters.h"
 #include "core/nc/text/gcode_words.h"
 
-// What stands in a line and has nothing to do with the path: messages, assignments, output,
-// comments.
+// Text in a line that does not affect the path: messages, assignments, output, comments.
 
 namespace trc {
 namespace {
 
-// POPEN, DPRNT[TEXT], PCLOS: what they print goes elsewhere. Values of variables stand in it
-// already, but for those of the machine.
+// POPEN, DPRNT[TEXT], PCLOS: their output goes elsewhere. Variables of the program are already
+// replaced by values; variables of the machine are not.
 bool prints_text(std::string_view line, std::size_t begin) {
   const std::string word = word_to_pass(line, begin);
   return word == "POPEN" || word == "PCLOS" || word == "DPRNT" || word == "BPRNT";
 }
 
-// msg "…", LogMsg "…", LogFile "…" 1 and DlgMsg "…" of EdingCNC. Behind its text DlgMsg has what
-// the operator gives a variable.
+// msg "…", LogMsg "…", LogFile "…" 1 and DlgMsg "…" of EdingCNC. After its text DlgMsg names the
+// variables that the operator sets.
 bool shows_message(std::string_view line, std::size_t begin) {
   const std::string word = word_to_pass(line, begin);
   const bool asks = word == "DLGMSG";
@@ -44,8 +43,8 @@ bool shows_message(std::string_view line, std::size_t begin) {
   return true;
 }
 
-// #3003=1, #501=12.5 and #502=#0, also #500=#500+1: what the flow of a program that computes leaves
-// in it (D-88, D-93, D-95), which has read the expression.
+// #3003=1, #501=12.5 and #502=#0, also #500=#500+1: assignments that the flow of a program that
+// computes leaves in it (D-88, D-93, D-95). The flow has read the expression.
 bool sets_variable(std::string_view line, std::size_t begin) {
   if (line[begin] != '#') return false;
   std::string_view behind = line.substr(begin + 1);
@@ -59,7 +58,7 @@ bool sets_variable(std::string_view line, std::size_t begin) {
   return !behind.empty() && behind.front() != '(' && behind.front() != ';';
 }
 
-// Behind NAME or NAME[…] nothing stands but comments.
+// Only comments follow NAME or NAME[…].
 bool is_name_alone(std::string_view line, std::size_t begin) {
   std::size_t at = begin + word_to_pass(line, begin).size();
   if (at < line.size() && line[at] == '[') {
@@ -76,7 +75,7 @@ bool is_name_alone(std::string_view line, std::size_t begin) {
 bool names_what_passes(const Reading& reading, std::string_view line, std::uint32_t begin) {
   const bool fanuc = reading.dialect.name == DialectName::fanuc;
   if (fanuc && sets_variable(line, begin)) return true;
-  // SETVN 500[WIDTH,DEPTH] gives variables names.
+  // SETVN 500[WIDTH,DEPTH] names variables.
   if (fanuc && word_to_pass(line, begin) == "SETVN") return true;
   if (shows_message(line, begin)) return true;
   return is_name_alone(line, begin) &&

@@ -22,20 +22,20 @@
 #include "core/nc/dialect/whole_numbers.h"
 #include "core/nc/text/characters.h"
 
-// What the words of a block of plain letters and numbers mean together, before any of it takes
-// effect: the dialects of Fanuc, of LinuxCNC and of Sinumerik.
+// The meaning of all words of a block of plain letters and numbers together, before any of them
+// takes effect: the dialects of Fanuc, LinuxCNC and Sinumerik.
 
 namespace trc {
 namespace {
 
 using enum GGroup;
 
-// NAME(…) of Sinumerik; under G66 of Fanuc what its own line says.
+// NAME(…) of Sinumerik; under G66 of Fanuc the words of the line itself.
 std::string_view called_name(std::string_view text, std::uint32_t begin) {
   return text.substr(begin, text.find(';', begin) - begin);
 }
 
-// G50 S and G92 S: how fast the spindle may turn, of lathes.
+// G50 S and G92 S of lathes limit the spindle speed.
 void take_spindle_limit(Reading& reading, const ProgramLine& line, BlockWords& block) {
   const bool spindle_limit = block.has(unfollowed_end) && block.of(unfollowed_end).is(50);
   const bool has_spindle = std::ranges::any_of(line.words, [&](const WordRange& word) {
@@ -46,18 +46,18 @@ void take_spindle_limit(Reading& reading, const ProgramLine& line, BlockWords& b
   if (sets_spindle_limit) block.clear(frame);
 }
 
-// What a motion function or F ends, before the words of the line take effect.
+// Ends the modes that a motion function or F ends, before the words of the line take effect.
 void end_modes_before(Reading& reading, BlockWords& block) {
-  // Under MCALL of Sinumerik each motion has the cycle behind it.
+  // Under MCALL of Sinumerik the cycle follows each motion.
   const bool motion_ends_cycle =
       block.has(motion) && reading.dialect.name != DialectName::sinumerik;
-  // What a line that may be skipped ends may still hold.
+  // A mode that a skippable line ends may still be in force.
   if ((motion_ends_cycle || block.has(cycle_end)) && !block.to_skip) reading.gcode.cycle = false;
-  // LinuxCNC has G80 in the group of motions: up to the next one there is none.
+  // In LinuxCNC G80 is in the group of motions: no motion is in force until the next one.
   if (block.has(cycle_end) && reading.dialect.name == DialectName::linuxcnc)
     reading.motion_given = false;
   const bool begins_tangents = block.arc.begins_tangents;
-  // What begins while TRC is active is written as other words.
+  // Arcs that begin while TRC is active are output with other words.
   const GcodeModes::NamedArcs begun{.in_force = true, .are_written = reading.trc_active()};
   GcodeModes::NamedArcs& tangents = reading.gcode.tangent_arcs;
   GcodeModes::NamedArcs& through = reading.gcode.through_arcs;
@@ -73,7 +73,7 @@ void end_modes_before(Reading& reading, BlockWords& block) {
                              (reading.gcode.tooth_feed && !(block.feed && !block.has(dwell)));
 }
 
-// F of a dwell is a time, R of M19 an angle, that of G5.1 a level of smoothing.
+// F of a dwell is a time, R of M19 an angle, R of G5.1 a level of smoothing.
 void take_words_that_are_no_motion(ProgramLine& line, BlockWords& block) {
   if (block.has(dwell)) {
     block.feed.reset();
@@ -87,7 +87,7 @@ void take_words_that_are_no_motion(ProgramLine& line, BlockWords& block) {
   }
 }
 
-// G4 X2. of FANUC is a time. LINUXCNC moves to what stands beside it, others do not.
+// G4 X2. of FANUC is a time. LINUXCNC moves to the axis words beside G4, others do not.
 bool check_dwell(Reading& reading, const ProgramLine& line, const BlockWords& block) {
   if (!block.has(dwell) || !block.axis) return true;
   const std::size_t first = reading.dialect.name == DialectName::fanuc ? 1 : 0;
@@ -99,7 +99,7 @@ bool check_dwell(Reading& reading, const ProgramLine& line, const BlockWords& bl
   return true;
 }
 
-// Of a block that may be skipped: what all lines behind it hang on.
+// Checks the modes of a skippable block that all lines after it depend on.
 bool check_skipped_modes(Reading& reading, const ProgramLine& line, const BlockWords& block) {
   if (block.has(dimension)) reading.gcode.skipped.dimension = block.to_skip;
   if (reading.gcode.skipped.dimension && block.axis && !block.to_skip)
@@ -132,13 +132,13 @@ bool check_skipped_modes(Reading& reading, const ProgramLine& line, const BlockW
   return true;
 }
 
-// Whether a line of axis words alone says all that its motion hangs on.
+// Whether a line with only axis words states everything that its motion depends on.
 bool may_read_plain_lines(const Reading& reading) {
   const WholeNumbers whole = reading.state.setup().whole_numbers;
   const bool plain_whole_numbers = reading.dialect.name != DialectName::fanuc ||
                                    whole == WholeNumbers::units ||
                                    (whole == WholeNumbers::unsaid && reading.gcode.seen.points);
-  // What G90.1 asks of an arc is looked at word by word.
+  // The reader checks the centre words that G90.1 requires one by one.
   const bool plain_centers =
       reading.dialect.name != DialectName::linuxcnc || !reading.state.absolute_center();
   return plain_centers && !reading.gcode.cycle && reading.gcode.coordinates.unfollowed.empty() &&
@@ -154,8 +154,8 @@ MotionKind kind_of(const Reading& reading, const BlockWords& block) {
   return block.has(motion) ? motion_of_function(block.of(motion).function->number) : reading.motion;
 }
 
-// I, J, K and R of a straight motion of FANUC outside of contours: where it ends hangs on none of
-// them. At feed some controls round or bevel the corner for them (D-117).
+// I, J, K and R of a straight motion of FANUC outside of contours do not affect its end. At feed
+// some controls take them as a rounding or chamfer of the corner (D-117).
 void pass_over_circle_words(const Reading& reading, ProgramLine& line, BlockWords& block) {
   const MotionKind kind = kind_of(reading, block);
   const bool is_straight = kind == MotionKind::rapid || kind == MotionKind::linear;
@@ -182,7 +182,7 @@ void pass_over_circle_words(const Reading& reading, ProgramLine& line, BlockWord
       word.role = WordRole::technology;
 }
 
-// What I, J, K and R mean in a straight motion of Fanuc: a vector beside G40 and G41, a corner.
+// I, J, K and R in a straight motion of Fanuc: a vector beside G40 and G41, or a corner.
 bool check_circle_words(Reading& reading, const ProgramLine& line, const BlockWords& block) {
   const MotionKind kind = kind_of(reading, block);
   const bool is_straight = kind == MotionKind::rapid || kind == MotionKind::linear;
@@ -201,7 +201,7 @@ bool check_circle_words(Reading& reading, const ProgramLine& line, const BlockWo
   return has_center || !block.axis || refused("R in a straight motion");
 }
 
-// G72 S0.5 of Fagor scales, where other controls drill holes on a line, with I J L (D-66).
+// G72 S0.5 of Fagor scales; on other controls G72 with I J L drills holes on a line (D-66).
 void take_words_of_few_controls(BlockWords& block) {
   BlockWords::Function& found = block.functions[static_cast<std::size_t>(single_move)];
   static constexpr GFunction scaling{.number = 72, .group = unfollowed, .meaning = "scaling"};
@@ -250,7 +250,7 @@ void take_unit_of_old(const Reading& reading, ProgramLine& line, BlockWords& blo
   found = {};
 }
 
-// P beside G2 and G3 of LinuxCNC: how many turns, the last of which may be a part of one.
+// P beside G2 and G3 of LinuxCNC is the number of turns; the last one may be a partial turn.
 void take_turns_of_arc(const Reading& reading, ProgramLine& line, BlockWords& block) {
   if (reading.dialect.name != DialectName::linuxcnc || !block.p_word || !reading.contour_open())
     return;
@@ -262,7 +262,7 @@ void take_turns_of_arc(const Reading& reading, ProgramLine& line, BlockWords& bl
     if (word.begin == block.arc.turns->begin) word.role = WordRole::coordinate;
 }
 
-// What the words make of the coordinates from here on.
+// How the words change the coordinates from here on.
 void take_coordinates(Reading& reading, const ProgramLine& line, BlockWords& block) {
   std::vector<UnfollowedMode> before;
   if (block.to_skip) before = reading.gcode.coordinates.unfollowed;
@@ -271,7 +271,7 @@ void take_coordinates(Reading& reading, const ProgramLine& line, BlockWords& blo
   end_what_was_unfollowed(reading, block);
   take_what_is_unfollowed(reading, line, block);
   if (!block.to_skip) return;
-  // What a line that may be skipped ends may still hold.
+  // A mode that a skippable line ends may still be in force.
   reading.gcode.coordinates.turned |= turned;
   for (UnfollowedMode& mode : before)
     if (!reading.gcode.coordinates.is_unfollowed(mode.function))
@@ -284,8 +284,8 @@ bool complete_gcode_block(Reading& reading, ProgramLine& line, BlockWords& block
   if (reading.dialect.name == DialectName::fanuc && block.whole != 0 && !block.has(dwell) &&
       !count_whole_numbers(reading, line, block))
     return false;
-  // T01T02M06 of Mazak: the first tool is changed, the second one fetched meanwhile. Radii come
-  // from D, so nothing hangs on which of them a control loads.
+  // T01T02M06 of Mazak changes the first tool and fetches the second one meanwhile. Radii come from
+  // D, so it does not matter which of them a control loads.
   if (block.tools.later_t_word && !block.tools.change)
     return reading.refuse(line, TextFault{.code = Code::nc_word_twice,
                                           .begin = block.tools.later_t_word->begin,

@@ -13,8 +13,7 @@
 #include "core/nc/dialect/reading.h"
 #include "core/nc/text/characters.h"
 
-// How the words of a block of plain letters and numbers are read: the dialects of Fanuc and of
-// LinuxCNC.
+// Reads the words of a block of plain letters and numbers: the dialects of Fanuc and LinuxCNC.
 
 namespace trc {
 namespace {
@@ -37,14 +36,14 @@ WordRole role_of(GGroup group) {
   }
 }
 
-// T0101: the tool and its offset in one word, as lathes have it.
+// T0101: the tool and its offset in one word, as on lathes.
 bool is_turning_tool(std::string_view word) {
   return word.size() == 5 && word.substr(1) != "0000" && word.substr(1, 2) == word.substr(3);
 }
 
 bool is_subprogram_call(double m) { return m == 96 || m == 97 || m == 98 || m == 198; }
 
-// `:0030 T01 M06`: the number of a block where a program may be entered. Alone `:` begins a
+// `:0030 T01 M06`: the number of a block at which a program may be entered. A lone `:` begins a
 // program.
 bool is_alignment_block(std::string_view line, const GcodeWord& word) {
   const std::string_view behind = without_blanks_in_front(line.substr(word.end));
@@ -52,7 +51,7 @@ bool is_alignment_block(std::string_view line, const GcodeWord& word) {
          behind.front() != ';';
 }
 
-// Not where coolant and the like alone stand behind the sign, and the sign behind other words.
+// False if the sign follows other words and only coolant and the like follow the sign.
 bool hangs_on_switch(const Reading& reading, std::string_view line, const BlockWords& block) {
   const SkipSign within = skip_sign_within(line, reading.dialect.name);
   return block.words == 0 || !within.is_there() ||
@@ -66,7 +65,7 @@ bool read_gcode_function(Reading& reading, const GcodeWord& word, ProgramLine& l
     function = &by_name::passing_function;
   if (function == nullptr && reading.state.setup().copies_unknown_words)
     function = &by_name::unknown_function;
-  // Under FANUC they turn the tool into the direction of the path.
+  // On FANUC these functions turn the tool into the direction of the path.
   if (function == nullptr && (word.value == 41.1 || word.value == 42.1))
     return refuse_word(reading, line, word, Code::nc_unsupported,
                        "a correction of LINUXCNC, or a direction of the tool");
@@ -77,14 +76,15 @@ bool read_gcode_function(Reading& reading, const GcodeWord& word, ProgramLine& l
   if (group == turning) return refuse_word(reading, line, word, Code::turning, function->meaning);
   BlockWords::Function& seen = block.functions[static_cast<std::size_t>(group)];
   const bool alone = group != technology && group != axis_technology;
-  // G15 and G50, G69 and G50.1 of a first line, where all of them end something.
+  // Functions that all end a mode may share a line: G15 and G50, G69 and G50.1 of a first line.
   const bool both_end =
       seen.function != nullptr &&
       (group == unfollowed_end || (group == frame && function->initial && seen.function->initial));
   if (alone && seen.function != nullptr && seen.function != function && !both_end)
     return refuse_word(reading, line, word,
                        group == side ? Code::compensation_side_twice : Code::nc_group_twice);
-  // The one that its line says more of: the speed limit of G50, the axes of G50.1.
+  // Keeps the function that other words of the line refer to: the speed limit of G50, the axes of
+  // G50.1.
   if (group == unfollowed_end || group == frame)
     block.coordinates.ends.push_back(static_cast<std::int16_t>(function->tenths()));
   if (!both_end || seen.is(15) || seen.is(69)) seen = {.function = function, .begin = word.begin};
@@ -93,7 +93,7 @@ bool read_gcode_function(Reading& reading, const GcodeWord& word, ProgramLine& l
       (function->number == 43 || function->number == 44 || function->number == 49);
   if (function->number == 96)
     reading.gcode.seen.lathe = block.spindle.constant_cutting_speed = true;
-  // Where there is nothing to end, G40 is a line of the program like any other.
+  // A G40 that ends nothing is an ordinary line of the program.
   const bool ends_nothing = group == side && function->number == 40 && !reading.contour_open();
   if (reading.dialect.name == DialectName::fanuc && function->tenths() == tenths_of(11))
     reading.gcode.enters_parameters = false;
@@ -101,7 +101,7 @@ bool read_gcode_function(Reading& reading, const GcodeWord& word, ProgramLine& l
   return true;
 }
 
-// A coordinate; `bit`: as WholeWord has it.
+// A coordinate; `bit`: as in WholeWord.
 void see_whole(Reading& reading, const GcodeWord& word, std::size_t bit, BlockWords& block) {
   constexpr std::size_t bits = 64;
   if (word.whole && bit < bits) block.whole |= std::uint64_t{1} << bit;
@@ -155,7 +155,7 @@ bool read_comma_word(Reading& reading, const GcodeWord& word, ProgramLine& line,
   return true;
 }
 
-// Of LinuxCNC: $ is a spindle, @ a polar radius.
+// In LinuxCNC $ is a spindle and @ a polar radius.
 bool read_gcode_sign(Reading& reading, const GcodeWord& word, ProgramLine& line,
                      BlockWords& block) {
   const bool linuxcnc = reading.dialect.name == DialectName::linuxcnc;
@@ -184,7 +184,7 @@ bool read_gcode_center(Reading& reading, const GcodeWord& word, ProgramLine& lin
   return true;
 }
 
-// T of FANUC may have the number of an offset behind a point, and stand twice.
+// T of FANUC may give an offset number after a point, and may occur twice.
 bool read_gcode_tool(Reading& reading, const GcodeWord& word, ProgramLine& line,
                      BlockWords& block) {
   if (block.tools.later_t_word ||
@@ -331,14 +331,14 @@ bool read_gcode_word(Reading& reading, const GcodeWord& word, ProgramLine& line,
                      BlockWords& block) {
   switch (word.letter) {
     case 'N':
-      // Some controls jump and call with N behind other words.
+      // Some controls jump and call with an N after other words.
       if (block.words > 0)
         return refuse_word(reading, line, word, Code::nc_unsupported, "behind other words");
       if (word.has_number && word.whole && is_whole(word.value))
         line.source.number = static_cast<std::int64_t>(word.value);
       add(line, word, WordRole::number);
       return true;
-    case 'O':  // the number of the program
+    case 'O':  // the program number
       if (is_alignment_block(line.text, word)) {
         add(line, word, WordRole::number);
         return true;

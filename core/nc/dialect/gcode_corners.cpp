@@ -94,7 +94,7 @@ bool take_corner_feed(Reading& reading, ProgramLine& line, BlockWords& block) {
 bool take_corner(Reading& reading, ProgramLine& line, BlockWords& block) {
   const bool moves = block.axis || block.center;
   const bool selects = block.selects();
-  // The approach is another line than the one that the program rounds into.
+  // The approach is not the line that the programmed rounding leads into.
   if (selects && reading.gcode.corners.open.source.line > 0)
     return reading.refuse_at(reading.gcode.corners.open, Code::nc_unsupported,
                              "a rounding or a chamfer in front of the motion that selects TRC");

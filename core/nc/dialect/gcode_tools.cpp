@@ -11,8 +11,8 @@
 #include "core/nc/dialect/sinumerik_tools.h"
 #include "core/nc/text/characters.h"
 
-// Which tool G41 and G42 have, and what a program says of tools: the dialects of Fanuc, LinuxCNC
-// and Sinumerik.
+// The tool of G41 and G42, and the tool words of a program: the dialects of Fanuc, LinuxCNC and
+// Sinumerik.
 
 namespace trc {
 namespace {
@@ -26,8 +26,8 @@ bool has_length_offset(const ProgramLine& line) {
   });
 }
 
-// Further work offsets take a P, and M words of machine builders may; those of spindle and coolant
-// do not.
+// Further work offsets have a P, and M words of machine builders may; M words of spindle and
+// coolant do not.
 bool has_function_with_p(const ProgramLine& line) {
   return std::ranges::any_of(line.words, [&](const WordRange& range) {
     const std::string_view word = line.word(range);
@@ -37,7 +37,7 @@ bool has_function_with_p(const ProgramLine& line) {
   });
 }
 
-// G38.2 of 382.
+// G38.2 from 382.
 std::string name_of_function(std::int32_t tenths) {
   const std::string tenth = tenths % 10 == 0 ? "" : "." + std::to_string(tenths % 10);
   return "G" + std::to_string(tenths / 10) + tenth;
@@ -52,13 +52,13 @@ bool check_what_may_be_skipped(Reading& reading, const ProgramLine& line, const 
                             !block.tools.edges.empty();
   const bool leads = block.has(selection) || block.has(transition);
   if (block.tools.t_word || block.tools.named) reading.gcode.skipped.next_tool = skipped;
-  // An edge of Sinumerik is one of the tool.
+  // A Sinumerik edge belongs to the tool.
   if (names_tool || (block.tools.d_word && (skipped > 0 || !sinumerik)))
     reading.gcode.skipped.tool =
         skipped == 0 && block.tools.loads ? reading.gcode.skipped.next_tool : skipped;
   if (gives_radius) reading.gcode.skipped.tool_data = skipped;
   if (leads) reading.gcode.skipped.approach = skipped;
-  // Of other dialects a T word changes nothing in a contour.
+  // In other dialects a T word does not change a contour.
   const bool changes_contour =
       block.tools.d_word || gives_radius || leads || (sinumerik && names_tool);
   if (skipped > 0 && changes_contour && reading.trc_active())
@@ -101,7 +101,7 @@ bool check_turning(Reading& reading, const ProgramLine& line, const BlockWords& 
   return true;
 }
 
-// Words that say nothing to a contour, or something that is not followed.
+// Refuses words that do not apply to a contour or are not followed.
 bool check_words_beside_contour(Reading& reading, const ProgramLine& line,
                                 const BlockWords& block) {
   const bool selects = block.selects();
@@ -111,7 +111,7 @@ bool check_words_beside_contour(Reading& reading, const ProgramLine& line,
   };
   if (block.own_feed && (selects || reading.trc_active()))
     return unsupported(*block.own_feed, "FB=, a feed of one block, while TRC is active");
-  // The corner in front of it still has the feed before.
+  // The corner before it still has the previous feed.
   if (block.tooth_feed && reading.trc_active())
     return unsupported(*block.tooth_feed, "FZ=, no feed per minute, while TRC is active");
   const bool takes_p = block.spindle.is_oriented || block.has(dwell) || block.has(zero_shift) ||
@@ -129,8 +129,8 @@ bool check_words_beside_contour(Reading& reading, const ProgramLine& line,
   return true;
 }
 
-// FANUC: where a contour begins the control reads the register of the last D word, which G10 may
-// have written into since (D-163). None: the line has to say what nobody knows.
+// FANUC: at the start of a contour the control reads the register of the last D word, which G10 may
+// have changed since (D-163). Empty: no register is known, so the line has to name one.
 std::optional<BlockWords::Value> register_in_force(const Reading& reading,
                                                    const BlockWords& block) {
   const std::optional<double>& last = reading.gcode.last_register.number;
@@ -141,10 +141,10 @@ std::optional<BlockWords::Value> register_in_force(const Reading& reading,
   return BlockWords::Value{.value = *last, .begin = block.of(side).begin};
 }
 
-// What names the tool of a line.
+// The word or state that names the tool of a line.
 enum class ToolSaid : std::uint8_t { by_d, by_h, by_spindle };
 
-// Which tool G41 or G42 of the line has, where the line or the spindle says. Empty: an error.
+// The tool of G41 or G42, from the line or from the spindle. Empty: an error.
 std::optional<ToolSaid> take_tool_of_selection(Reading& reading, ProgramLine& line,
                                                BlockWords& block) {
   ToolSaid said = ToolSaid::by_d;
@@ -188,7 +188,7 @@ std::optional<ToolSaid> take_tool_of_selection(Reading& reading, ProgramLine& li
   return said;
 }
 
-// Whether the table has the tool of the line, or the radius of the setup stands for it.
+// Whether the table has the tool of the line, or the setup gives the radius instead.
 bool check_tool_of_table(Reading& reading, const ProgramLine& line, BlockWords& block,
                          ToolSaid said) {
   const bool matters = reading.trc_active() || block.selects();
@@ -207,7 +207,7 @@ bool check_tool_of_table(Reading& reading, const ProgramLine& line, BlockWords& 
   if (reading.state.tool().has_tool(number)) return true;
   if (matters && take_only_register(reading, line, block, number)) return true;
   if (!matters) {
-    // H and D stand side by side in many programs: it matters only where G41 has no D of its own.
+    // Many programs have H and D side by side: the tool only matters if G41 has no D of its own.
     reading.gcode.tools.missing = number;
     reading.gcode.tools.edge_place = reading.place_of_word(line, block.tools.d_word->begin);
     block.tools.d_word.reset();
@@ -228,7 +228,7 @@ bool check_tool_of_table(Reading& reading, const ProgramLine& line, BlockWords& 
                                     : "D" + tool});
 }
 
-// FANUC without D words: the radius of the setup is that of the tool in the spindle.
+// FANUC without D words: the radius of the setup belongs to the tool in the spindle.
 bool take_only_spindle_tool(Reading& reading) {
   const std::int64_t tool = reading.gcode.tools.in_spindle;
   if (reading.dialect.name != DialectName::fanuc || !reading.has_one_radius() || tool == 0 ||

@@ -16,7 +16,7 @@
 #include "core/nc/text/characters.h"
 #include "core/nc/text/klartext_words.h"
 
-// How a block of Klartext is read. What it does: klartext_motion.cpp.
+// Reads a block of Klartext. Its effect: klartext_motion.cpp.
 
 namespace trc {
 namespace {
@@ -44,8 +44,8 @@ constexpr auto motions = [] {
                                 {"DEP", departure}});
 }();
 
-// Behind `/` and the number of the block, which become words of the line; nothing where no more
-// stands in it than a number.
+// After `/` and the block number, which become words of the line; empty if the line has nothing but
+// a number.
 std::optional<std::size_t> begin_of_statement(ProgramLine& line, bool& to_skip) {
   const std::string_view text = line.text;
   std::size_t at = 0;
@@ -98,14 +98,14 @@ bool moves_along_one_axis(std::string_view statement) {
   return axes == 1;
 }
 
-// From where it begins.
+// `at`: where the statement begins.
 bool read_statement(Reading& reading, ProgramLine& line, KlartextBlock& block, std::size_t at) {
   const std::string_view rest = line.text;
-  // Some end their lines with one: all behind it would be one comment.
+  // Some programs end lines with these characters: all text after them would be one comment.
   if (const std::size_t no_end = rest.find_first_of("\v\f"); no_end != std::string_view::npos)
     return refuse_klartext(reading, line, no_end, name_of_character(rest.substr(no_end)),
                            Code::nc_not_text);
-  // Simulators write a setup sheet in parentheses in front of BEGIN PGM.
+  // Simulators write a setup sheet in parentheses before BEGIN PGM.
   const bool setup_sheet = rest[at] == '(' && reading.blocks_read == 0;
   if (rest[at] == ';' || rest[at] == '*' || setup_sheet) {
     line.words.push_back({.begin = static_cast<std::uint32_t>(at),
@@ -163,7 +163,7 @@ bool begins_klartext_block(std::string_view line) {
          std::ranges::any_of(others, begins) || std::ranges::any_of(motions, begins, &Motion::name);
 }
 
-// RL, RR, and R+ R- beside a single axis: not RLENGTH, nor the radius R+30 of CR.
+// RL, RR, and R+ R- beside a single axis; neither RLENGTH nor the radius R+30 of CR.
 std::size_t place_of_klartext_side(std::string_view block) {
   const std::string words = statement_of(block);
   const std::size_t first = words.find_first_not_of("0123456789 /");
@@ -192,7 +192,7 @@ bool read_klartext(Reading& reading, ProgramLine& line) {
   if (!begin) return true;
   const std::uint32_t led = reading.klartext_modes.unfollowed;
   const bool goes_on = read_statement(reading, line, block, *begin);
-  // What a line that may be skipped ends may still hold.
+  // A mode that a skippable line ends may still be in force.
   if (block.to_skip) take_klartext_effects(reading, {.unsure = led});
   return goes_on;
 }
@@ -201,7 +201,7 @@ bool take_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block, bo
   if (!reading.faults.empty()) {
     if (block.side) reading.scanned_trc = *block.side != Side::off;
     if (block.is(KlartextStatement::departure)) reading.scanned_trc = false;
-    // Labels behind the end are no part of what is looked through for further faults.
+    // Labels after the end are not searched for further faults.
     reading.ended |= line.ends_program;
   }
   if (!readable || !reading.faults.empty()) return false;

@@ -10,7 +10,7 @@
 #include "core/nc/text/characters.h"
 #include "core/nc/text/klartext_words.h"
 
-// How text becomes lines, wherever it is cut; each is read as soon as it is whole.
+// Turns text into lines, wherever the text is cut, and reads each line as soon as it is complete.
 
 namespace trc {
 namespace {
@@ -28,7 +28,7 @@ void forget_words(ProgramLine& line) {
   line.feed_it_takes = 0;
 }
 
-// Few lines get past this.
+// A cheap test that rules out most lines.
 bool may_be_continued(std::string_view line) {
   const char last = line.empty() ? '\0' : line.back();
   return last == '\\' || last == ' ' || last == '\t' || last == '\xA0';
@@ -49,7 +49,7 @@ bool Interpreter::feed(std::string_view text, std::vector<LinePointer>& lines) {
     if (line_feed) text.remove_prefix(1);
     if (!take_line({}, line_feed ? "\r\n" : "\r", lines)) return false;
   }
-  // Each sign is looked for once, not once for every one of the other.
+  // Keeps both positions, so that each sign is searched for only once.
   std::size_t line_feed = 0;
   std::size_t carriage_return = 0;
   const auto find_from = [&](char sign, std::size_t at, std::size_t& found) {
@@ -86,7 +86,7 @@ bool Interpreter::read(const FlatLine& line, std::vector<LinePointer>& lines) {
   if (std::exchange(carriage_return_, false) && !take_line({}, "\r", lines)) return false;
   reading_.lines_read = line.number - 1 - continued_;
   reading_.knows_columns = line.is_as_written;
-  // The text may be gone before the line is.
+  // The text may be released before the line.
   const std::string_view line_end = line.line_end == "\n"     ? "\n"
                                     : line.line_end == "\r\n" ? "\r\n"
                                     : line.line_end == "\r"   ? "\r"
@@ -102,7 +102,7 @@ bool Interpreter::read(const FlatLine& line, std::vector<LinePointer>& lines) {
   return goes_on;
 }
 
-// Takes the rest of a line, with its end; what came before of it is in partial_.
+// Takes the rest of a line, with its end; partial_ has its beginning.
 bool Interpreter::take_line(std::string_view text, std::string_view line_end,
                             std::vector<LinePointer>& lines) {
   if (!partial_.empty()) {
@@ -152,7 +152,7 @@ bool Interpreter::take_block(std::string_view text, std::string_view line_end,
   const bool goes_on = read_line(reading_, line);
   enter_modes(line);
   if (reading_.faults.empty()) return goes_on;
-  // It may turn out to stand in front of the tape: a text without words.
+  // The line may turn out to be before the tape: a text without words.
   if (reading_.in_front_of_tape && reading_.blocks_read == 0 && !reading_.diagnostics.stopped()) {
     forget_words(line);
     return true;
@@ -248,7 +248,7 @@ bool Interpreter::refuse_long_line() {
   return reading_.diagnostics.report(std::move(refused));
 }
 
-// The text ends behind a `\`.
+// The text ends after a `\`.
 bool Interpreter::refuse_open_line() {
   const auto last_line = static_cast<std::uint32_t>(reading_.lines_read + std::max(continued_, 1U));
   return reading_.diagnostics.report(

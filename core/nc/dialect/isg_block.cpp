@@ -60,7 +60,7 @@ Code twice_code(GGroup group) {
   }
 }
 
-// A continued line may have a number of its own; the first one counts.
+// A continued line may have another number; the first one counts.
 bool read_number(Reading& reading, const Word& word, ProgramLine& line, BlockWords&) {
   if (word.has_argument || !word.whole || !is_whole(word.value))
     return reading.refuse(line, word, Code::nc_number);
@@ -87,7 +87,8 @@ bool read_g_function(Reading& reading, const Word& word, ProgramLine& line, Bloc
   if (function == nullptr) return reading.refuse(line, word, Code::nc_unknown_function);
   const GGroup group = function->group;
   reading.isg_word_seen |= is_of_isg_alone(group);
-  // No mirroring, which is initial here, is inch elsewhere: millimetres for inches.
+  // G20 ends mirroring here, which is the initial state, but means inch elsewhere: the program
+  // would run in millimetres instead of inches.
   if (function->number == 20 && !reading.isg_word_seen)
     return reading.refuse(line,
                           TextFault{.code = Code::other_dialect,
@@ -122,7 +123,7 @@ bool read_g_function(Reading& reading, const Word& word, ProgramLine& line, Bloc
   if (seen.function != nullptr && group != GGroup::technology && group != GGroup::axis_technology)
     return reading.refuse(line, word, twice_code(group));
   seen = {.function = function, .begin = word.begin};
-  // Where there is nothing to end, G40 is a line of the program like any other.
+  // A G40 that ends nothing is an ordinary line of the program.
   const bool ends_nothing = group == GGroup::side && function->number == 40;
   add(line, word, ends_nothing && !reading.contour_open() ? WordRole::mode : role_of(group));
   return true;
@@ -156,7 +157,7 @@ bool read_machine_function(Reading& reading, const Word& word, ProgramLine& line
                            BlockWords& block) {
   if (word.value == 17 || word.value == 29)
     return reading.refuse(line, word, Code::nc_unsupported, "M17, M29, the end of a subprogram");
-  // M2=3 is one of the second spindle.
+  // M2=3 belongs to the second spindle.
   const bool ends = !word.has_argument && (word.value == 2 || word.value == 30);
   line.ends_program |= ends;
   block.tools.loads |= word.value == 6;
@@ -316,7 +317,7 @@ bool check_isg_block(Reading& reading, ProgramLine& line, BlockWords& block) {
     return wrong(Code::nc_syntax, block.of(tangential), " without G40, G41 or G42");
   if (!reading.isg_word_seen && !reading.contour_open() && block.axis && !block.has(motion) &&
       !block.has(side)) {
-    // Working area limits and a local zero point elsewhere: no positions.
+    // In other dialects these are working area limits and a local zero point, not positions.
     if (block.has(transition))
       return wrong(Code::other_dialect, block.of(transition), " with axis words");
     const auto g52 = std::ranges::find_if(line.words, [&](const WordRange& range) {
@@ -334,7 +335,7 @@ bool check_isg_block(Reading& reading, ProgramLine& line, BlockWords& block) {
           block.tools.d_word ? register_number(block.tools.d_word->value) : 0;
       !reading.state.tool().has_tool(number))
     take_only_register(reading, line, block, number);
-  if (block.isg.homes) {  // where the axes stand then only the machine knows
+  if (block.isg.homes) {  // afterwards only the machine knows where the axes are
     block.copied = true;
     take_for_technology(line, WordRole::coordinate);
   }

@@ -14,12 +14,12 @@
 #include "core/nc/text/characters.h"
 #include "core/nc/text/number_format.h"
 
-// Commands of ISG: what begins with `#`.
+// Commands of ISG: the words that begin with `#`.
 
 namespace trc {
 namespace {
 
-// The words behind `#`, upper case, joined by one blank: at most two.
+// The words after `#`, upper case, joined by one blank: at most two.
 std::string command_name(std::string_view command) {
   std::string name;
   std::size_t at = 1;
@@ -41,8 +41,8 @@ struct ForbiddenCommand {
   bool copied_while_off = true;
 };
 
-// Rule 1.11. While TRC is off their lines are copied as those of unfollowed_commands, but for what
-// goes on behind them: motions that are no lines, and loops.
+// Rule 1.11. While TRC is off their lines are copied like unfollowed_commands, except commands that
+// stay in effect after the line: motions that are no lines, and loops.
 constexpr auto forbidden_commands = std::to_array<ForbiddenCommand>({
     {"CS ", Code::coordinate_system_while_active},
     {"ACS ", Code::coordinate_system_while_active},
@@ -56,20 +56,20 @@ constexpr auto forbidden_commands = std::to_array<ForbiddenCommand>({
     {"RT WHILE", Code::real_time_loop_while_active, false},
 });
 
-// Commands that say nothing about where the path runs.
+// Commands that do not affect the path.
 constexpr auto passing_commands = std::to_array<std::string_view>(
     {"MSG ",        "FLUSH ",     "SLOPE ",    "CONTOUR MODE", "HSC ",        "TRANSVELLIM ",
      "VECTOR ",     "FILTER ",    "FRICTION ", "OVERRIDE ",    "TIMER ",      "WAIT ",
      "SIGNAL ",     "ERROR ",     "FILE ",     "TOOL LIFE",    "SINGLESTEP ", "SET SLOPE",
      "SET ASPLINE", "SPLINE OFF", "PTP OFF",   "VAR ",         "ENDVAR ",     "DELETE "});
 
-// Commands behind which an axis stands, or counts from, where only the control knows.
+// After these commands only the control knows the position or the zero point of an axis.
 constexpr auto unfollowed_commands = std::to_array<std::string_view>(
     {"RTCP ", "TLC ", "KIN ", "WCS ", "ECS ", "BCS ", "CALL AX", "PUT AX", "SET AX", "GANTRY ",
      "CHANNEL ", "HANDWHEEL", "TRAFO OFF", "ROTATION OFF"});
 
-// Where a word of the block begins that stands behind a command: its motion would pass as text.
-// Names of the command and what stands in brackets or quotes are its own, variables are values.
+// Where a word of the block begins after a command: its motion would pass as text. Names of the
+// command and text in brackets or quotes belong to the command; variables are values.
 std::size_t word_behind_command(std::string_view command) {
   std::size_t depth = 0;
   bool is_over = false;
@@ -103,7 +103,7 @@ std::size_t word_behind_command(std::string_view command) {
   return std::string_view::npos;
 }
 
-// Their values are axis words.
+// The values of these commands are axis words.
 bool holds_axis_words(std::string_view name) {
   return name.starts_with("PSET ") || name.starts_with("PRESET ");
 }
@@ -123,7 +123,7 @@ bool is_time(std::string_view command) {
   return length > 0 && begin + length == command.size();
 }
 
-// Off the contour what changes the coordinates passes; nothing is known of the position then.
+// Off the contour a command that changes the coordinates passes, and the position becomes unknown.
 bool copy_unfollowed_command(Reading& reading, const Word& word, std::string_view name,
                              ProgramLine& line, BlockWords& block) {
   const auto forbidden = std::ranges::find_if(

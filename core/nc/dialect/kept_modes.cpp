@@ -5,7 +5,7 @@
 #include "core/nc/dialect/block_words.h"
 #include "core/nc/dialect/reading.h"
 
-// M70 of LinuxCNC keeps what is in force, M72 brings it back, M71 forgets it (D-113).
+// M70 of LinuxCNC keeps the modes in force, M72 restores them, M71 forgets them (D-113).
 
 namespace trc {
 namespace {
@@ -58,7 +58,7 @@ bool apply_kept_modes(Reading& reading, const ProgramLine& line, const BlockWord
   reading.feed_mode = kept.feed_mode;
   reading.gcode.feed_mode_line = line.source.line;
   reading.feed = kept.feed;
-  // The work offset comes back too, and the offset of the tool.
+  // M72 also restores the work offset and the tool offset.
   constexpr std::array all{true, true, true};
   const bool stays = kept.work_offset != 0 &&
                      kept.work_offset == reading.gcode.coordinates.work_offset &&

@@ -12,7 +12,7 @@
 namespace trc {
 namespace {
 
-// CP: IPA may be several turns, each a block.
+// CP: IPA may be several turns, each one a block.
 bool move_in_turns(Reading& reading, ProgramLine& line, KlartextBlock& block,
                    MoveRequest& request) {
   const PlaneAxes axes = axes_of(reading.state.mode().plane);

@@ -13,15 +13,15 @@
 #include "core/nc/text/characters.h"
 #include "core/nc/text/klartext_words.h"
 
-// What each word of a block of Klartext says.
+// The meaning of each word of a block of Klartext.
 
 namespace trc {
 namespace {
 
 using Kind = KlartextWord::Kind;
 
-// X+Q1 and XQ1 as a word with the number that the program has given the parameter (D-85). A feed
-// is passed on as it stands.
+// X+Q1 and XQ1 as a word with the number that the program has assigned to the parameter (D-85). A
+// feed is passed on unchanged.
 std::optional<KlartextWord> with_value(const KlartextWord& word, std::string_view text,
                                        const std::map<std::string, double, std::less<>>& known) {
   const std::string words = in_upper_case(text);
@@ -40,8 +40,8 @@ std::optional<KlartextWord> with_value(const KlartextWord& word, std::string_vie
   return value;
 }
 
-// Of an M function with words of its own, such as F of M103 and MAX of M140: not the side of TRC,
-// no place unless it has `limits` (M118), no L that begins a statement.
+// Whether the word may belong to an M function with words of its own, such as F of M103 and MAX of
+// M140: not the side of TRC, a position only with `limits` (M118), no L that begins a statement.
 bool may_be_of_function(const KlartextWord& word, std::string_view text, bool limits) {
   if (word.kind == Kind::name) return word.name != "RL" && word.name != "RR" && word.name != "L";
   std::string_view axis = word.name;
@@ -75,7 +75,7 @@ bool read_klartext_feed(Reading& reading, const KlartextWord& word, ProgramLine&
     return refuse_klartext(reading, line, word.begin, text, Code::nc_word_twice);
   block.feed = {.value = word.value, .begin = word.begin};
   const bool of_the_corner = block.is_corner();
-  // The feed of the contour would not come back behind it.
+  // The feed of the contour would not come back after the corner.
   if (of_the_corner && reading.klartext_modes.feed_per_turn && reading.contour_open())
     return refuse_klartext(reading, line, word.begin,
                            text + ", no feed per minute, while TRC is active");
@@ -131,7 +131,7 @@ bool read_klartext_value(Reading& reading, const KlartextWord& word, ProgramLine
       return refuse_klartext(reading, line, word.begin, "R0", Code::compensation_side_twice);
     block.side = Side::off;
     block.side_begin = word.begin;
-    // Where there is nothing to end, R0 is a word of the program like any other.
+    // An R0 that ends nothing is an ordinary word of the program.
     add(line, word, reading.contour_open() ? WordRole::trc : WordRole::mode);
     return true;
   }
@@ -151,7 +151,7 @@ bool read_klartext_value(Reading& reading, const KlartextWord& word, ProgramLine
   return read_klartext_axis(reading, word, line, block);
 }
 
-// XQ1, X+Q1, FQ1. A feed moves nothing, whatever it is.
+// XQ1, X+Q1, FQ1. A feed moves nothing, whatever its value.
 bool read_klartext_parameter(Reading& reading, const KlartextWord& word, ProgramLine& line,
                              KlartextBlock& block) {
   const std::string text(line.word({.begin = word.begin, .end = word.end}));
@@ -177,7 +177,7 @@ bool read_klartext_parameter(Reading& reading, const KlartextWord& word, Program
   return true;
 }
 
-// LT, LN, CT or LCT behind APPR and DEP, with P where the place is polar.
+// LT, LN, CT or LCT after APPR and DEP, with a P if the end is polar.
 bool take_form_of_lead(std::string_view name, KlartextBlock& block) {
   constexpr auto forms =
       std::to_array<std::pair<std::string_view, Lead::Form>>({{"LT", Lead::Form::tangent},
@@ -225,14 +225,14 @@ bool read_klartext_name(Reading& reading, const KlartextWord& word, ProgramLine&
     block.rapid = true;
     return two_words(WordRole::motion);
   }
-  // M of older controls, at the end of the block: no function.
+  // M of older controls at the end of the block: no function.
   const std::string_view behind =
       without_blanks_in_front(std::string_view(line.text).substr(word.end));
   if (name == "M" && (behind.empty() || behind.front() == ';')) {
     add(line, word, WordRole::technology);
     return true;
   }
-  // R of older controls: the compensation stays as it is.
+  // R of older controls keeps the compensation in force.
   if (name == "R" && block.is(KlartextStatement::straight)) {
     add(line, word, reading.contour_open() ? WordRole::trc : WordRole::mode);
     return true;

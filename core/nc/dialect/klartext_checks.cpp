@@ -8,7 +8,7 @@
 #include "core/nc/dialect/klartext_block.h"
 #include "core/nc/dialect/reading.h"
 
-// What the words of a block of Klartext must be together, and whether the block is followed.
+// Checks that the words of a block of Klartext fit together, and whether the block is followed.
 
 namespace trc {
 namespace {
@@ -17,7 +17,7 @@ std::string word_at(const ProgramLine& line, std::size_t begin) {
   return std::string(line.text.substr(begin, line.text.find_first_of(" \t\r\n;", begin) - begin));
 }
 
-// ", a variable" and the like, behind the word or the block that it is said of.
+// ", a variable" and the like, appended to the word or the block that it refers to.
 std::string_view told(KlartextObstacle::Why why) {
   using enum KlartextObstacle::Why;
   switch (why) {
@@ -61,7 +61,7 @@ bool refuse_unfollowed(Reading& reading, const ProgramLine& line, const Klartext
   return refuse_klartext(reading, line, obstacle.begin, std::move(detail), obstacle.code());
 }
 
-// Arcs across the plane, as vertical leads are: only the control follows them (D-91).
+// Arcs across the plane, such as vertical leads: only the control follows them (D-91).
 void leave_plane_by_arc(const Reading& reading, KlartextBlock& block) {
   using enum KlartextStatement;
   if (block.unfollowed) return;
@@ -77,7 +77,7 @@ void leave_plane_by_arc(const Reading& reading, KlartextBlock& block) {
     if (block.end[axis]) block.leaves_on |= main_axis_bit(axis);
 }
 
-// What the words must be together.
+// Checks that the words fit together.
 bool check_klartext_form(Reading& reading, const ProgramLine& line, const KlartextBlock& block) {
   const auto wrong = [&](std::string detail, Code code) {
     return refuse_klartext(reading, line, block.begin, block.title() + std::move(detail), code);
@@ -111,7 +111,7 @@ bool check_klartext_form(Reading& reading, const ProgramLine& line, const Klarte
   return true;
 }
 
-// A word that the statement does not count on would be passed over.
+// Refuses words that do not belong to the statement; otherwise they would be ignored.
 bool check_words_of_form(Reading& reading, const ProgramLine& line, const KlartextBlock& block) {
   using enum KlartextStatement;
   const bool lead = block.is_lead();
@@ -159,15 +159,15 @@ bool check_feed_of_klartext(Reading& reading, const ProgramLine& line, const Kla
         reading, line, block.feed->begin,
         word_at(line, block.feed->begin) + ", more than 0 and at most 1000000000 mm/min",
         Code::nc_number);
-  // The time of one block, which becomes several.
+  // FT is the time of one block, which becomes several.
   if (block.selects() && block.feed_per_turn && !block.not_in_contour)
     return refuse_klartext(reading, line, block.begin,
                            "FT or FMAXT, no feed per minute, while TRC is active");
   return true;
 }
 
-// LP about a pole, or from a place, that only the control knows, as holes of a circle behind a
-// cycle call. CC stands in the output as in the program as long as no contour has come since.
+// LP about a pole or from a place that only the control knows, such as holes of a circle after a
+// cycle call. The output has the programmed CC only if no contour has come since.
 bool is_beyond_what_is_known(const Reading& reading, const KlartextBlock& block) {
   const KlartextModes& modes = reading.klartext_modes;
   if (!block.is(KlartextStatement::polar_line) || block.selects() || reading.contour_open() ||
@@ -182,7 +182,7 @@ bool is_beyond_what_is_known(const Reading& reading, const KlartextBlock& block)
   return !modes.pole || (!stands_where && !(has_radius && has_angle));
 }
 
-// What keeps the block from being followed, if its words have not said so.
+// Finds why the block is not followed, unless its words have given the reason.
 void find_obstacle(const Reading& reading, KlartextBlock& block) {
   using Why = KlartextObstacle::Why;
   const std::uint32_t led = reading.klartext_modes.unfollowed;
@@ -218,7 +218,7 @@ bool check_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block) {
   const bool selects = block.selects();
   // R0 beside M91 ends TRC first.
   if (!selects && (!reading.trc_active() || block.side == Side::off)) return true;
-  // RL under scaling or M128 has been told: what follows hangs on that.
+  // RL under scaling or M128 has been reported: this block fails for the same reason.
   const bool led = reading.klartext_modes.unfollowed != 0 && block.unfollowed->begin == block.begin;
   if (led && !selects && !reading.faults.empty()) return false;
   return refuse_unfollowed(reading, line, block);

@@ -12,7 +12,8 @@
 namespace trc {
 namespace {
 
-// Behind blanks at the begin of `text`; what is no number, as a parameter, scales.
+// Whether `text`, after leading blanks, is 1. A text that is no number, such as a parameter,
+// scales.
 bool is_one(std::string_view text) {
   const std::string_view number = without_blanks_in_front(text);
   double value = 0;
@@ -24,7 +25,7 @@ KlartextEffects set_or_end(std::uint32_t mode, bool sets) {
   return sets ? KlartextEffects{.sets = mode} : KlartextEffects{.clears = mode};
 }
 
-// The axes that cycle 26 scales, behind its CYCL DEF 26.1: X 1.4 Y0.6 CCX+15.
+// The axes that cycle 26 scales, after its CYCL DEF 26.1: X 1.4 Y0.6 CCX+15.
 KlartextEffects scaling_of_axes(std::string_view words) {
   KlartextEffects scaled;
   constexpr std::string_view axes = "XYZ";
@@ -37,7 +38,7 @@ KlartextEffects scaling_of_axes(std::string_view words) {
   return scaled;
 }
 
-// A tool, or DR alone.
+// TOOL CALL with a tool, or with DR alone.
 KlartextEffects effects_of_tool_call(std::string_view words) {
   using Kind = KlartextToolWord::Kind;
   KlartextToolReader reader(words);
@@ -50,7 +51,7 @@ KlartextEffects effects_of_tool_call(std::string_view words) {
   return {};
 }
 
-// Whether M and a number stand in it: M128, M 128.
+// Whether the statement has M and a number: M128, M 128.
 bool may_have_function(std::string_view statement) {
   for (std::size_t at = statement.find('M'); at != std::string_view::npos;
        at = statement.find('M', at + 1)) {
@@ -60,7 +61,7 @@ bool may_have_function(std::string_view statement) {
   return false;
 }
 
-// Of a motion, or of M words alone.
+// The effects of the M functions in a motion or in a block of M words.
 KlartextEffects effects_of_functions(std::string_view text, std::string_view statement) {
   constexpr auto without_functions =
       std::to_array<std::string_view>({"BEGIN", "END", "TOOL", "CYCL", "CALL", "SEL", "FN", "Q"});
@@ -102,12 +103,12 @@ KlartextEffects effects_of_statement(std::string_view statement) {
                          !statement.ends_with("RESET") && !is_one(statement.substr(scale.size())));
   if (begins_with_word(statement, "FUNCTION TCPM")) effects = {.sets = KlartextLead::tip};
   if (begins_with_word(statement, "FUNCTION RESET TCPM")) effects = {.clears = KlartextLead::tip};
-  // A row of a table of corrections, which has a DR of its own, up to the next tool.
+  // A row of a table of corrections, with its own DR, holds up to the next tool.
   if (begins_with_word(statement, "FUNCTION CORRDATA"))
     effects =
         set_or_end(KlartextLead::correction, statement.find("RESET") == std::string_view::npos);
   if (begins_with_word(statement, "TOOL CALL")) effects = {.clears = KlartextLead::correction};
-  // CYCL DEF 26.0 has the name alone.
+  // CYCL DEF 26.0 only has the name.
   if (statement.starts_with(scale_axes) && !statement.starts_with("CYCL DEF 26.0"))
     effects = scaling_of_axes(statement.substr(scale_axes.size() + 1));
   return effects;
@@ -153,7 +154,8 @@ bool jumps(std::string_view statement) {
   return statement.find("GOTO") != std::string_view::npos || begins_with_word(statement, "IF");
 }
 
-// SYSWRITE ID50 NR2 IDX1 = +6: R of the tool table, of the tool in the spindle ID950; NR5 is DR.
+// SYSWRITE ID50 NR2 IDX1 = +6 writes R of the tool table, ID950 R of the tool in the spindle; NR5
+// is DR.
 bool writes_radius(std::string_view statement) {
   if (statement.find("SYSWRITE") == std::string_view::npos) return false;
   const auto number_behind = [&](std::string_view word) -> std::string_view {

@@ -30,7 +30,7 @@ constexpr auto functions = std::to_array<std::pair<std::string_view, Function>>(
     {"SQ", [](double value) { return value * value; }},
 });
 
-// Products come before sums, powers before products, functions and brackets before all of them.
+// Products come before sums, powers before products, functions and brackets before all others.
 class Formula {
  public:
   Formula(std::string_view text, const KlartextParameters& known)
@@ -76,7 +76,7 @@ class Formula {
     const std::optional<double> base = operand();
     if (!base || !pass("^")) return base;
     const std::optional<double> exponent = operand();
-    // No manual says of several which one comes first, nor what a sign belongs to.
+    // No manual defines the order of several powers, or what a sign before a power applies to.
     if (!exponent || *base < 0 || text_.starts_with('^')) return {};
     return std::pow(*base, *exponent);
   }
@@ -113,7 +113,7 @@ class Formula {
       const auto found = known_.find(word);
       return found == known_.end() ? std::nullopt : std::optional(found->second);
     }
-    // Also with the decimal comma that older controls write.
+    // Accepts the decimal comma of older controls too.
     std::string number(word);
     std::ranges::replace(number, ',', '.');
     double value = 0;

@@ -14,7 +14,7 @@ namespace {
 
 using Why = KlartextObstacle::Why;
 
-// Why a block with this M function is not followed, if it is not. `active`: while TRC is.
+// Why a block with this M function is not followed; empty: it is followed. `active`: TRC is active.
 std::optional<Why> why_unfollowed(int m, bool active) {
   switch (m) {
     case 91:
@@ -64,13 +64,13 @@ void take_klartext_function(Reading& reading, int m, KlartextBlock& block) {
     case 109:
     case 110:
     case 111:
-      // M110 and CFIN where it makes the feed slower (D-125).
+      // M110 is like CFIN if it reduces the feed (D-125).
       block.adapts_feed = m == 109   ? FeedAdaptation::on
                           : m == 110 ? FeedAdaptation::inside
                                      : FeedAdaptation::off;
       break;
     case 120:
-      block.masks = false;  // LA says how far (D-134)
+      block.masks = false;  // LA gives the look-ahead (D-134)
       break;
     case 136:
       block.feed_per_turn = true;
@@ -100,7 +100,7 @@ void take_klartext_function(Reading& reading, int m, KlartextBlock& block) {
 
 bool read_klartext_function(Reading& reading, const KlartextWord& word, ProgramLine& line,
                             KlartextBlock& block) {
-  // Beyond what any control has it is a function of the machine like others that are not known.
+  // A higher number is unknown to every control: a function of the machine.
   constexpr double most = 9999;
   const int m = word.value >= 0 && word.value <= most ? static_cast<int>(word.value) : -1;
   const auto note = [&](std::optional<Why> why, std::optional<KlartextObstacle>& obstacle) {

@@ -10,14 +10,14 @@
 #include "core/nc/dialect/reading.h"
 #include "core/nc/text/characters.h"
 
-// Labels of Klartext: where they begin and end, what calls them, and which contours and tools hang
-// on such calls.
+// Labels of Klartext: where they begin and end, which statements call them, and which contours and
+// tools depend on such calls.
 
 namespace trc {
 namespace {
 
-// Which line calls the section that a label begins, and which one makes it the contour of cycles
-// (D-132).
+// Notes the line that calls the section of a label, and the line that makes it the contour of
+// cycles (D-132).
 void enter_section(Reading& reading, const std::string& label) {
   const bool ends = label == "0";
   if (ends)
@@ -32,7 +32,7 @@ void enter_section(Reading& reading, const std::string& label) {
     reading.klartext_modes.cycle_section = ends ? 0 : cycle->second;
 }
 
-// As if the lines of the label stood in the place of its call (D-160).
+// Applies the effects of a label as if its lines were in place of its call (D-160).
 bool take_effects_of_call(Reading& reading, const ProgramLine& line,
                           const KlartextEffects& effects) {
   using Mode = KlartextMode;
@@ -49,8 +49,8 @@ bool take_effects_of_call(Reading& reading, const ProgramLine& line,
       line.source);
 }
 
-// CALL LBL 1 runs the label to its LBL 0, CALL LBL 1 REP 3 all from the label to here. What a call
-// repeats is not written anew, so that no contour may be within it (D-133).
+// CALL LBL 1 runs the label to its LBL 0; CALL LBL 1 REP 3 runs all lines from the label to here.
+// Repeated lines are not rewritten, so they must not contain a contour (D-133).
 bool call_label(Reading& reading, ProgramLine& line, std::size_t begin,
                 std::string_view statement) {
   const std::string label = label_of(line.text, begin, statement);
@@ -64,7 +64,7 @@ bool call_label(Reading& reading, ProgramLine& line, std::size_t begin,
     return refuse_klartext(reading, line, begin, "CALL LBL, which repeats a compensated contour");
   const bool stands_behind = known == reading.klartext_modes.labels.end();
   if (stands_behind) reading.klartext_modes.calls.try_emplace(label, line.source.line);
-  // What is repeated up to here has been read.
+  // The lines that REP repeats have been read already.
   if (!to_here) {
     const KlartextEffects of_label =
         stands_behind ? KlartextEffects{.unsure = KlartextMode::anything} : known->second.leaves;
@@ -85,7 +85,7 @@ std::string label_of(std::string_view text, std::size_t begin, std::string_view 
   const std::string_view name =
       without_blanks_in_front(statement.substr(statement.starts_with("CALL") ? 8 : 3));
   std::string label(name.substr(0, name.find(' ')));
-  if (label.starts_with('"')) {  // its letters are hidden there
+  if (label.starts_with('"')) {  // the statement hides the letters of a quoted label
     const std::size_t open = text.find('"', begin);
     label = text.substr(open, text.find('"', open + 1) - open);
   }
@@ -103,7 +103,7 @@ bool enter_label_behind_end(Reading& reading, const ProgramLine& line) {
 
 bool read_label(Reading& reading, ProgramLine& line, std::size_t begin,
                 std::string_view statement) {
-  // Called from elsewhere it finds other values.
+  // A call from elsewhere finds other values.
   reading.klartext_modes.parameters.clear();
   if (statement.starts_with("CALL")) return call_label(reading, line, begin, statement);
   const std::string label = label_of(line.text, begin, statement);
@@ -115,7 +115,7 @@ bool read_label(Reading& reading, ProgramLine& line, std::size_t begin,
       closed.leaves = reading.klartext_modes.section.since(closed.steps);
     }
   } else {
-    // A contour that is open goes on behind the label.
+    // An open contour continues after the label.
     reading.klartext_modes.labels[label] = {
         .before = reading.trc_active() ? contours - 1 : contours,
         .steps = reading.klartext_modes.section.steps()};
@@ -150,7 +150,7 @@ bool take_labels_of_cycle(Reading& reading, const ProgramLine& line, std::size_t
   std::size_t at = statement.find(word);
   while (at != std::string_view::npos) {
     at += word.size();
-    // Numbers, with what stands between them: of the cycle several.
+    // Numbers and their separators; a cycle may have several.
     for (;;) {
       at = std::min(statement.find_first_not_of(" /,=", at), statement.size());
       const std::size_t end =

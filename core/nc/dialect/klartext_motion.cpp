@@ -19,20 +19,20 @@
 #include "core/nc/text/characters.h"
 #include "core/nc/text/words.h"
 
-// What a block of Klartext that may move does.
+// Carries out a block of Klartext that may move.
 
 namespace trc {
 namespace {
 
-// Of an arc by its radius: half its sweep beside the chord.
+// The end tangent of an arc with a radius: it differs from the chord by half the sweep.
 Vector tangent_behind_arc(double radius, const Vector& chord, double turn) {
   const double sine = std::min(chord.norm() / (2 * std::abs(radius)), 1.0);
   const double cosine = std::copysign(std::sqrt(1 - sine * sine), radius);
   return cosine * chord + turn * sine * left_of(chord);
 }
 
-// Behind a retract that is lost: the other axis of the plane stands beside the contour, or nobody
-// knows where.
+// After a lost retract: the other axis of the plane is still beside the contour or at an unknown
+// position.
 bool leaves_with_one_axis(const Reading& reading, const KlartextBlock& block) {
   if (!block.is(KlartextStatement::straight) || block.unfollowed || reading.trc_active())
     return false;
@@ -43,7 +43,7 @@ bool leaves_with_one_axis(const Reading& reading, const KlartextBlock& block) {
   return one_alone && !(first ? first : second)->increment;
 }
 
-// Feed and side before the motion, as in every other dialect.
+// Feed and side come before the motion, as in every other dialect.
 bool apply_klartext_modes(Reading& reading, ProgramLine& line, KlartextBlock& block) {
   reading.klartext_modes.feed_before = reading.feed;
   const bool says_feed = block.feed && !block.is_corner();
@@ -110,7 +110,7 @@ bool lead_in_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block)
     return reading.state.depart_by(lead, request, Climb::behind_the_lead) &&
            treat_bottlenecks_by_setup(reading, line.source);
   }
-  // LCT has its feed all the way, the others from where the lead begins on (D-86).
+  // LCT has its own feed from the start, the other leads only on the lead itself (D-86).
   const bool says_feed = block.feed || block.open_feed || block.called_feed;
   const bool has_own_feed = says_feed && block.lead.form == Lead::Form::arc_and_line;
   MoveRequest way = request;
@@ -191,7 +191,7 @@ bool apply_klartext_motion(Reading& reading, ProgramLine& line, KlartextBlock& b
       reading.klartext_modes.tangent.reset();
       reading.klartext_modes.behind_corner = true;
       if (!open) return true;
-      // Behind the corner the feed before it has to be written again.
+      // After the corner the previous feed has to be written again.
       if (block.feed && reading.feed == 0 && !reading.klartext_modes.feed_of_control)
         return refuse_klartext(
             reading, line, block.feed->begin,
@@ -219,7 +219,7 @@ bool apply_klartext_motion(Reading& reading, ProgramLine& line, KlartextBlock& b
   return find_klartext_end(reading, line, block);
 }
 
-// Behind R0 without motion.
+// After an R0 without motion.
 bool leave_contour_in_klartext(Reading& reading, const ProgramLine& line,
                                const KlartextBlock& block, bool copied) {
   const bool leaves_here = copied && reading.contour_open() && !reading.trc_active();
@@ -232,7 +232,7 @@ bool leave_contour_in_klartext(Reading& reading, const ProgramLine& line,
   return leave_contour(reading, line, says);
 }
 
-// Where it leads only the control knows. `alone`: along the axes that it names.
+// Only the control knows the end of the motion. `alone`: only the named axes move.
 void forget_what_copied_block_moves(Reading& reading, ProgramLine& line, const KlartextBlock& block,
                                     bool alone) {
   const bool has_own_feed = block.rapid || block.open_feed || block.called_feed;
@@ -252,7 +252,7 @@ void forget_what_copied_block_moves(Reading& reading, ProgramLine& line, const K
   if (block.feed_per_turn) reading.feed = 0;
 }
 
-// A lead may become several blocks: what acts at the end of its block comes behind the last one.
+// A lead may become several blocks. Functions at the end of the block come after the last one.
 void stop_behind_lead(ProgramLine& line) {
   for (WordRange& word : line.words) {
     if (word.role != WordRole::technology) continue;
@@ -267,8 +267,8 @@ void stop_behind_lead(ProgramLine& line) {
   line.sum_up_roles();
 }
 
-// M109 and M110 change the feed where the path is longer or shorter than the contour, for which
-// its value has to be known.
+// M109 and M110 change the feed where the path is longer or shorter than the contour, so the feed
+// must be known.
 bool check_adapted_feed(Reading& reading, ProgramLine& line, const KlartextBlock& block,
                         bool selects) {
   const FeedAdaptation adaptation = reading.state.mode().feed_adaptation;
@@ -296,7 +296,7 @@ bool apply_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block) {
     return false;
   const bool approaches = block.is(KlartextStatement::approach) && selects;
   const bool departs = block.is(KlartextStatement::departure) && reading.trc_active();
-  // IZ-3 from a height that is not known: outside of contours nothing hangs on it (D-127).
+  // IZ-3 from an unknown height: outside of contours nothing depends on it (D-127).
   const PlaneAxes plane = axes_of(reading.state.mode().plane);
   const bool plunges = block.is(KlartextStatement::straight) && !selects &&
                        !reading.contour_open() && block.end[plane.third] &&
@@ -310,7 +310,7 @@ bool apply_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block) {
     return refuse_klartext(reading, line, block.begin, "a stop beside " + block.title());
   if ((copied || is_lost) && !leave_contour_in_klartext(reading, line, block, copied)) return false;
   if (copied || ((corner || block.is(KlartextStatement::center)) && !reading.contour_open())) {
-    // As it stands: nothing of it is written anew.
+    // The line comes out unchanged; none of it is rewritten.
     for (WordRange& word : line.words)
       if (word.role == WordRole::coordinate || word.role == WordRole::trc ||
           word.role == WordRole::motion)

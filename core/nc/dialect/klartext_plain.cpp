@@ -11,7 +11,7 @@
 #include "core/nc/dialect/reading.h"
 #include "core/nc/text/decimal.h"
 
-// How most blocks of Klartext are read: those that say a line, an arc or a pole and nothing else.
+// Reads the most common blocks of Klartext: those with only a line, an arc or a pole.
 
 namespace trc {
 namespace {
@@ -20,7 +20,7 @@ using Statement = KlartextStatement;
 
 constexpr bool is_blank(char sign) { return sign == ' ' || sign == '\t'; }
 
-// Walks along a line whose words have blanks between them.
+// Walks along a line with blanks between its words.
 class PlainWords {
  public:
   explicit PlainWords(std::string_view line)
@@ -35,7 +35,7 @@ class PlainWords {
   [[nodiscard]] std::uint32_t begin() const { return place_of(begin_); }
   [[nodiscard]] std::uint32_t end() const { return place_of(at_); }
   [[nodiscard]] char sign() const { return at_ == end_ ? '\0' : *at_; }
-  // Not at the end.
+  // Must not be called at the end of the line.
   char take_any() { return *at_++; }
   bool take(char sign) {
     if (at_ == end_ || *at_ != sign) return false;
@@ -52,7 +52,7 @@ class PlainWords {
     bool whole = false;
     return trc::take_number(line_, at_, value, whole) && std::isfinite(value);
   }
-  // Digits alone, as many as a number has that no rounding touches.
+  // Digits alone, up to the count that a number holds exactly.
   bool take_digits(std::int64_t& value) {
     constexpr int most = 15;
     value = 0;
@@ -94,7 +94,7 @@ std::string_view name_of(Statement statement) {
   }
 }
 
-// What the letters of a word say, up to its number if it has one.
+// The meaning of the letters of a word, up to its number if it has one.
 struct PlainWord {
   WordRole role = WordRole::coordinate;
   bool increment = false;
@@ -142,9 +142,9 @@ bool take_name(const Reading& reading, PlainWords& words, KlartextBlock& block, 
   }
 }
 
-// Reads the block in one pass, if it is plain: then it and the words of the line are as the reader
-// of any block leaves them, and the words belong together. False for any other, right or wrong:
-// then `block` means nothing.
+// Reads a plain block in one pass: afterwards the block and the words of the line are as the
+// general reader leaves them, and the words fit together. False for any other block, valid or not:
+// then `block` is meaningless.
 bool read_plain_klartext(const Reading& reading, ProgramLine& line, KlartextBlock& block) {
   PlainWords words(line.text);
   const auto add_word = [&](WordRole role) {

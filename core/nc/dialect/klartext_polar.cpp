@@ -6,12 +6,12 @@
 
 #include "core/nc/dialect/heidenhain.h"
 
-// The pole of Klartext, and places that count from it.
+// The pole of Klartext, and positions that count from it.
 
 namespace trc {
 namespace {
 
-// CC X Z of a tool along Z: what turns about it is copied.
+// CC X Z of a tool along Z: rotations about this pole are copied.
 bool take_pole_across(Reading& reading, ProgramLine& line, const KlartextBlock& block) {
   if (reading.contour_open())
     return refuse_klartext(reading, line, block.begin, "CC across the plane");
@@ -73,7 +73,7 @@ bool find_polar_end(Reading& reading, ProgramLine& line, KlartextBlock& block, c
     says.sets_polar_radius = block.polar_radius.has_value();
     const bool counts_on = !block.polar_radius || block.polar_radius->increment;
     says.needs_polar_radius = counts_on && reading.klartext_modes.polar_radius;
-    // IPR without a PR before it counts from where the tool stands.
+    // An IPR without an earlier PR counts from the tool position.
     const bool from_tool = counts_on && block.polar_radius && !reading.klartext_modes.polar_radius;
     says.counts_from_start |= from_tool;
     if (counts_on && !says.needs_polar_radius && !from_tool) return wrong(" without PR");

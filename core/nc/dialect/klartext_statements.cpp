@@ -19,14 +19,15 @@
 #include "core/nc/text/characters.h"
 #include "core/nc/text/klartext_words.h"
 
-// Statements of Klartext that are no motion: what passes, what moves the machine, labels and calls.
+// Statements of Klartext without motion: statements that pass, statements that move the machine,
+// labels and calls.
 
 namespace trc {
 namespace {
 
 using Kind = KlartextWord::Kind;
 
-// Statements that neither move an axis nor change what coordinates mean.
+// Statements that neither move an axis nor change the meaning of coordinates.
 constexpr auto passing = std::to_array<std::string_view>({"BLK",
                                                           "STOP",
                                                           "OPEN",
@@ -48,7 +49,7 @@ constexpr auto passing = std::to_array<std::string_view>({"BLK",
                                                           "FUNCTION DWELL",
                                                           "FUNCTION COUNT"});
 
-// Statements behind which the axes stand where only the control knows.
+// Statements after which only the control knows the position of the axes.
 constexpr auto moving = std::to_array<std::string_view>(
     {"CYCL CALL", "CALL", "PGM",  "PLANE",    "TRANS",  "FUNCTION", "LN",      "FL",      "FLT",
      "FC",        "FCT",  "FPOL", "FSELECT",  "SPL",    "SPC",      "PATTERN", "CONTOUR", "X",
@@ -59,8 +60,8 @@ constexpr auto moving = std::to_array<std::string_view>(
 constexpr auto contour_blocks =
     std::to_array<std::string_view>({"LN", "FL", "FLT", "FC", "FCT", "FPOL", "SPL", "SPC"});
 
-// Cycles that change what coordinates mean, or move, as soon as they are defined: patterns run the
-// cycle that is defined last (D-115).
+// Cycles that change the meaning of coordinates, or move, as soon as they are defined. A pattern
+// runs the cycle defined last (D-115).
 constexpr auto cycles_at_once = std::to_array<std::string_view>(
     {"7", "8", "10", "11", "12", "19", "26", "220", "221", "224", "239", "247"});
 
@@ -91,8 +92,8 @@ std::string first_word(std::string_view statement) {
   return std::string(statement.substr(0, statement.find(' ')));
 }
 
-// CYCL CALL works where the tool stands, POS where its words say, and a pattern has places of its
-// own (D-74).
+// CYCL CALL works at the tool position, POS at the position of its words, and a pattern has its own
+// positions (D-74).
 bool leave_contour_by_cycle(Reading& reading, const ProgramLine& line, std::size_t begin,
                             std::string_view statement) {
   if (!statement.starts_with("CYCL CALL") || !reading.contour_open()) return true;
@@ -105,8 +106,8 @@ bool leave_contour_by_cycle(Reading& reading, const ProgramLine& line, std::size
   return true;
 }
 
-// Of the programs in DIN/ISO that these controls read as well, of single axes and of contours with
-// a name.
+// Refuses compensation in DIN/ISO programs, which these controls read too, along single axes and of
+// contours with a name.
 bool check_other_compensations(Reading& reading, const ProgramLine& line, std::size_t begin,
                                std::string_view statement) {
   const std::string first = first_word(statement);
@@ -125,7 +126,7 @@ bool check_other_compensations(Reading& reading, const ProgramLine& line, std::s
   return true;
 }
 
-// A statement whose end only the control knows: a cycle, a program that is called, a datum shift.
+// A statement whose end position only the control knows: a cycle, a program call, a datum shift.
 bool copy_motion_of_machine(Reading& reading, ProgramLine& line, std::size_t begin,
                             std::string_view statement) {
   const std::string first = first_word(statement);
@@ -137,7 +138,7 @@ bool copy_motion_of_machine(Reading& reading, ProgramLine& line, std::size_t beg
       !is_letter(first[1]))
     line.feed_it_takes = reading.feed;
   if (line.calls_the_machine) {
-    // What is called may say another feed.
+    // The called program may set another feed.
     reading.feed = 0;
     reading.klartext_modes.feed_of_control = false;
     hand_on_klartext_pole(reading, line);
@@ -158,7 +159,7 @@ bool has_side(std::string_view statement) {
     if ((side != "RL" && side != "RR") || !ends_word(statement, at + 2)) continue;
     // PATHCTRL AXIS of FUNCTION TCPM.
     if (statement.substr(0, at).ends_with(" PATHCT")) continue;
-    // A program may be called so.
+    // A program may have this name.
     const std::string_view in_front = statement.substr(0, statement.rfind(' ', at) + 1);
     if (!in_front.ends_with(" PGM ") && in_front != "PGM CALL ") return true;
   }
@@ -247,7 +248,7 @@ void forget_klartext_position(Reading& reading, ProgramLine& line,
 
 bool read_klartext_statement(Reading& reading, ProgramLine& line, std::size_t begin) {
   const std::string statement = statement_of(std::string_view(line.text).substr(begin));
-  if (statement.empty())  // nothing but a comment goes on below
+  if (statement.empty())  // only a comment is continued on the next line
     return refuse_klartext(reading, line, begin, "~", Code::nc_syntax);
   const std::string first = first_word(statement);
   if (has_side(statement))  // D-121
@@ -279,7 +280,7 @@ bool read_klartext_statement(Reading& reading, ProgramLine& line, std::size_t be
       return refuse_klartext(reading, line, begin, "FN 17, which writes the radius of a tool");
     take_klartext_effects(reading, {.sets = KlartextLead::tool_data});
   }
-  // A coordinate that needs it is refused at its own word.
+  // A coordinate with an unknown parameter is refused at its own word.
   if (assigns(statement)) {
     take_assignment(reading, line, statement);
     return copy_klartext(reading, line, begin, WordRole::technology);

@@ -20,8 +20,8 @@
 #include "core/nc/text/characters.h"
 #include "core/nc/text/klartext_tool_words.h"
 
-// TOOL CALL and TOOL DEF of Klartext, of which every word counts (D-90), and the radius that RL and
-// RR take from them.
+// TOOL CALL and TOOL DEF of Klartext, in which every word counts (D-90), and the radius that they
+// give to RL and RR.
 
 namespace trc {
 namespace {
@@ -32,26 +32,26 @@ using Value = KlartextToolWord::Value;
 constexpr std::string_view tool_call = "TOOL CALL";
 constexpr std::string_view tool_definition = "TOOL DEF";
 
-// Words that act on the spindle and the coolant, as some programs write them there.
+// Functions of spindle and coolant, which some programs write in TOOL CALL.
 bool is_function_beside_the_path(const KlartextToolWord& word) {
   constexpr double last = 14;
   return word.name == "M" && word.has == Value::number && is_whole(word.value) &&
          word.value <= last && word.value != 2;
 }
 
-// What TOOL CALL says, before any of it takes effect.
+// The words of TOOL CALL, before any of them takes effect.
 struct ToolCall {
   bool named = false;
-  std::int64_t number = 0;  // as row_of_edge() has it, unless it has a name
+  std::int64_t number = 0;  // as in row_of_edge(), unless the tool has a name
   std::string name{};       // in quotes, or a parameter
   std::optional<Plane> plane{};
   bool changes_delta = false;
   double delta = 0;
-  std::string open_delta{};      // of a parameter whose value is not known
+  std::string open_delta{};      // DR by a parameter with an unknown value
   std::optional<double> feed{};  // in the unit of the program; 0: a feed that is not per minute
 };
 
-// The tool is the first word; `at`: in quotes and parameters, from there on in the line.
+// The tool is the first word. `at`: where to look in the line for a quoted name or a parameter.
 bool take_called_tool(const Reading& reading, const std::string& line, std::size_t at,
                       const KlartextToolWord& word, ToolCall& call) {
   call.named = true;
@@ -90,7 +90,7 @@ void take_radius_delta(const Reading& reading, const KlartextToolWord& word, Too
     call.delta = word.negative ? -known->second : known->second;
 }
 
-// A word of TOOL CALL behind the tool; false: it is none.
+// A word of TOOL CALL after the tool; false: it is no such word.
 bool take_word_of_call(const Reading& reading, const KlartextToolWord& word, ToolCall& call) {
   if (word.kind != Kind::name) return false;
   if (word.name == "X" || word.name == "Y" || word.name == "Z") {
@@ -114,7 +114,7 @@ bool take_word_of_call(const Reading& reading, const KlartextToolWord& word, Too
          is_function_beside_the_path(word);
 }
 
-// Every word counts: one that is not understood might be the tool, or its radius.
+// Every word counts: an unknown one might be the tool, or its radius.
 bool read_words_of_call(Reading& reading, const ProgramLine& line, std::size_t begin,
                         std::string_view statement, ToolCall& call) {
   KlartextToolReader reader(statement.substr(tool_call.size()));
@@ -155,7 +155,7 @@ bool choose_called_tool(Reading& reading, const ProgramLine& line, std::size_t b
                              modes.open_delta + " of TOOL CALL, a variable");
   if (*modes.tool == 0) return reading.state.set_tool(0, line.source);
   std::optional<ToolRow> row = reading.state.tool().row_of_tool(*modes.tool);
-  // The radius of the setup stands for the one tool that the program selects with.
+  // The radius of the setup applies to the only tool with which the program selects TRC.
   if (!row && setup.tools.empty() && setup.mode.tool_radius != 0) {
     const std::int64_t number = *modes.tool;
     if (modes.only_tool_name.empty()) modes.only_tool_name = modes.tool_name;
@@ -166,7 +166,7 @@ bool choose_called_tool(Reading& reading, const ProgramLine& line, std::size_t b
     row = ToolRow(setup.mode.tool_radius, setup.wear);
   }
   if (!row && !setup.tools.empty()) return unknown(number_text(*modes.tool));
-  if (!row) return true;  // nobody has given one, or it is 0
+  if (!row) return true;  // no radius is given, or it is 0
   if (row->radius + row->wear + modes.radius_delta < 0)
     return refuse_klartext(reading, line, begin, "R + DR of TOOL CALL is less than 0",
                            Code::tool_radius_out_of_range);
@@ -185,7 +185,7 @@ bool read_tool_call(Reading& reading, ProgramLine& line, std::size_t begin,
   KlartextModes& modes = reading.klartext_modes;
   if (!reading.faults.empty()) return false;
   const Plane plane = call.plane.value_or(reading.state.mode().plane);
-  // It holds from here on, not only for F AUTO.
+  // The feed is in force from here on, not only for F AUTO.
   if (call.feed) reading.feed = modes.called_feed = *call.feed * klartext_feed_unit(reading);
   if (call.named) {
     modes.tool_of_label = 0;

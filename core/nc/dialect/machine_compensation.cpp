@@ -5,8 +5,8 @@
 #include "core/nc/dialect/block_words.h"
 #include "core/nc/dialect/reading.h"
 
-// Cycles that the machine compensates by itself, with a D register of its own: G12, G13 and G150 of
-// Haas (D-66, D-102).
+// Cycles that the machine compensates itself, with their own D register: G12, G13 and G150 of Haas
+// (D-66, D-102).
 
 namespace trc {
 namespace {
@@ -56,7 +56,7 @@ bool take_cycle_with_register(Reading& reading, ProgramLine& line, BlockWords& b
   return reading.diagnostics.report(std::move(warned));
 }
 
-// What they change is not known here (D-104).
+// The effect of these parameters is unknown (D-104).
 void take_parameters_of_control(Reading& reading, ProgramLine& line, BlockWords& block) {
   const bool begins = block.has(tool_data) && block.l_word &&
                       (block.l_word->value == 50 || block.l_word->value == 52);

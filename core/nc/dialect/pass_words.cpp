@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view axis_and_center_letters = "ABCIJKQRUVWXYZ";
 
-// What programs are made of in one dialect or another: not to be declared (D-60).
+// Statements of one dialect or another: they cannot be declared (D-60).
 constexpr auto statements = std::to_array<std::string_view>(
     {"APPR", "BEGIN",  "CALL", "CASE",  "CHF",   "CYCL",  "DEF",   "DEP",   "DO",   "ELSE", "END",
      "FN",   "FOR",    "GOTO", "GOTOB", "GOTOC", "GOTOF", "GOTOS", "IF",    "LBL",  "LOOP", "LP",

@@ -10,23 +10,22 @@
 #include "core/nc/dialect/reading.h"
 #include "core/nc/text/characters.h"
 
-// Lines that pass while TRC is off. Of ISG (D-47): calls of subprograms, which are not looked into,
-// and assignments to variables, which nothing that is read here depends on. Of the other dialects
-// calls of what only the machine has (D-64).
+// Lines that pass while TRC is off. In ISG (D-47): calls of subprograms, which are not followed,
+// and assignments to variables that nothing here depends on. In the other dialects: calls that only
+// the machine can execute (D-64).
 
 namespace trc {
 namespace {
 
 constexpr std::string_view digits = "0123456789";
 
-// A line of another dialect that moves: L X+10, L Z100.
+// An axis word in a line of another dialect: L X+10, L Z100.
 bool is_axis_word(std::string_view name) {
   const std::size_t number = name.find_first_of("+-0123456789", 1);
   return number == 1 && name.find_first_not_of("+-.0123456789", 1) == std::string_view::npos;
 }
 
-// L NAME and LL NAME, of a file or in the program; L CYCLE [NAME=...]. Nothing stands behind it but
-// a comment.
+// L NAME and LL NAME, of a file or in the program; L CYCLE [NAME=...]. Only a comment may follow.
 bool calls_subprogram(std::string_view text) {
   std::size_t letters = 0;
   while (letters < text.size() && letters < 2 && upper(text[letters]) == 'L') ++letters;
@@ -42,9 +41,9 @@ bool calls_subprogram(std::string_view text) {
          (behind.empty() || std::string_view("[(;").find(behind.front()) != std::string_view::npos);
 }
 
-// G80 … G89, G800 … G819: the subprograms that the control has been given for them, with the words
-// of the line (D-113). With those of a drilling cycle they are ISG's only where another word says
-// so.
+// G80 … G89, G800 … G819 call the subprograms that the control has for them, with the words of the
+// line (D-113). With the words of a drilling cycle they count as ISG only if another word is of
+// ISG.
 bool calls_by_function(std::string_view text, bool isg_word_seen) {
   if (text.empty() || upper(text.front()) != 'G') return false;
   text = text.substr(0, text.find_first_of("(;"));
@@ -57,7 +56,7 @@ bool calls_by_function(std::string_view text, bool isg_word_seen) {
   return behind.empty() || isg_word_seen;
 }
 
-// L CYCLE [NAME=DRILL.cyc MODAL_MOVE …]: the control executes it behind each motion.
+// L CYCLE [NAME=DRILL.cyc MODAL_MOVE …]: the control executes the cycle after each motion.
 bool begins_modal_cycle(std::string_view call) {
   const std::string words = in_upper_case(call);
   const std::size_t name = words.find_first_not_of(" \t", 1);
@@ -65,8 +64,8 @@ bool begins_modal_cycle(std::string_view call) {
          words.find("MODAL_") != std::string::npos;
 }
 
-// Whether words of a block stand in or behind the value of an assignment, as in V.P.A=5 G01 X9:
-// they would pass as text and be lost. P1 is a variable, 1E5 a number, V.L.X1 a name.
+// Whether words of a block are in or after the value of an assignment, as in V.P.A=5 G01 X9: they
+// would pass as text and be lost. P1 is a variable, 1E5 a number, V.L.X1 a name.
 bool holds_words(std::string_view value) {
   int brackets = 0;
   for (std::size_t at = 0; at < value.size() && value[at] != '(' && value[at] != ';'; ++at) {
@@ -90,7 +89,7 @@ bool holds_words(std::string_view value) {
 }
 
 // V.P.DEPTH = 3, V.E.SUM += 2, P10 = 5, also declared between #VAR and #ENDVAR: V.P.DEPTH : REAL64.
-// Not of the tool in force, V.G., which says the radius.
+// False for V.G., the tool in force, which gives the radius.
 bool assigns_variable(std::string_view text) {
   const bool is_variable = text.size() >= 5 && upper(text[0]) == 'V' && text[1] == '.' &&
                            text[3] == '.' &&
@@ -131,7 +130,7 @@ std::optional<std::pair<std::int64_t, double>> tool_data_of(std::string_view tex
   return std::pair(static_cast<std::int64_t>(tool), radius);
 }
 
-// Whether pass_words says of a call that passes in any case that it changes nothing: L NAME and
+// Whether pass_words declares that a call, which passes in any case, changes nothing: L NAME and
 // LM06 of ISG by the name, M98 P9020 and G65 P9020 of Fanuc as O9020.
 bool changes_nothing(const ProgramSetup& setup, std::string_view call) {
   const bool fanuc = setup.dialect == DialectName::fanuc;
@@ -170,7 +169,7 @@ bool read_passing_line(Reading& reading, ProgramLine& line, BlockWords& block) {
   }
   const std::string_view words = text.substr(begin);
   const bool calls_alone = calls_subprogram(words);
-  // What such a subprogram asks for of a program that computes is not written in front of it.
+  // In a program that computes, the values that such a subprogram reads are not written before it.
   const bool calls =
       calls_alone || (!reading.reads_flat && calls_by_function(words, reading.isg_word_seen));
   const auto tool = tool_data_of(words);
@@ -265,7 +264,7 @@ void forget_what_a_call_may_change(Reading& reading, ProgramLine& line, BlockWor
   take_call(reading, line, call);
   const bool isg = reading.dialect.name == DialectName::isg;
   if (isg && changes_nothing(reading.state.setup(), call)) return;
-  // The call behind a T word changes the tool.
+  // The call after a T word changes the tool.
   if (isg && !reading.gcode.calls.unknown &&
       !std::exchange(reading.gcode.calls.awaited_by_tool, false))
     reading.gcode.calls.unknown = reading.gcode.calls.last;
@@ -280,7 +279,7 @@ void take_call(Reading& reading, const ProgramLine& line, std::string_view call)
   reading.gcode.calls.place = {.source = line.source};
   if (changes_nothing(reading.state.setup(), call)) return;
   reading.gcode.calls.behind_contour = true;
-  // A radius that the program has written is that of the tool before a change.
+  // A radius that the program has set belongs to the tool before a change.
   if (reading.gcode.calls.only_radius_said) reading.gcode.calls.tool_said = false;
   reading.gcode.calls.radius_doubtful |= std::exchange(reading.gcode.calls.only_radius_said, false);
 }
@@ -295,7 +294,7 @@ bool restate_modes(Reading& reading, ProgramLine& line, BlockWords& block) {
   }
   if (reading.contour_open() || !(block.axis || block.center)) return true;
   const bool selects = block.selects();
-  if (selects && reading.machine_follows) {  // which is refused for that
+  if (selects && reading.machine_follows) {  // refused for that reason elsewhere
     block.forget = all_axes;
     return true;
   }
@@ -315,7 +314,7 @@ bool restate_modes(Reading& reading, ProgramLine& line, BlockWords& block) {
 }
 
 bool watch_tool(Reading& reading, const ProgramLine& line, const BlockWords& block) {
-  // D of Sinumerik is an edge of whatever tool there is.
+  // D of Sinumerik is an edge of the current tool.
   const bool names_radius = block.tools.d_word && reading.dialect.name != DialectName::sinumerik;
   reading.gcode.calls.tool_said |= block.tools.t_word || block.tools.loads ||
                                    block.tools.q_word_names_tool || names_radius ||
@@ -352,7 +351,7 @@ bool warn_of_other_tool(Reading& reading, const ProgramLine& line, std::uint32_t
       reading.gcode.calls.radius_doubtful = false;
   std::string change = reading.gcode.calls.last + " " + place_of(reading.gcode.calls.place.source);
   bool is_another = false;
-  // Other dialects refuse a second tool that has no radius of its own.
+  // Other dialects refuse a second tool without its own radius.
   if (reading.dialect.name == DialectName::isg &&
       reading.state.tool().is_of_setup(reading.gcode.tools.next)) {
     const std::int64_t before =

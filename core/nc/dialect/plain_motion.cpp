@@ -53,7 +53,7 @@ bool PlainMotion::read(std::string_view line, std::vector<WordRange>& words) {
   return (seen & coordinates) != 0 && is_possible(whole_words);
 }
 
-// Numbers that a word cannot have are found where the line is read as any other.
+// The general reader reports numbers that a word cannot have.
 bool PlainMotion::is_possible(std::uint32_t whole_words) const {
   const auto is_whole_up_to = [&](std::size_t use, double largest) {
     return (whole_words >> use & 1) != 0 && values_[use] >= 0 && values_[use] <= largest;

@@ -26,7 +26,7 @@ constexpr bool is_of_center(char letter) {
   return (letter >= 'I' && letter <= 'K') || letter == 'R';
 }
 
-// Enters which roles and axes there are.
+// Sums up the roles and axes of the words.
 void sum_up_words(ProgramLine& line) {
   line.roles = 0;
   line.names_other_axes = false;
@@ -56,7 +56,7 @@ std::uint32_t column_of_center(const ProgramLine& line) {
   return 0;
 }
 
-// Where the sign stands within the line, what is behind it, up to a comment.
+// Cuts the words after a skip sign within the line, up to a comment.
 void cut_skipped_words(Reading& reading, ProgramLine& line) {
   const SkipSign sign = skip_sign_within(line.text, reading.dialect.name);
   if (!sign.is_there() || is_beside_the_path(line.text, sign, reading.dialect.name)) return;
@@ -66,8 +66,8 @@ void cut_skipped_words(Reading& reading, ProgramLine& line) {
   line.text.erase(reading.cut.begin, reading.cut.end - reading.cut.begin);
 }
 
-// Where the setup says how the switch of the machine stands: on, nothing of the line remains; off,
-// all but its `/`.
+// Applies the position of the machine's switch given in the setup: on, nothing of the line remains;
+// off, all but its `/`.
 bool is_left_out(Reading& reading, ProgramLine& line) {
   const BlockSkip decided = decided_about(line.text, reading.state.setup(), reading.cut);
   if (decided == BlockSkip::execute)
@@ -79,15 +79,14 @@ bool is_left_out(Reading& reading, ProgramLine& line) {
   return true;
 }
 
-// What stands in front of a tape is for people (D-61): the words that it seems to have count for
-// nothing.
+// Text before a tape is for people (D-61): anything that looks like words there has no effect.
 void forget_what_stands_in_front(Reading& reading) {
   reading.faults.clear();
   reading.gcode = {};
   reading.called_motion = reading.called_dimension = false;
 }
 
-// A subprogram in front of the program passes as text: what calls it is not followed.
+// A subprogram before the program passes as text: calls of it are not followed.
 bool read_line_of_subprogram(Reading& reading, const ProgramLine& line) {
   reading.isg_word_seen = true;
   const std::size_t place = place_of_side(line.text);
@@ -102,7 +101,7 @@ bool read_line_behind_end(Reading& reading, ProgramLine& line) {
   if (klartext && !enter_label_behind_end(reading, line)) return false;
   const std::size_t place = klartext ? place_of_klartext_side(line.text) : place_of_side(line.text);
   if (place == std::string::npos) return true;
-  // A contour of cycles: they compensate it.
+  // A contour of cycles: the cycles compensate it.
   if (klartext && reading.klartext_modes.cycle_section != 0 &&
       reading.klartext_modes.called_section == 0)
     return true;
@@ -142,8 +141,8 @@ bool read_words_of_dialect(Reading& reading, ProgramLine& line, BlockWords& bloc
   return read_gcode_words(reading, line, block);
 }
 
-// An increment of the third axis, whose place is not known: while TRC is off nothing hangs on it.
-// Whatever else the line moves is not followed either.
+// An increment of the third axis from an unknown position: while TRC is off nothing depends on it.
+// Other motion in the line is not followed either.
 void copy_plunge_from_nowhere(const Reading& reading, ProgramLine& line, BlockWords& block) {
   using enum GGroup;
   const std::size_t third = axes_of(reading.state.programmed_plane()).third;
@@ -184,7 +183,7 @@ bool read_block(Reading& reading, ProgramLine& line) {
   copy_helix_with_pitch(reading, line, block);
   sum_up_words(line);
   if (!line.has(WordRole::trc) && !block.side_of_machine) {
-    // Whatever it was taken for: what comes out must not say it any more (D-121).
+    // However the line was read, the output must not contain G41 or G42 (D-121).
     const std::size_t place = place_of_side(line.text);
     if (place != std::string_view::npos)
       return reading.refuse(line, TextFault{.code = Code::nc_unsupported,
@@ -277,8 +276,8 @@ bool read_line(Reading& reading, ProgramLine& line) {
   const std::string_view text = without_blanks_in_front(line.text);
   const bool is_name = text.starts_with('%') && reading.dialect.name != DialectName::heidenhain;
   if (reading.dialect.name != DialectName::isg && (reading.ended || is_name)) {
-    // The `%` in front of the first block begins the tape, the next one ends it. What stands
-    // behind may be in any encoding.
+    // The `%` before the first block begins the tape, the next one ends it. The text after the end
+    // may have any encoding.
     if (reading.ended) return read_line_behind_end(reading, line);
     if (reading.blocks_read == 0 && reading.in_front_of_tape) forget_what_stands_in_front(reading);
     reading.ended |= reading.blocks_read > 0;

@@ -6,13 +6,13 @@
 #include "core/nc/text/characters.h"
 #include "core/nc/text/slip.h"
 
-// What holds at the begin of a program, and how what cannot be read is told: its place, what was
-// meant, all of a kind at once.
+// The initial state of a program, and how faults of reading are reported: with the place, the
+// likely intention, and all faults of a kind at once.
 
 namespace trc {
 namespace {
 
-// What was mistyped is named as a whole, with what was meant.
+// Names a mistyped word as a whole, with its likely intention.
 TextFault with_slip(const ProgramLine& line, TextFault fault) {
   constexpr std::array codes{Code::nc_syntax,   Code::nc_unknown_function, Code::nc_unsupported,
                              Code::nc_not_text, Code::nc_number,           Code::nc_axis_unknown};
@@ -122,7 +122,7 @@ bool Reading::refuse(const ProgramLine& line, const TextFault& given) {
   return collect(std::move(refused));
 }
 
-// The rest of a word that was told as a whole.
+// Whether the fault lies in a word that has been reported as a whole.
 bool Reading::is_within_slip(const Diagnostic& found) const {
   if (faults.empty() || faults.back().slip.kind == SlipKind::none) return false;
   const Fault& told = faults.back();
@@ -136,9 +136,8 @@ bool Reading::refuse_at(const WordPlace& place, Code code, std::string detail) {
   return collect(std::move(refused));
 }
 
-// What cannot be read as ISG, in a program that has no word of its own, may be of another dialect.
-// Of a dialect that was declared that is said of Klartext alone, whose lines look like nothing
-// else.
+// A fault in an ISG program without a word of ISG's own may mean that the program is of another
+// dialect. If the dialect was declared, only Klartext is suspected: its lines look like no other.
 void Reading::guard_against_other_dialects(const ProgramLine& line, Diagnostic& fault) const {
   constexpr std::array codes{Code::nc_syntax, Code::nc_unknown_function, Code::nc_unsupported,
                              Code::nc_number, Code::nc_axis_unknown,     Code::nc_word_twice};
@@ -193,7 +192,7 @@ bool Reading::collect(Diagnostic fault) {
 bool Reading::report_faults() { return diagnostics.report_together(told_faults()); }
 
 std::vector<Diagnostic> Reading::told_faults() const {
-  // Which call each stands in has been seen when it was found.
+  // Each fault has recorded its call when it was found.
   diagnostics.calls().stand(blocks_read, CallPlaces::main_program, 0);
   std::vector<Diagnostic> all;
   for (const Fault& fault : faults) {

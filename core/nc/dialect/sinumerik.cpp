@@ -93,7 +93,7 @@ constexpr auto single_functions = std::to_array<GFunction>({
     {973, technology, "constant spindle speed without limit"},
 });
 
-// And G505 to G599, the settable frames behind G54 to G57.
+// Adds G505 to G599, the settable frames after G54 to G57.
 constexpr auto functions = [] {
   constexpr int first = 505;
   constexpr int last = 599;

@@ -9,7 +9,7 @@
 #include "core/nc/dialect/reading.h"
 #include "core/nc/text/named_words.h"
 
-// Polar words and the forms of arcs that Sinumerik has beside centres and radii.
+// Polar words of Sinumerik, and its forms of arcs besides centres and radii.
 
 namespace trc {
 namespace {
@@ -52,7 +52,7 @@ bool take_sweep(Reading& reading, ProgramLine& line, BlockWords& block) {
   return true;
 }
 
-// CIP: the circle through start, a point between and end.
+// CIP: the circle through start, intermediate point and end.
 bool take_point_between(Reading& reading, ProgramLine& line, BlockWords& block) {
   const PlaneAxes axes = axes_of(reading.state.mode().plane);
   MoveRequest& move = block.move;
@@ -66,8 +66,8 @@ bool take_point_between(Reading& reading, ProgramLine& line, BlockWords& block) 
     return wrong("whose point between names the two axes of the plane");
   const Point start =
       to_plane(reading.state.mode().plane, reading.state.position()) / reading.length_unit();
-  // A coordinate of 0 may be left out, which under G90 is not where the arc starts: whether all
-  // controls take it so, no manual says.
+  // A coordinate of 0 may be omitted, but under G90 the arc does not start at 0. No manual says
+  // whether all controls read it so.
   const auto is_clear = [&](std::size_t axis, double from) {
     return given[axis] || reading.incremental || from == 0;
   };
@@ -124,7 +124,7 @@ void take_pole(Reading& reading, const BlockWords& block) {
   const PlaneAxes axes = axes_of(reading.state.mode().plane);
   const auto& x = block.move.end[axes.first];
   const auto& y = block.move.end[axes.second];
-  // Without a pole of its own a program counts from its zero point.
+  // A program without a pole of its own counts from its zero point.
   if (clears && (reading.gcode.polar.pole != Point(0, 0) || sets)) reading.gcode.polar.pole.reset();
   if (clears || !sets) return;
   Point base = Point::Zero();
@@ -157,7 +157,7 @@ bool resolve_polar_words(Reading& reading, ProgramLine& line, BlockWords& block)
                                        block.polar.radius ? block.polar.radius->begin : ~0U);
   const bool selects = block.selects();
   const bool both = block.polar.angle && block.polar.radius;
-  // A line that is copied would count on a word that the written program has no longer.
+  // A copied line would depend on a word that the written program no longer has.
   const bool counts_on = !both || block.polar.increments_angle || block.polar.increments_radius;
   if (polar.rewritten && counts_on && !reading.contour_open() && !selects)
     return reading.refuse(line,
@@ -166,7 +166,7 @@ bool resolve_polar_words(Reading& reading, ProgramLine& line, BlockWords& block)
                                     .detail = "AP= or RP= alone behind a contour: write both"});
   if (selects || reading.contour_open()) polar.rewritten = true;
   if (both && !reading.contour_open() && !selects) polar.rewritten = false;
-  // AP=IC(…) and RP=IC(…) count from the word before.
+  // AP=IC(…) and RP=IC(…) count from the previous word.
   const auto take = [](const std::optional<BlockWords::Value>& word, bool increment,
                        std::optional<double>& value) {
     if (word && (!increment || value)) value = word->value + (increment ? *value : 0);
@@ -232,7 +232,7 @@ bool resolve_references(Reading& reading, ProgramLine& line, BlockWords& block) 
          (!block.arc.is_through || take_point_between(reading, line, block));
 }
 
-// CT goes on where the programmed contour has led (D-103).
+// CT continues the direction of the programmed contour (D-103).
 bool take_tangent(Reading& reading, ProgramLine& line, BlockWords& block) {
   const PlaneAxes axes = axes_of(reading.state.mode().plane);
   MoveRequest& move = block.move;

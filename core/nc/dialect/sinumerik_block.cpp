@@ -17,16 +17,16 @@
 #include "core/nc/text/characters.h"
 #include "core/nc/text/named_words.h"
 
-// A block of Sinumerik's language, and its words of one letter. Names and calls are read in
-// sinumerik_functions.cpp, words with a name and a value in sinumerik_values.cpp; the rest is read
-// as in the other dialects: gcode_block_words.cpp.
+// A block of Sinumerik, and its words of one letter. sinumerik_functions.cpp reads names and calls,
+// sinumerik_values.cpp words with a name and a value; gcode_block_words.cpp reads the rest as in
+// the other dialects.
 
 namespace trc {
 namespace {
 
 bool is_center_letter(char letter) { return letter >= 'I' && letter <= 'K'; }
 
-// X1=5, where the setup has an axis X1: its place among the tracking axes; else -1.
+// X1=5 if the setup has an axis X1: its index among the tracking axes; else -1.
 int axis_of_index(const Reading& reading, const NamedWord& word) {
   if (word.index < 0) return -1;
   const std::string name = word.letter + std::to_string(word.index);
@@ -36,8 +36,8 @@ int axis_of_index(const Reading& reading, const NamedWord& word) {
   return found == names.end() ? -1 : static_cast<int>(found - names.begin());
 }
 
-// T1=5 and M1=6 are those of the spindle; further ones have tools of their own, which no contour of
-// G41 counts on. Beside them S, H and M of one spindle pass; axes are looked at by their names.
+// T1=5 and M1=6 belong to the main spindle. Other spindles have their own tools, which G41 never
+// uses. S, H and M of any one spindle pass; axes are checked by their names.
 bool check_index(Reading& reading, const NamedWord& word, const ProgramLine& line) {
   if (word.index < 0 || word.letter <= 'C' || word.letter >= 'U') return true;
   if (is_center_letter(word.letter) || axis_of_index(reading, word) >= 0) return true;
@@ -69,7 +69,7 @@ bool read_tool_name(Reading& reading, const NamedWord& word, ProgramLine& line, 
   return true;
 }
 
-// L10 calls a subprogram. What only the machine has passes.
+// L10 calls a subprogram. A subprogram that only the machine has passes.
 bool read_call_by_letter(Reading& reading, const NamedWord& word, ProgramLine& line,
                          BlockWords& block) {
   const bool passes =
@@ -82,7 +82,7 @@ bool read_call_by_letter(Reading& reading, const NamedWord& word, ProgramLine& l
   return read_as(by_name::call, word, line, block);
 }
 
-// S1=500 and M1=3 are of a spindle, X1=0 of G74 and G75 names an axis.
+// S1=500 and M1=3 belong to a spindle; X1=0 of G74 and G75 names an axis.
 bool read_word_of_index(Reading& reading, const NamedWord& word, ProgramLine& line,
                         BlockWords& block) {
   if (const int axis = axis_of_index(reading, word); axis >= 0 && !block.has(GGroup::single_move)) {
@@ -107,7 +107,7 @@ bool read_word_of_index(Reading& reading, const NamedWord& word, ProgramLine& li
   return true;
 }
 
-// I1= J1= K1=: the point between of CIP.
+// I1= J1= K1=: the intermediate point of CIP.
 bool is_point_between(const NamedWord& word) {
   return is_center_letter(word.letter) && word.index == 1;
 }
@@ -182,7 +182,7 @@ bool read_named_words(Reading& reading, ProgramLine& line, BlockWords& block) {
       case NamedWord::Kind::comment:
         add(line, word, WordRole::comment);
         break;
-      case NamedWord::Kind::label:  // stands in front, as words of modes do
+      case NamedWord::Kind::label:  // a label comes first, like words of modes
         add(line, word, WordRole::mode);
         break;
       case NamedWord::Kind::skip:
@@ -203,7 +203,7 @@ bool read_named_words(Reading& reading, ProgramLine& line, BlockWords& block) {
           return complete_gcode_block(reading, line, block) && faults == 0;
         }
         faults += read_name(reading, word, line, block) ? 0 : 1;
-        // What follows is part of the statement.
+        // The rest of the line is part of the statement.
         if (is_sinumerik_statement(word.name)) return false;
         break;
       case NamedWord::Kind::call:

@@ -9,14 +9,14 @@
 #include "core/nc/dialect/sinumerik_words.h"
 #include "core/nc/text/named_words.h"
 
-// Names that stand alone and calls of Sinumerik: which function each stands for.
+// The functions that names alone and calls of Sinumerik stand for.
 
 namespace trc {
 namespace {
 
 using enum GGroup;
 
-// SUPA, of one block as G53 and G153 are.
+// SUPA acts in one block, as G53 and G153 do.
 constexpr GFunction suppression_name{
     .number = 153, .group = single_move, .meaning = "motion without any zero shift"};
 constexpr GFunction around_the_corner{.number = 139, .group = selection};
@@ -58,7 +58,7 @@ bool read_known_name(Reading& reading, SinumerikMeaning meaning, const NamedWord
     case SinumerikMeaning::single_move:
       return stands_for(suppression_name);
     case SinumerikMeaning::modal_cycle: {
-      // Alone it ends the cycle.
+      // Alone, MCALL ends the cycle.
       const bool ends = line.text.find('(', word.end) == std::string::npos;
       return stands_for(ends ? by_name::modal_cycle_end : by_name::modal_cycle);
     }
@@ -103,7 +103,7 @@ bool read_name(Reading& reading, const NamedWord& word, ProgramLine& line, Block
   if (name == "CFIN") return read_as(by_name::feed_at_inside, word, line, block);
   if (name == "KONTC" || name == "KONTT")
     return refuse_name(reading, line, word, "an approach that goes on smoothly: NORM or KONT");
-  // D-51. Without G41 and G42 the word says nothing: it stays.
+  // D-51. Without G41 and G42 the word has no effect and stays.
   if (name == "KONT") return read_as(around_the_corner, word, line, block);
   if (name == "NORM") return read_as(straight_to_the_contour, word, line, block);
   if (name == "CDON" || name == "CDOF" || name == "CDOF2") {

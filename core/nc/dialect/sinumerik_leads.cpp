@@ -9,8 +9,8 @@
 #include "core/nc/dialect/reading.h"
 
 // Smooth approach and retraction of Sinumerik: G147 … G348 with DISR=, DISCL= and FAD=. Programming
-// manual of SINUMERIK ONE, 2.10.4: P0 is where the tool comes from or goes to, P4 where the contour
-// begins or ends, and the lead itself lies between P3 and P4 (D-130).
+// manual of SINUMERIK ONE, 2.10.4: the tool comes from or goes to P0, the contour begins or ends at
+// P4, and the lead itself lies between P3 and P4 (D-130).
 
 namespace trc {
 namespace {
@@ -70,15 +70,16 @@ Lead soft_lead_of(const Reading& reading, const BlockWords& block) {
           .bends_to_tool = reading.gcode.soft.direction == 143};
 }
 
-// The part of DISCL= in a block that leads to or from a contour.
+// DISCL= in a block that leads to or from a contour.
 std::optional<SoftClearance> clearance_of(const Reading& reading, const BlockWords& block) {
   if (!block.soft.clearance) return {};
   return SoftClearance{.distance = block.soft.clearance->value * reading.length_unit(),
                        .absolute = block.soft.clearance_is_absolute};
 }
 
-// Where the third axis is by DISCL=: between `plane`, that of the contour, and `away`, from where
-// it comes or to where it goes. Nothing where it is not between them, which controls refuse too.
+// The height of the third axis under DISCL=, between the height `plane` of the contour and the
+// height `away` from which it comes or to which it goes. Empty if it is not between them: controls
+// refuse that too.
 std::optional<double> height_of(const std::optional<SoftClearance>& clearance, double plane,
                                 double away) {
   if (!clearance) return plane;
@@ -97,7 +98,7 @@ bool refuse_clearance(Reading& reading, const ProgramLine& line, std::uint32_t b
                                 "where the tool comes from or goes to"});
 }
 
-// Absolute and in mm: where the axes named end.
+// The ends of the named axes, absolute and in mm.
 bool find_soft_end(Reading& reading, const ProgramLine& line, const BlockWords& block,
                    std::array<std::optional<double>, 3>& end) {
   for (std::size_t axis = 0; axis < end.size(); ++axis) {
@@ -166,7 +167,7 @@ bool take_soft_lead(Reading& reading, ProgramLine& line, BlockWords& block) {
   const bool approaches = is_approach(lead.function->number);
   block.soft.is_followed = approaches ? selects || reading.trc_active() : reading.trc_active();
   if (!block.soft.is_followed && !reading.contour_open()) {
-    // Only the control knows where it ends: its contour is not compensated here.
+    // Only the control knows the end of this lead: its contour is not compensated here.
     block.functions[static_cast<std::size_t>(single_move)] = lead;
     return true;
   }
@@ -252,7 +253,7 @@ bool depart_softly(Reading& reading, ProgramLine& line, BlockWords& block) {
   if (clearance && in_plane && !end[axes.third])
     return wrong(block.soft.clearance->begin, "DISCL= without the height it retracts to");
   const double plane = reading.state.position()[axes.third];
-  // Without a height of its own the retraction ends where DISCL= says.
+  // Without a programmed height the retraction ends at the height of DISCL=.
   const auto quick = height_of(clearance, plane, end[axes.third].value_or(HUGE_VAL));
   if (!quick) return refuse_clearance(reading, line, block.soft.clearance->begin);
   const double slow = block.soft.feed_before;
@@ -260,7 +261,7 @@ bool depart_softly(Reading& reading, ProgramLine& line, BlockWords& block) {
                                         : block.soft.feed_before;
   MoveRequest step{.source = line.source, .kind = MotionKind::linear, .feed = slow};
   if (reading.gcode.soft.in_space && block.soft.feed) step.feed = infeed;
-  // Which way the arc bends may depend on where the tool goes.
+  // The side to which the arc bends may depend on the end of the retraction.
   step.end[axes.first] = end[axes.first];
   step.end[axes.second] = end[axes.second];
   if (reading.gcode.soft.in_space) step.end[axes.third] = *quick;

@@ -174,16 +174,16 @@ constexpr auto names = std::to_array<Name>({
 });
 static_assert(std::ranges::is_sorted(names, {}, &Name::name));
 
-// Calls that say nothing about where the path runs.
+// Calls that do not affect the path.
 constexpr auto passing_calls = std::to_array<std::string_view>(
     {"COUPOF",    "COUPON",   "CYCLE832", "DELETE",   "FGROUP",    "FILEDATE",     "FILEINFO",
      "FILESIZE",  "FILESTAT", "FILETIME", "FPRAOF",   "FPRAON",    "GROUP_ADDEND", "GROUP_BEGIN",
      "GROUP_END", "MMC",      "MSG",      "ORIRESET", "READ",      "SETAL",        "SETMS",
      "SPOS",      "WAITM",    "WAITP",    "WAITS",    "WORKPIECE", "WRITE"});
-// CYCLE, HOLES, POCKET, SLOT and the like: what they move only the control knows.
+// CYCLE, HOLES, POCKET, SLOT and the like: only the control knows their motions.
 constexpr auto cycle_beginnings = std::to_array<std::string_view>(
     {"CYCLE", "HOLES", "POCKET", "SLOT", "LONGHOLE", "TRANSMIT", "TRACYL", "F_"});
-// Words with values that say nothing about where the path runs.
+// Words with values that do not affect the path.
 constexpr auto passing_assignments = std::to_array<std::string_view>({"$AC_ACTUAL_PARTS",
                                                                       "$AC_MARKER",
                                                                       "$AC_PARAM",
@@ -214,7 +214,7 @@ constexpr auto passing_assignments = std::to_array<std::string_view>({"$AC_ACTUA
                                                                       "SPOS",
                                                                       "SVC",
                                                                       "VELOLIM"});
-// What changes the radius, or ends a motion where only the control knows.
+// Words that change the radius, or end a motion where only the control knows.
 struct RefusedWord {
   std::string_view beginning;
   std::string_view why;
@@ -223,7 +223,7 @@ constexpr auto refused_words = std::to_array<RefusedWord>(
     {{"MEA", "measuring"}, {"TOFF", "an offset of the tool beside its data"}});
 // Words with values that round or bevel corners.
 constexpr auto corner_words = std::to_array<std::string_view>({"FRC", "FRCM"});
-// Names that say more than the table above.
+// Names with a meaning that the table above cannot express.
 constexpr auto names_of_motion = std::to_array<std::string_view>(
     {"CDOF", "CDOF2", "CDON", "CFC", "CFIN", "CIP", "CT", "KONT", "KONTC", "KONTT", "NORM"});
 // Words with values that the reader follows.

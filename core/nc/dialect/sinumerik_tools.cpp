@@ -5,14 +5,14 @@
 
 #include "core/nc/dialect/tool_data.h"
 
-// Tools of Sinumerik and their edges: T is the tool, D its edge (D-138); D0 is none.
+// Tools of Sinumerik and their edges: T is the tool, D its edge (D-138); D0 selects none.
 
 namespace trc {
 namespace {
 
 using enum GGroup;
 
-// Of Sinumerik: a tool that has no number, in place of one; beyond what T may say.
+// The number of a tool without one; beyond the range of T.
 constexpr std::int64_t unnamed_tool = first_named_tool - 1;
 
 }  // namespace
@@ -34,7 +34,7 @@ bool refuse_second_edge(Reading& reading, std::int64_t row) {
 
 bool choose_tool_of_edge(Reading& reading, ProgramLine& line, BlockWords& block) {
   GcodeModes::Tools& tools = reading.gcode.tools;
-  // A tool change chooses the first one; where M6 changes tools, T alone makes one ready (D-56).
+  // A tool change selects the first edge; if M6 changes tools, T alone only prepares one (D-56).
   const bool changes = block.tools.change || (block.tools.t_word && !tools.changed_by_m6);
   const bool keeps_edge = block.tools.change && !block.tools.t_word && tools.edge_is_of_next;
   if (block.tools.d_word || (changes && !keeps_edge)) {
@@ -83,7 +83,7 @@ bool choose_tool_of_edge(Reading& reading, ProgramLine& line, BlockWords& block)
                         .begin = begin,
                         .detail = "D" + std::to_string(edge) + " without T, which tool it is of"});
   if (number == no_tool_number) {
-    // The radius of the setup stands for the one tool that the program selects with.
+    // The radius of the setup applies to the only tool with which the program selects TRC.
     if (tools.only_name.empty()) tools.only_name = tools.name;
     if (tools.only_name != tools.name) return unknown(quoted(tools.name));
   }

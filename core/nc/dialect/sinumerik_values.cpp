@@ -15,12 +15,12 @@
 #include "core/nc/text/characters.h"
 #include "core/nc/text/named_words.h"
 
-// Words of Sinumerik that have a name and a value: CR=5, RND=2, $TC_DP6[1,1]=5.
+// Words of Sinumerik with a name and a value: CR=5, RND=2, $TC_DP6[1,1]=5.
 
 namespace trc {
 namespace {
 
-// POS[X]=10; POS[A]=10 and POS[Q1]=10 move what has no part in the path: none.
+// The axis of POS[X]=10; none for POS[A]=10 and POS[Q1]=10, which do not move the path.
 AxisBits main_axis_of(std::string_view assignment) {
   const std::size_t index = assignment.find_first_not_of("[ \t", assignment.find('['));
   if (index == std::string_view::npos) return 0;
@@ -40,7 +40,7 @@ bool read_form_of_arc(Reading& reading, const NamedWord& word, ProgramLine& line
   return true;
 }
 
-// RND=, CHF= and CHR= shape one corner, RNDM= all that follow.
+// RND=, CHF= and CHR= shape one corner, RNDM= all later ones.
 bool read_corner(Reading& reading, const NamedWord& word, ProgramLine& line, BlockWords& block) {
   if (word.name == "RNDM") {
     if (block.corners.modal_rounding || word.value < 0)
@@ -83,7 +83,7 @@ bool read_angle_or_turns(Reading& reading, const NamedWord& word, ProgramLine& l
   return true;
 }
 
-// What says nothing about where the path runs, or is refused because it does.
+// Passes words that do not affect the path, and refuses words that do.
 bool pass_assignment(Reading& reading, const NamedWord& word, ProgramLine& line,
                      BlockWords& block) {
   const auto is = [&](std::string_view wanted) { return word.name == wanted; };
@@ -141,11 +141,11 @@ bool read_assignment(Reading& reading, const NamedWord& word, ProgramLine& line,
   if (is("AP") || is("RP")) return read_polar_word(reading, word, line, block);
   if (is("ANG") || is("TURN")) return read_angle_or_turns(reading, word, line, block);
   if (is_sinumerik_frame(word.name)) {
-    // As SCALE; what a frame holds that is copied is not looked into.
+    // Like SCALE; the contents of a copied frame are not examined.
     const std::string value = in_upper_case(line.word({.begin = word.begin, .end = word.end}));
     const bool scales =
         value.find("CSCALE") != std::string::npos || value.find(",SC]") != std::string::npos;
-    // Of one that is built on others, or of a part of it, nobody knows what it held.
+    // The contents of a frame that is built on others, or set in part, are unknown.
     const std::size_t sign = std::min(value.find('='), value.size());
     const bool is_whole = value.find(',') > sign && value.find('$', sign) == std::string::npos;
     block.coordinates.frame = without_blanks_behind(std::string_view(value).substr(0, sign));
@@ -153,7 +153,7 @@ bool read_assignment(Reading& reading, const NamedWord& word, ProgramLine& line,
     return read_as(scales ? by_name::scaling_frame : by_name::frame, word, line, block);
   }
   if (is("$TC_DP6") || is("$TC_DP15")) return read_edge_data(reading, word, line, block);
-  // 0 ends them: the kinematics of the tool holder, the tool that is turned with it.
+  // 0 ends both: the kinematics of the tool holder, and the tool turned with it.
   if ((is("TCARR") || is("CUTMOD")) && word.value != 0)
     return read_as(by_name::frame, word, line, block);
   return pass_assignment(reading, word, line, block);

@@ -9,14 +9,14 @@
 #include "core/base/likely_meant.h"
 #include "core/nc/text/characters.h"
 
-// What a program says of the radii of tools: G10 of Fanuc and LinuxCNC, $TC_DP6 of Sinumerik.
+// Tool radii in a program: G10 of Fanuc and LinuxCNC, $TC_DP6 of Sinumerik.
 
 namespace trc {
 namespace {
 
 using enum GGroup;
 
-// Of $TC_DP6[1,1], as row_of_edge() has it.
+// The row of $TC_DP6[1,1], as in row_of_edge().
 std::optional<std::int64_t> row_of_index(std::string_view name) {
   std::array<double, 2> index{};
   std::size_t at = name.find('[');
@@ -128,7 +128,7 @@ bool take_tool_data(Reading& reading, ProgramLine& line, BlockWords& block) {
   const std::int64_t number = register_number(block.p_word->value);
   const double value = *block.move.radius * mm_of(lengths);
   if (is_wear) {
-    // What the setup says of the wear it has been told; a program that sets it back to 0 does not.
+    // The setup knows the actual wear; a program that resets the wear to 0 does not contradict it.
     const double wear = reading.state.tool().wear_of(number);
     constexpr double alike = 1e-9;
     if (wear != 0 && value == 0 && !reading.state.tool().gives_wear(number)) return true;

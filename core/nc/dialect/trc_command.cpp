@@ -158,7 +158,7 @@ CommandReader::Fault CommandReader::value(std::string_view name, std::size_t beg
   const bool assigned = peek() == '=';
   if (assigned) ++at_;
   skip_separators();
-  // Without its = a name is the next keyword.
+  // A name without = is the next keyword.
   if (at_end() || peek() == ']' || (!assigned && is_letter(peek())))
     return fault(Code::trc_option_out_of_range, begin, std::string(name) + " without value");
   std::size_t length = 0;
@@ -212,7 +212,7 @@ CommandReader::Fault CommandReader::trc(TrcOptions& options) {
 CommandReader::Fault CommandReader::key(TrcOptions& options) {
   const std::size_t begin = at_;
   const std::string name = identifier();
-  // The longest keyword the word begins with; its value may follow at once.
+  // The longest keyword that the word begins with; its value may follow directly.
   const TrcKeyword* keyword = nullptr;
   for (const TrcKeyword& candidate : keywords) {
     if (!name.starts_with(candidate.name)) continue;

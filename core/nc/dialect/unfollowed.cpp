@@ -9,20 +9,20 @@
 #include "core/nc/dialect/named_functions.h"
 #include "core/nc/dialect/reading.h"
 
-// Functions under which coordinates mean something else, each up to the end that is its own: a
-// second one does not end the first, nor does the end of one end the others (D-112).
+// Functions that change the meaning of coordinates, each up to its own end: a second one does not
+// end the first, and the end of one does not end the others (D-112).
 
 namespace trc {
 namespace {
 
 using enum GGroup;
 
-// SCALE of Sinumerik, which ends where it stands alone.
+// SCALE of Sinumerik; SCALE alone ends it.
 constexpr int scale_tenths = by_name::scale.tenths();
-// What TRANS, ROT, MIRROR and SCALE set anew as a whole.
+// The frame that TRANS, ROT, MIRROR and SCALE replace as a whole.
 constexpr const char* programmable_frame = "$P_PFRAME";
 
-// What each end ends, in tenths.
+// Each end and the function that it ends, in tenths.
 constexpr auto ends_of_modes = std::to_array<std::pair<int, int>>(
     {{tenths_of(13, 1), tenths_of(12, 1)},
      {tenths_of(13, 1), tenths_of(112)},
@@ -46,7 +46,7 @@ bool is_modal_motion(DialectName dialect, int tenths) {
   return dialect == linuxcnc && std::ranges::find(of_linuxcnc, tenths) != of_linuxcnc.end();
 }
 
-// Which kind of turn a function begins or ends: rotation, mirroring, mirroring by G101.
+// The kind of turn that a function begins or ends: rotation, mirroring, mirroring by G101.
 std::uint8_t turn_of(int tenths) {
   switch (tenths) {
     case tenths_of(53, 1):
@@ -162,8 +162,8 @@ void forget_what_ends_nothing(Reading& reading, BlockWords& block) {
     if (ends_turn(each)) ended |= turn_of(each);
   if (block.has(frame) && ends_turn(block.of(frame).function->tenths())) {
     if ((reading.gcode.coordinates.turned & ended) == 0) {
-      // The axes of G50.1 and G100 are those that are mirrored no longer; with T beside it G100 is
-      // a tool change that goes there.
+      // The axes of G50.1 and G100 are no longer mirrored. With T beside it, G100 is a tool change
+      // that moves to them.
       block.copied |= block.axis && !block.tools.t_word && !block.of(frame).is(69);
       block.clear(frame);
     }

@@ -14,9 +14,9 @@
 namespace trc {
 namespace {
 
-constexpr double increment_mm = 0.001;  // also of degrees
+constexpr double increment_mm = 0.001;  // degrees too
 constexpr double increment_inch = 0.0001;
-constexpr double feed_increment_inch = 0.01;  // F10 is 0.1 in/min; of mm F10 is 10 mm/min
+constexpr double feed_increment_inch = 0.01;  // F10 is 0.1 in/min; in mm, F10 is 10 mm/min
 constexpr double longest_travel = 10'000;     // mm, of a milling machine
 
 bool turns(std::string_view axis) {

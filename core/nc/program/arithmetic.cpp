@@ -7,8 +7,8 @@
 namespace trc::program {
 namespace {
 
-// The decimal digits of a whole number, which is written in the one base, in the other one. Nothing
-// where one of them is none.
+// Reads the digits of a whole number, written in one base, as a number of the other base. Empty if
+// one of them is no decimal digit.
 std::optional<double> in_other_base(double number, std::int64_t from, std::int64_t to) {
   constexpr std::int64_t ten = 10;
   auto left = std::llround(std::abs(number));
@@ -20,7 +20,7 @@ std::optional<double> in_other_base(double number, std::int64_t from, std::int64
   return static_cast<double>(result);
 }
 
-// Of sines and the like, and back.
+// Trigonometric functions and their inverses.
 std::optional<double> of_angles(Function function, double argument, bool fanuc) {
   switch (function) {
     case Function::sine:
@@ -44,7 +44,7 @@ std::optional<double> of_angles(Function function, double argument, bool fanuc) 
       return std::atan(argument) / degree;
     case Function::arc_cotangent:
       return 90 - std::atan(argument) / degree;
-    default:  // what has several arguments, or none
+    default:  // functions with several arguments, or none
       return 0;
   }
 }
@@ -70,7 +70,7 @@ std::optional<double> of_powers(Function function, double argument) {
 }
 
 std::optional<double> of_whole_part(Function function, double argument, bool fanuc) {
-  // What is a whole number but for the last digits of its computation is one to Fanuc.
+  // FANUC takes a number as whole if only the last digits of its computation differ.
   const double nearest = std::round(argument);
   const bool is_whole = fanuc && is_near(argument, nearest);
   const bool has_digits = argument >= 0 && nearest <= 1e12;

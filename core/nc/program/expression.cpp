@@ -51,7 +51,7 @@ std::string_view ExpressionReader::name() const {
 }
 
 bool ExpressionReader::holds(const Value& value) const {
-  // Of ISG, by its manual.
+  // As the manual of ISG defines it.
   constexpr double half = 0.5;
   if (grammar_.dialect == DialectName::isg) return std::abs(value.number) >= half;
   return value.is_text ? !value.text.empty() : value.number != 0;
@@ -84,7 +84,7 @@ Value ExpressionReader::of_level(int level) {
     const std::size_t begin = at_;
     const OperatorRow* row = operator_of(level);
     if (row == nullptr) return value;
-    // Two comparisons side by side mean something else everywhere than they seem to.
+    // A chain of two comparisons never means what it seems to mean.
     if (is_comparison(row->meaning) && std::exchange(has_compared, true))
       return fail(Code::expression_invalid, begin, std::string(row->spelling));
     if (wants_brackets(*row, std::exchange(before, row), first))
@@ -95,8 +95,8 @@ Value ExpressionReader::of_level(int level) {
   }
 }
 
-// Of ISG: of several logical operators, comparisons or powers, and of a power of what has a sign,
-// no manual says which comes first. `operand` is where the first operand begins.
+// ISG: no manual defines the order of several logical operators, comparisons or powers, or of a
+// power of a signed operand. `operand` is where the first operand begins.
 bool ExpressionReader::wants_brackets(const OperatorRow& row, const OperatorRow* before,
                                       std::size_t operand) const {
   constexpr int lowest_of_arithmetic = 3;
@@ -198,7 +198,7 @@ Value ExpressionReader::named_operand() {
   return function_of_list(*row, begin);
 }
 
-// One argument or several ones in brackets.
+// One or several arguments in brackets.
 Value ExpressionReader::function_of_list(const FunctionRow& row, std::size_t begin) {
   constexpr std::size_t most_arguments = 3;
   std::array<Value, most_arguments> arguments{};
@@ -255,7 +255,7 @@ Value ExpressionReader::bracket() {
   return value;
 }
 
-// FANUC: the first two letters of a function do, or more: RO[ ], ROU[ ].
+// FANUC: the first two letters of a function are enough, or more: RO[ ], ROU[ ].
 std::span<const FunctionRow>::iterator ExpressionReader::row_of_function(
     std::string_view name) const {
   const auto row = std::ranges::find(grammar_.functions, name, &FunctionRow::spelling);
@@ -309,7 +309,7 @@ Value ExpressionReader::function() {
   return {.number = applied(row->meaning, bracket().number, begin)};
 }
 
-// ATAN[a]/[b] is one function; behind ATAN[a] alone a `/` with something else divides.
+// ATAN[a]/[b] is one function; after ATAN[a] alone a `/` with anything else divides.
 double ExpressionReader::arc_tangent_of_two(double opposite, std::size_t begin) {
   const std::size_t behind = at_;
   pass_blanks();
@@ -333,7 +333,7 @@ double ExpressionReader::arc_tangent_of_two(double opposite, std::size_t begin) 
     return 0;
   }
   const double angle = std::atan2(opposite, adjacent) / degree;
-  // As Fanuc is set up without a parameter: 0 to 360 (D-48).
+  // FANUC without the parameter set: 0 to 360 (D-48).
   return grammar_.dialect == DialectName::fanuc && angle < 0 ? angle + 360 : angle;
 }
 

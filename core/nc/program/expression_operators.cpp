@@ -6,7 +6,7 @@
 #include "core/nc/program/expression.h"
 #include "core/nc/program/gcode_line.h"
 
-// What operators and functions make of their operands.
+// The results of operators and functions.
 
 namespace trc::program {
 
@@ -24,7 +24,7 @@ Value ExpressionReader::combined(const Value& left, Operator sign, const Value& 
   if (failed_) return {};
   if (left.is_text || right.is_text || sign == Operator::join)
     return combined_texts(left, sign, right, begin);
-  // Of numbers that are rounded first.
+  // FANUC rounds both numbers first.
   const bool fanuc_remainder =
       sign == Operator::remainder && grammar_.dialect == DialectName::fanuc;
   switch (sign) {
@@ -59,7 +59,7 @@ Value ExpressionReader::combined(const Value& left, Operator sign, const Value& 
     default:
       break;
   }
-  // What the control makes of the last digits is not known (D-54).
+  // How the control treats the last digits is unknown (D-54).
   if (grammar_.dialect == DialectName::isg && left.number != right.number &&
       is_near(left.number, right.number))
     return fail(Code::value_invalid, begin, "a comparison of numbers that are nearly equal");
@@ -81,7 +81,7 @@ Value ExpressionReader::combined_texts(const Value& left, Operator sign, const V
   return {.number = (left.text == right.text) == (sign == Operator::equal) ? 1.0 : 0.0};
 }
 
-// Of whole numbers of 32 bits.
+// Whole numbers of 32 bits.
 double ExpressionReader::of_bits(double left, Operator sign, double right, std::size_t begin) {
   constexpr double smallest = -2147483648.0;
   constexpr double largest = 4294967295.0;
@@ -122,12 +122,12 @@ double ExpressionReader::of_whole_numbers(double left, Operator sign, double rig
   return static_cast<double>(sign == Operator::disjunction ? a | b : a ^ b);
 }
 
-// A vacant variable equals another one and nothing else; where it is compared by size it is 0.
+// A vacant variable only equals another vacant one; in comparisons by size it is 0.
 bool ExpressionReader::compared(const Value& left, Operator sign, const Value& right) const {
   const double a = left.number;
   const double b = right.number;
   const bool fanuc = grammar_.dialect == DialectName::fanuc;
-  // LinuxCNC compares for equality within that alone (D-48).
+  // LinuxCNC only uses this tolerance for equality (D-48).
   constexpr double equal_for_linuxcnc = 1e-4;
   const bool by_size = fanuc || grammar_.has_names;
   const bool equal = fanuc                ? is_near(a, b)

@@ -16,7 +16,7 @@ bool pass_word(std::string_view line, std::string_view word, ExpressionReader& e
 
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-// IF [ ] THEN with nothing behind it: the lines up to ELSE or ENDIF.
+// IF [ ] THEN at the end of a line: it covers the lines up to ELSE or ENDIF.
 bool begins_branch(std::string_view line, std::size_t at) {
   if (!has_word_at(line, at, "IF")) return false;
   constexpr std::string_view then = "THEN";
@@ -31,7 +31,7 @@ const FanucFlow::Outline& FanucFlow::outline_of(const Frame& frame) {
   const auto [known, is_new] = outlines_.try_emplace({frame.text, frame.end});
   Outline& outline = known->second;
   if (!is_new) return outline;
-  // A call by M97 begins within; what can be reached is its program as a whole.
+  // A call by M97 begins within a program, but can reach all of it.
   const auto unit = std::ranges::find_if(
       units_, [&](const Unit& each) { return each.text == frame.text && each.end == frame.end; });
   const ProgramText& text = text_of(frame);
@@ -74,7 +74,7 @@ const FanucFlow::Outline& FanucFlow::outline_of(const Frame& frame) {
   return outline;
 }
 
-// Behind DO or END, wherever that is; `none`: nowhere.
+// The number after DO or END, anywhere in the line; `none`: there is none.
 std::size_t FanucFlow::number_of_loop(std::string_view line, std::size_t at) const {
   int depth = 0;
   for (; at < line.size(); ++at) {
@@ -101,7 +101,7 @@ bool FanucFlow::execute_statement(std::string& flat) {
     return loop(flat, expression, LoopHead::with_condition);
   if (expression.pass("DO")) return loop(flat, expression, LoopHead::endless);
   if (expression.pass("ENDIF")) return finish_statement(flat, expression.at());
-  if (expression.pass("ELSE"))  // behind a branch that was taken
+  if (expression.pass("ELSE"))  // after a branch that was taken
     return go_behind_foot("ELSE without ENDIF") && finish_statement(flat, expression.at());
   if (expression.pass("END")) return end_loop(flat, expression);
   pass_word(line_, "GOTO", expression);
@@ -190,7 +190,7 @@ bool FanucFlow::go_to(std::int64_t number, std::size_t begin) {
   return true;
 }
 
-// The first one behind the line that is executed, else the first one from the beginning.
+// The first such line after the executed one, else the first one from the beginning.
 std::optional<std::size_t> FanucFlow::line_of(const Frame& frame, std::int64_t number) {
   const Outline& outline = outline_of(frame);
   const auto lines = outline.labels.find(number);

@@ -14,7 +14,7 @@ bool is_statement_at(std::string_view line, std::size_t at) {
          has_word_at(line, at, "END") || has_word_at(line, at, "ELSE");
 }
 
-// Of a file, without its folder and what its kind is.
+// The name of a file without its folder and extension.
 std::string_view stem_of(std::string_view name) {
   const std::size_t folder = name.find_last_of("/\\");
   if (folder != std::string_view::npos) name.remove_prefix(folder + 1);
@@ -82,10 +82,10 @@ FanucFlow::FanucFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText t
     : GcodeFlow(setup, calls, fanuc_grammar()) {
   texts_.push_back(std::move(text));
   add_units(0);
-  // The line of the O itself belongs to what it names.
+  // The line of the O itself belongs to the program that it names.
   const auto found =
       std::ranges::find_if(units_, [&](const Unit& unit) { return start < unit.end; });
-  // The main program goes back to its very beginning.
+  // A main program that comes first includes all lines before it.
   if (found == units_.begin()) found->begin = 0;
   const Unit main = *found;
   for (const auto& [name, given_text] : setup.subprograms) {
@@ -94,7 +94,7 @@ FanucFlow::FanucFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText t
   }
   entered_.resize(units_.size());
   frames_.push_back({.begin = main.begin, .end = main.end, .next = start, .current = start});
-  // What stands in front of the first program is that of the tape.
+  // The text before the first program belongs to the tape.
   const bool begins_behind = main.begin > 0 && program_head_of(texts_[0].line(start)).is_there();
   for (std::size_t line = 0; begins_behind && line < start; ++line) {
     if (program_head_of(texts_[0].line(line)).is_there()) break;
@@ -124,12 +124,12 @@ std::int64_t FanucFlow::number_of_named(std::string_view name) {
   return first_named + index;
 }
 
-// A text is divided where an O stands.
+// Divides a text at each O.
 void FanucFlow::add_units(std::size_t text) {
   const ProgramText& lines = texts_[text];
   Unit unit{.text = text};
   const std::size_t known = units_.size();
-  bool begun = false;  // something but names has been seen
+  bool begun = false;  // a line other than a name has been seen
   for (std::size_t line = 0; line < lines.size(); ++line) {
     const ProgramHead head = program_head_of(lines.line(line));
     const std::int64_t number = number_of_program(head);
@@ -175,7 +175,7 @@ void FanucFlow::note_line(std::string_view line) {
   if (found != returns_to_.end()) ++found->second;
 }
 
-// What the program has written into the register of a tool it may ask for (D-169).
+// The program may read a tool register that it has written (D-169).
 void FanucFlow::note_registers(std::string_view line) {
   const auto setting = register_set_by(line, modes_.incremental);
   if (setting && setting->value)
@@ -185,14 +185,14 @@ void FanucFlow::note_registers(std::string_view line) {
   if (has_function(line, 'G', 20, 21) || has_function(line, 'G', 70, 71)) forget_registers();
 }
 
-// They count in another unit, or the machine may have set them.
+// The registers now count in another unit, or the machine may have set them.
 void FanucFlow::forget_registers() {
   constexpr std::int64_t first = 12'001;
   constexpr std::int64_t last = 13'999;
   common_.erase(common_.lower_bound(first), common_.upper_bound(last));
 }
 
-// Where M99 P of the main program leads to.
+// The targets of M99 P in the main program.
 void FanucFlow::note_returns(const Unit& main) {
   for (std::size_t line = main.begin; line < main.end; ++line) {
     const std::string_view text = texts_[0].line(line);
@@ -234,7 +234,7 @@ bool FanucFlow::execute_line(std::string& flat) {
   return head.is_there() ? execute_behind_head(flat, head) : execute(flat);
 }
 
-// The O of a subprogram does not come out, that of the main program does so once.
+// The O of a subprogram does not come out; the O of the main program comes out once.
 bool FanucFlow::execute_behind_head(std::string& flat, const ProgramHead& head) {
   const bool is_over_there = is_over(line_, head.behind);
   const bool comes_out = frames_.size() == 1 && !std::exchange(head_came_out_, true);
@@ -260,15 +260,15 @@ bool FanucFlow::end_of_unit(std::string& flat) {
     return end_main_program(flat);
   }
   if (frames_.size() == 1) {
-    // It runs into the next O.
+    // The program runs into the next O.
     at.current = at.end;
     return refuse(Code::nc_unsupported, 0, "O, a second program in one text");
   }
   return refuse(Code::block_structure, 0, frame().name + ", a subprogram without M99");
 }
 
-// What stands behind an N word may be where a jump leads to for other values, and belongs to what
-// was resolved. Other programs of the text must not be lost.
+// A line after an N word may be a jump target for other values, and counts as resolved. The other
+// programs of the text must not be lost.
 bool FanucFlow::end_main_program(std::string& flat) {
   if (looks_ahead()) return ended_ = true;
   const Frame& main = frames_.front();
@@ -281,8 +281,8 @@ bool FanucFlow::end_main_program(std::string& flat) {
   return next_copied_ < copied_.size() || end_program(flat);
 }
 
-// By program: the main one, and what it or one of those leads to. What is called under a condition
-// that did not hold is resolved as well.
+// By program: true for the main program and each program that it calls, directly or not. Calls
+// under a condition that did not hold count too.
 std::vector<bool> FanucFlow::resolved(const std::vector<ProgramOfText>& programs) const {
   std::vector<bool> found(programs.size());
   ProgramCalls calls;
@@ -312,7 +312,7 @@ std::vector<bool> FanucFlow::resolved(const std::vector<ProgramOfText>& programs
   return found;
 }
 
-// With what they call in their turn.
+// Keeps the programs that are not resolved, with the programs that they call.
 void FanucFlow::keep_what_is_not_resolved() {
   copied_.clear();
   next_copied_ = 0;
@@ -348,7 +348,7 @@ bool FanucFlow::execute(std::string& flat) {
     return true;
   }
   std::size_t at = head_.behind;
-  // (B) #102=2: the comment comes out by itself.
+  // (B) #102=2: the comment comes out separately.
   std::size_t behind = at;
   while (behind < line_.size() && line_[behind] == '(' && behind_comment(line_, behind) > 0)
     behind = behind_blanks(line_, behind_comment(line_, behind));

@@ -17,7 +17,7 @@ bool has_letter_at(std::string_view line, std::size_t at, char letter) {
   return at < line.size() && upper(line[at]) == letter;
 }
 
-// The number behind an address, and the byte behind it.
+// The number after an address, and the position after the number.
 struct SaidNumber {
   double number = -1;
   bool is_whole = false;
@@ -37,7 +37,7 @@ SaidNumber said_number(std::string_view line, std::size_t at) {
   return said;
 }
 
-// The words of a line that say what it calls.
+// The words of a line that give the target of its call.
 struct CallWords {
   bool calls = false;
   bool mills = false;
@@ -130,7 +130,7 @@ void add_calls(std::string_view line, ProgramCalls& calls) {
   constexpr std::int64_t of_four_digits = 10'000;
   const auto number = static_cast<std::int64_t>(words.target.number);
   (words.calls ? calls.names : calls.milled).insert(std::to_string(number));
-  // Of older controls: repetitions in front of the four digits of the program.
+  // Older controls write repetitions before the four digits of the program.
   if (number >= of_four_digits) calls.names.insert(std::to_string(number % of_four_digits));
 }
 

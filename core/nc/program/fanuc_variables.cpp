@@ -3,12 +3,12 @@
 #include "core/nc/program/fanuc_flow.h"
 #include "core/nc/text/characters.h"
 
-// Variables of Fanuc, and what the control itself holds in them.
+// Variables of Fanuc, and values that the control itself keeps in them.
 
 namespace trc::program {
 namespace {
 
-// Switches of the machine, which move nothing (D-93): clocks, single block and feed hold, counters.
+// Switches of the machine that move nothing (D-93): clocks, single block and feed hold, counters.
 bool is_machine_switch(std::int64_t variable) {
   return (variable >= 3001 && variable <= 3004) || variable == 3901 || variable == 3902;
 }
@@ -55,7 +55,7 @@ bool FanucFlow::assign(std::string& flat, std::size_t at) {
   }
   if (!set(number, value, at)) return false;
   if (!kept_text_.stays()) return finish_statement(flat, behind);
-  // The control computes it anew in each run.
+  // The control computes the value anew in each run.
   std::string text = "#" + std::to_string(number) + "=";
   text += without_blanks_behind(kept_text_.text(line_, value_begin, behind));
   const std::string comments = comments_of(line_, behind);
@@ -64,9 +64,9 @@ bool FanucFlow::assign(std::string& flat, std::size_t at) {
   return true;
 }
 
-// What sets a zero point or the radius of a tool, as G10 does it, which the reader follows: under
-// G91 that would add. Which register #2001 to #2800 and #10001 are hangs on the memory of the
-// control. Empty: it is none.
+// Sets a zero point or the radius of a tool with the G10 that the reader follows; under G91 G10
+// would add instead. The registers of #2001 to #2800 and #10001 depend on the memory of the
+// control. Empty: the variable sets no such data.
 std::string FanucFlow::data_setting(std::int64_t number, const Value& value) const {
   constexpr std::int64_t in_row = 20;  // axes of one zero point
   constexpr std::string_view axes = "XYZ";
@@ -157,13 +157,13 @@ std::int64_t FanucFlow::number_of_variable(ExpressionReader& expression) {
   return expression.whole_operand();
 }
 
-// #4001 … : the functions of their groups, and the words, that hold.
+// #4001 …: the functions of their groups, and the words, that are in force.
 FanucFlow::Followed FanucFlow::followed(std::int64_t number) const {
   const auto mode = [](double value) {
     return Followed{.is_followed = true, .is_changed = true, .value = value};
   };
   const auto word = [this](char letter) {
-    // What stands beside it in the same block may hold already.
+    // A word beside it in the same block may be in force already.
     const bool is_clear = !says_plainly(line_, letter);
     return Followed{.is_followed = true,
                     .is_changed = said_.says(letter) || !is_clear,
@@ -195,8 +195,8 @@ FanucFlow::Followed FanucFlow::followed(std::int64_t number) const {
   }
 }
 
-// #5001 … : where the block in front ends; #5041 … : where the tool stands, with its length, which
-// only the control has.
+// #5001 …: the end of the previous block; #5041 …: the tool position, including the tool length,
+// which only the control knows.
 FanucFlow::Followed FanucFlow::followed_place(std::int64_t number) const {
   constexpr std::int64_t end_of_block = 5001;
   constexpr std::int64_t standing = 5041;
@@ -227,7 +227,7 @@ Value FanucFlow::value_followed(ExpressionReader& expression, std::int64_t numbe
   return {.number = *value};
 }
 
-// Where lines are looked at, what is vacant might have been given a value.
+// While lines are only checked, a vacant variable might have been assigned a value.
 Value FanucFlow::content_or_vacant(const std::optional<double>& content) const {
   if (looks_ahead() && !content) return {.number = 1};
   return {.number = content.value_or(0), .vacant = !content};

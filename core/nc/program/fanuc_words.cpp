@@ -5,12 +5,12 @@
 #include "core/nc/program/fanuc_flow.h"
 #include "core/nc/text/characters.h"
 
-// What becomes of a line of words whose values are computed, and of calls.
+// Writes lines of words with computed values, and calls.
 
 namespace trc::program {
 namespace {
 
-// Of the argument with this letter; 0: it cannot be one.
+// The variable of the argument with this letter; 0: the letter cannot be an argument.
 constexpr std::array<std::uint8_t, 26> variable_of_argument{
     1, 2, 3, 7, 8, 9, 0, 11, 4, 5, 6, 0, 13, 0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
 
@@ -49,8 +49,7 @@ bool FanucFlow::execute_words(std::string& flat) {
   if (head_.to_skip && (has_computed_ || call_word != nullptr || calls))
     return refuse(Code::block_skip_undecided, 0, "/, a line to skip that computes");
   if (ends_modal_call) modal_call_.reset();
-  // Whether each motion of a macro calls the other one, and what the return ends, hangs on the
-  // control.
+  // The control decides whether each motion of one macro calls the other, and what the return ends.
   const ComputedWord* const called = word_of('P');
   const bool passes = modal_call_ && modal_call_->is_of_machine && called != nullptr &&
                       is_of_the_machine(static_cast<std::int64_t>(called->value.number));
@@ -99,7 +98,7 @@ bool FanucFlow::call(std::string& flat, ComputedWord& word) {
     }
     return pass_call(call->number, Called::subprogram);
   }
-  // Of older controls: repetitions in front of the four digits of the program.
+  // Older controls write repetitions before the four digits of the program.
   constexpr std::int64_t of_four_digits = 10'000;
   const bool holds_times = !units_of_number_.contains(call->number) && !call->says_times &&
                            call->number >= of_four_digits &&
@@ -140,8 +139,8 @@ std::optional<bool> FanucFlow::call_by_name(std::string& flat) {
   return unit && enter_unit(flat, *unit, static_cast<std::uint64_t>(times), nullptr);
 }
 
-// DPRNT[X#1[53]]: the value with 5 places in front of the point and 3 behind it, as the written
-// program has no variables. What the machine holds it prints itself.
+// DPRNT[X#1[53]]: the value with 5 places before the point and 3 after it, as the written program
+// has no variables. Values that only the machine has are printed by the machine.
 std::optional<bool> FanucFlow::print(std::string& flat) {
   const bool prints =
       has_word_at(line_, head_.behind, "DPRNT") || has_word_at(line_, head_.behind, "BPRNT");
@@ -180,7 +179,7 @@ std::optional<bool> FanucFlow::print(std::string& flat) {
   return true;
 }
 
-// M97: lines of the program that calls.
+// M97 calls lines of the calling program.
 bool FanucFlow::call_own_lines(std::string& flat, const ProgramCall& call) {
   const auto line = line_of(frame(), call.number);
   const std::string name = "N" + std::to_string(call.number);
@@ -226,7 +225,7 @@ bool FanucFlow::call_macro(std::string& flat, const ComputedWord& word) {
   return unit && enter_unit(flat, *unit, static_cast<std::uint64_t>(*repetitions), &locals);
 }
 
-// G66: behind each line that moves (of the machine: D-68).
+// G66 calls after each line that moves (for macros of the machine: D-68).
 bool FanucFlow::call_modally(std::string& flat) {
   if (modal_call_->is_of_machine) {
     forget_what_the_machine_may_set(modal_call_->number);
@@ -238,7 +237,7 @@ bool FanucFlow::call_modally(std::string& flat) {
   return unit && enter_unit(flat, *unit, modal_call_->times, &locals);
 }
 
-// I, J and K may come in up to ten groups, each in this order; of what names one variable twice the
+// I, J and K may come in up to ten groups, each in this order. If two words name one variable the
 // later one counts.
 bool FanucFlow::take_arguments(const ComputedWord& word, Locals& locals) {
   constexpr std::size_t first_of_groups = 4;
@@ -285,7 +284,7 @@ void FanucFlow::forget_what_the_machine_may_set(std::int64_t number) {
   counters_.clear();
 }
 
-// The line passes; what the variables of the program hold behind it is not known.
+// The line passes; the variables of the program are unknown after it.
 bool FanucFlow::pass_call(std::int64_t number, Called called) {
   calls_the_machine_ = true;
   forget_what_the_machine_may_set(number);
@@ -301,7 +300,7 @@ std::optional<FanucFlow::Unit> FanucFlow::unit_of(std::int64_t number, std::size
     refuse(Code::subprogram_unknown, begin, name_of(number));
     return {};
   }
-  // What stands in the program itself is meant, else what is given.
+  // A program in the text itself takes precedence over a given one.
   const std::vector<std::size_t>& all = known->second;
   const Unit& found = units_[all.front()];
   if (all.size() == 1 || (found.text == 0 && units_[all[1]].text > 0)) return found;
@@ -331,8 +330,8 @@ bool FanucFlow::enter_unit(std::string& flat, const Unit& unit, std::uint64_t ti
   return true;
 }
 
-// Back to a line in front it is a production line: the part is made again and again, which for its
-// path is the end of the program.
+// A return to an earlier line makes this a production line: it makes the part again and again. For
+// the path this is the end of the program.
 bool FanucFlow::return_within_main(std::string& flat, std::int64_t number, std::size_t begin) {
   const auto target = line_of(frame(), number);
   const std::size_t current = frame().current;
@@ -348,7 +347,7 @@ bool FanucFlow::return_within_main(std::string& flat, std::int64_t number, std::
   return end_main_program(flat);
 }
 
-// Whether nothing in the lines of the main program leads out of them.
+// Whether nothing in these lines of the main program leads out of them.
 bool FanucFlow::never_leaves(std::size_t first, std::size_t last) const {
   const ProgramText& text = texts_.front();
   for (std::size_t line = first; line <= last; ++line) {
@@ -360,7 +359,7 @@ bool FanucFlow::never_leaves(std::size_t first, std::size_t last) const {
     const bool returns = line < last && has_function(content, 'M', 99, 99);
     if (jumps || ends || returns) return false;
   }
-  // A subprogram may return to another line than the one behind its call.
+  // A subprogram may return to another line than the one after its call.
   for (const ProgramText& each : texts_)
     for (std::size_t line = 0; line < each.size(); ++line) {
       const bool is_it = &each == &text && line == last;
@@ -371,7 +370,7 @@ bool FanucFlow::never_leaves(std::size_t first, std::size_t last) const {
   return true;
 }
 
-// Whether each round is the one that has been written: from the only line with that N, with the
+// Whether each round equals the written one: it starts from the only line with that N and has the
 // same values.
 bool FanucFlow::repeats_from(std::size_t line, std::int64_t number) const {
   const auto known = at_line_.find(line);
@@ -381,7 +380,7 @@ bool FanucFlow::repeats_from(std::size_t line, std::int64_t number) const {
   using Values = std::array<std::optional<double>, 34>;
   const Values& before = then.locals;
   const Values& now = locals_.front();
-  // What the control counts by itself stands in the line that comes out.
+  // The written line contains the counters of the control.
   const auto settled = [this](std::map<std::int64_t, std::optional<double>> values) {
     std::erase_if(values, [this](const auto& each) {
       return counter("#" + std::to_string(each.first)) != nullptr;
@@ -395,7 +394,7 @@ bool FanucFlow::repeats_from(std::size_t line, std::int64_t number) const {
 bool FanucFlow::return_from(std::string& flat, ComputedWord& word) {
   ComputedWord* const target = word_of('P');
   const bool is_main = frames_.size() == 1;
-  if (is_main && target == nullptr) {  // what ends it for the reader as well
+  if (is_main && target == nullptr) {  // this ends the program for the reader as well
     write_lasting_values(flat);
     write_line(flat);
     return end_main_program(flat);
@@ -423,7 +422,7 @@ bool FanucFlow::return_from(std::string& flat, ComputedWord& word) {
   } else if (frame().repetitions_left > 0) {
     --frame().repetitions_left;
     frame().next = frame().restart;
-    // Each time is told from the one before.
+    // The output marks each repetition.
     called_alone_ = false;
     write_call(flat, frame().name);
     return true;

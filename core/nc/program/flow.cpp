@@ -16,7 +16,7 @@
 namespace trc::program {
 namespace {
 
-// Names of variables are given with their `#` or without, in brackets or without.
+// Variable names may come with or without `#` and brackets.
 std::string name_of_variable(std::string_view name) {
   std::string plain;
   for (const char sign : name)
@@ -32,7 +32,7 @@ Flow::Flow(const ProgramSetup& setup, CallPlaces& calls) : setup_(setup), calls_
 }
 
 std::uint32_t Flow::line_in_program() const {
-  // A given subprogram has a text of its own; what calls it stands farther out.
+  // A given subprogram has its own text; its caller is in an outer frame.
   for (auto frame = frames_.rbegin(); frame != frames_.rend(); ++frame)
     if (frame->text == 0) return texts_[0].number(frame->current);
   return 0;
@@ -53,7 +53,7 @@ std::string_view Flow::line_end() const {
   const Frame& frame = frames_.back();
   const std::string_view own = texts_[frame.text].line_end(frame.current);
   if (!own.empty()) return own;
-  // The last line of a text may have none.
+  // The last line of a text may have no line end.
   return texts_[0].size() > 1 ? texts_[0].line_end(0) : "\n";
 }
 
@@ -91,7 +91,7 @@ bool Flow::enter(Frame callee) {
     return false;
   }
   const Frame& caller = frames_.back();
-  // One that has no line but that of its name, the last one of the text.
+  // A subprogram at the end of the text with no line but its name.
   callee.current = std::min(callee.current, texts_[callee.text].size() - 1);
   callee.chain =
       calls_.enter(caller.chain, as_utf8(callee.name), texts_[caller.text].number(caller.current));
@@ -119,8 +119,7 @@ Flow::Step Flow::step(std::string& flat) {
   return looks_ahead_ ? look_at_next(flat) : execute_next(flat);
 }
 
-// The line that was refused is looked at again, for what else stands in it and for the variable it
-// gives a value.
+// Reads the refused line again, for further faults and for the variable that it sets.
 void Flow::look_ahead() {
   if (std::exchange(looks_ahead_, true)) return;
   for (std::size_t depth = frames_.size(); depth > 0; --depth)
@@ -214,7 +213,7 @@ std::size_t Flow::first_with(char letter, int first, int second, std::size_t beg
   return begin;
 }
 
-// Nothing resolves it there (D-143).
+// No call resolves this contour (D-143).
 bool Flow::refuse_contour_behind_end(std::size_t line) {
   frames_.erase(frames_.begin() + 1, frames_.end());
   frames_.front().current = line;

@@ -8,7 +8,7 @@
 namespace trc::program {
 namespace {
 
-// Values of these count something: Fanuc rounds them to whole numbers.
+// Words that count something: Fanuc rounds their values to whole numbers.
 bool counts(char letter) {
   return std::string_view("MSTDH").find(letter) != std::string_view::npos;
 }
@@ -65,8 +65,8 @@ bool GcodeFlow::scan_words() {
   return true;
 }
 
-// P of Fanuc takes no decimal point: in dwells and cycles it counts milliseconds. Of G51 it is a
-// factor, and what a call says has to be whole as it stands.
+// P of Fanuc has no decimal point: in dwells and cycles it counts milliseconds. P of G51 is a
+// factor, and P of a call must be whole without rounding.
 void GcodeFlow::round_whole_words() {
   const bool is_exact = std::ranges::any_of(words_, [](const ComputedWord& word) {
     return word.is('G', 51) || word.is('G', 65) || word.is('G', 66) || word.is('M', 97) ||
@@ -92,7 +92,7 @@ bool GcodeFlow::scan_value(ComputedWord& word, std::size_t& at) {
   const bool is_negative = is_signed && line_[at] == '-';
   if (is_signed) at = behind_blanks(line_, at + 1);
   const char sign = at < line_.size() ? line_[at] : '\0';
-  if (sign != '#' && sign != '[') {  // the reader says what is missing
+  if (sign != '#' && sign != '[') {  // the reader reports the missing value
     at = begin;
     return true;
   }
@@ -104,7 +104,7 @@ bool GcodeFlow::scan_value(ComputedWord& word, std::size_t& at) {
   if (expression.failed()) return refuse(expression.fault());
   word.computed = has_computed_ = true;
   at = expression.at();
-  // S[#1]. as people write it: the point is that of a number.
+  // Programs write S[#1]. with the decimal point of a number.
   if (fanuc && sign == '[' && sign_at(line_, at) == '.' && !is_digit(sign_at(line_, at + 1))) ++at;
   const auto refuse_value = [&](Code code) {
     return refuse(code, begin, std::string(line_.substr(begin, at - begin)));
@@ -116,14 +116,14 @@ bool GcodeFlow::scan_value(ComputedWord& word, std::size_t& at) {
   word.left_out = word.value.vacant;
   constexpr double largest = 1e9;
   if (std::abs(word.value.number) > largest) return refuse_value(Code::value_invalid);
-  // X#1+5 looks like arithmetic, and is none.
+  // X#1+5 looks like arithmetic, but is none.
   const std::size_t behind = behind_blanks(line_, at);
   const bool is_arithmetic = behind < line_.size() && std::string_view("+-*[]").find(
                                                           line_[behind]) != std::string_view::npos;
   return !is_arithmetic || refuse(Code::expression_invalid, behind, std::string(1, line_[behind]));
 }
 
-// A value that is not known is no reason to miss a tool.
+// An unknown value must not lead to a report of a missing tool.
 void GcodeFlow::suppose_tool(ComputedWord& word) const {
   const bool names_tool = word.letter == 'D' || word.letter == 'T';
   if (!names_tool || setup_.tools.empty()) return;
@@ -161,7 +161,7 @@ std::optional<GcodeFlow::ProgramCall> GcodeFlow::take_call(ComputedWord& word, s
   const auto program = whole_value(number, word);
   const auto repetitions = times == nullptr ? 1 : whole_value(times, word);
   if (!program || !repetitions) return {};
-  // Where a subprogram begins elsewhere than at its beginning.
+  // These words start a subprogram elsewhere than at its beginning.
   for (const char letter : {'Q', 'H'}) {
     const ComputedWord* const other = word_of(letter);
     if (other == nullptr) continue;
@@ -186,8 +186,8 @@ PointStyle GcodeFlow::style_of(char letter) const {
   return alone ? PointStyle::as_whole : PointStyle::with_point;
 }
 
-// Rounding an end of a contour or of an arc would change what is computed from it, and what is
-// incremental would add up.
+// Rounding an end of a contour or of an arc would change values computed from it, and rounding
+// errors of incremental positions would add up.
 bool GcodeFlow::rounds_places() const {
   if (modes_.contour_open || modes_.incremental) return false;
   const auto says = [this](int first, int last) {
@@ -204,7 +204,7 @@ bool GcodeFlow::rounds_places() const {
 
 int GcodeFlow::decimals_of(char letter) const {
   const bool is_place = std::string_view("XYZUVWABCQR").find(letter) != std::string_view::npos;
-  // A feed has as many digits as a control takes, of 1e-4 mm or 1e-6 inch a minute.
+  // The digits of a feed that a control accepts: 1e-4 mm or 1e-6 inch a minute.
   if (letter == 'F' && grammar_.dialect == DialectName::fanuc)
     return modes_.unit == LengthUnit::inch ? 6 : 4;
   if (!is_place || !rounds_places()) return decimals_of_values;
@@ -240,7 +240,7 @@ bool GcodeFlow::write_line(std::string& flat) {
   flat.append(line_.substr(0, words_.front().begin));
   std::size_t behind = words_.front().begin;
   for (const ComputedWord& word : words_) {
-    // What is left out goes with the blanks in front of it, the first one with those behind.
+    // A word left out takes the blanks before it along, the first word those after it.
     if (!word.left_out) {
       const bool is_first = flat.size() == begin + words_.front().begin;
       if (!is_first) flat.append(line_.substr(behind, word.begin - behind));

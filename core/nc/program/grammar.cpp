@@ -34,7 +34,7 @@ constexpr auto linuxcnc_operators = std::to_array<OperatorRow>({
     {"LE", 2, Operator::at_most},
     {"+", 3, Operator::add},
     {"-", 3, Operator::subtract},
-    // In front of `*`, which it begins with.
+    // Before `*`, which it begins with.
     {"**", 5, Operator::power},
     {"*", 4, Operator::multiply},
     {"/", 4, Operator::divide},
@@ -79,13 +79,13 @@ constexpr auto linuxcnc_functions = std::to_array<FunctionRow>({
     {"EXISTS", Function::exists},
 });
 
-// Comparisons come last: of several ones each stands in brackets of its own.
+// Comparisons come last: several comparisons each need their own brackets.
 constexpr auto sinumerik_operators = std::to_array<OperatorRow>({
     {"==", 1, Operator::equal},
     {"<>", 1, Operator::not_equal},
     {">=", 1, Operator::at_least},
     {"<=", 1, Operator::at_most},
-    // In front of `<`, which it begins with.
+    // Before `<`, which it begins with.
     {"<<", 2, Operator::join},
     {">", 1, Operator::greater},
     {"<", 1, Operator::less},
@@ -116,9 +116,9 @@ constexpr auto sinumerik_functions = std::to_array<FunctionRow>({
     {"BOUND", Function::bound, 3},  {"STRLEN", Function::length_of_text},
 });
 
-// Between what has one level brackets are asked for: no manual says which comes first.
+// Operators of one level need brackets: no manual defines their order.
 constexpr auto isg_operators = std::to_array<OperatorRow>({
-    // In front of `&`, `|`, `<`, `>` and `*`, which they begin with.
+    // Before `&`, `|`, `<`, `>` and `*`, which they begin with.
     {"&&", 1, Operator::conjunction},
     {"||", 1, Operator::disjunction},
     {"XOR", 1, Operator::exclusion},

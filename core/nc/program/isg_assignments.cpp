@@ -11,7 +11,7 @@
 
 namespace trc::program {
 
-// V.P.A, `+` of `+=` and where the value begins.
+// Reads V.P.A, `+` of `+=` and where the value begins.
 bool IsgFlow::read_assigned(Assigned& assigned) {
   ExpressionReader expression = expression_at(assigned.begin);
   assigned.name = place_at(expression);
@@ -30,7 +30,7 @@ bool IsgFlow::read_assigned(Assigned& assigned) {
   return true;
 }
 
-// `value`, of += and the like with what stood there before.
+// Combines `value` of += and the like with the previous value.
 bool IsgFlow::change(const Assigned& assigned, Value& value) {
   ExpressionReader old = expression_at(assigned.begin);
   const Value before = old.operand();
@@ -71,7 +71,7 @@ bool IsgFlow::scan_assignment(std::size_t& at) {
   return true;
 }
 
-// Up to `at`. What the program alone reads does not come out.
+// Writes the assignment up to `at`, unless only the program reads the variable.
 void IsgFlow::write_assigned(const Assigned& assigned, const Value& value, std::size_t at) {
   const std::string& name = assigned.name;
   const std::size_t end = end_without_blanks(line_, assigned.begin, at);
@@ -102,7 +102,7 @@ void IsgFlow::write_assigned(const Assigned& assigned, const Value& value, std::
   if (!is_plain || changes) pieces_.back().instead = std::move(text);
 }
 
-// V.G.WZ_AKT.R = V.G.WZ_AKT.R - P1: the tool has worn off. `value` is where the sign stands.
+// V.G.WZ_AKT.R = V.G.WZ_AKT.R - P1: tool wear. `value` is the position of the sign.
 bool IsgFlow::scan_radius(std::size_t& at, std::size_t value) {
   const std::size_t begin = at;
   ExpressionReader expression = expression_at(value);

@@ -4,7 +4,8 @@
 #include "core/nc/program/isg_flow.h"
 #include "core/nc/text/characters.h"
 
-// Calls of ISG: subprograms of the text (LL) and of the setup (L), and what only the machine has.
+// Calls of ISG: subprograms of the text (LL) and of the setup (L), and calls that only the machine
+// can execute.
 
 namespace trc::program {
 
@@ -19,8 +20,8 @@ const IsgFlow::Unit* IsgFlow::unit_called(const IsgCall& call) const {
   return found == units_.end() ? nullptr : &*found;
 }
 
-// Behind the return of a subprogram nothing is executed, unless a jump or a branch leads there: a
-// line that stands there was meant for the program, whose beginning is missing.
+// Lines after the return of a subprogram are only executed if a jump or a branch leads there. Any
+// other line belongs to the program, whose beginning is missing.
 bool IsgFlow::check_behind_return() {
   if (frames_.size() == 1 || looks_ahead()) return true;
   const ProgramText& text = text_of(frame());
@@ -46,7 +47,7 @@ bool IsgFlow::return_from() {
   return true;
 }
 
-// It is the machine's (D-47): what it may ask for stands in front of it.
+// A call of the machine (D-47): the values that it may read are written before it.
 bool IsgFlow::call_the_machine(std::string& flat, const IsgCall& call) {
   write_values(flat);
   pieces_.clear();
@@ -68,7 +69,7 @@ bool IsgFlow::call_the_machine(std::string& flat, const IsgCall& call) {
   return true;
 }
 
-// What no subprogram can be the target of.
+// Refuses a call that no subprogram can match.
 bool IsgFlow::refuse_call(const IsgCall& call) {
   if (is_isg_variable_at(call.name, 0))
     return refuse(Code::nc_unsupported, call.begin,

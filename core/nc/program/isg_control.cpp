@@ -10,7 +10,7 @@
 namespace trc::program {
 namespace {
 
-// What ends a loop must not hang on the last digit of a sum (D-54).
+// The end of a loop must not depend on the last digit of a sum (D-54).
 bool is_nearly(double value, double other) {
   constexpr double least = 1e-9;
   return value != other && std::abs(value - other) <= least * (1 + std::abs(other));
@@ -35,7 +35,7 @@ bool IsgFlow::follow(std::string& flat) {
     case branch:
       return this->branch(flat, expression);
     case other_branch:
-    case otherwise: {  // behind a branch that was taken
+    case otherwise: {  // after a branch that was taken
       const auto end = partner(outline.feet, "$ENDIF");
       if (!end) return false;
       frame().next = *end + 1;
@@ -43,7 +43,7 @@ bool IsgFlow::follow(std::string& flat) {
     }
     case choice:
       return choose(flat, expression);
-    case chosen:  // reached from the one in front of it
+    case chosen:  // reached from the previous $CASE
       static_cast<void>(expression.expression());
       if (expression.failed()) return refuse(expression.fault());
       return refuse_words_behind(line_, expression.at());
@@ -110,7 +110,7 @@ bool IsgFlow::refuse_misplaced(const Misplaced& misplaced) {
   return refuse(misplaced.code, misplaced.begin, std::move(detail));
 }
 
-// True where nothing but comments stands there.
+// True if only comments follow.
 bool IsgFlow::refuse_words_behind(std::string_view line, std::size_t at) {
   const std::size_t behind = behind_blanks(line, at);
   return is_isg_line_over(line, behind) ||
@@ -154,7 +154,7 @@ bool IsgFlow::branch(std::string& flat, ExpressionReader& expression) {
   return true;
 }
 
-// $CASE values that differ from what is chosen by less than 0.001 are equal to it, by the manual.
+// By the manual, a $CASE value equals the chosen value if they differ by less than 0.001.
 bool IsgFlow::choose(std::string& flat, ExpressionReader& expression) {
   constexpr double difference = 0.001;
   const Outline& outline = outline_of(frame());
@@ -239,7 +239,7 @@ bool IsgFlow::count(std::string& flat, Structure structure) {
   return true;
 }
 
-// Of $SWITCH and loops; a loop alone has rounds.
+// Leaves $SWITCH or a loop; only a loop has rounds.
 bool IsgFlow::leave(std::string& flat, Exit exit) {
   const bool leaves = exit == Exit::of_loop;
   const Outline& outline = outline_of(frame());
@@ -260,7 +260,7 @@ bool IsgFlow::leave(std::string& flat, Exit exit) {
   return finish_statement(flat, head_.behind + (leaves ? of_break : of_continue));
 }
 
-// N100, NP1, N[P1 + 10] or [NAME]: one place of the program that is executed.
+// N100, NP1, N[P1 + 10] or [NAME]: a unique line of the program that is executed.
 std::optional<std::size_t> IsgFlow::target_of(ExpressionReader& expression) {
   expression.pass_blanks();
   const std::size_t begin = expression.at();

@@ -38,8 +38,8 @@ bool IsgFlow::calls_the_unknown() const {
   return false;
 }
 
-// The subprograms of a text, then its program. It begins behind them with a % of its own, without
-// subprograms with any block.
+// The subprograms of a text, then its program. After subprograms the program begins with its own %,
+// without subprograms with any block.
 void IsgFlow::add_units(std::size_t text, FirstBlock first_block) {
   const ProgramText& lines = texts_[text];
   Unit unit{.text = text};
@@ -59,7 +59,7 @@ void IsgFlow::add_units(std::size_t text, FirstBlock first_block) {
     }
   }
   unit.end = lines.size();
-  if (!unit.name.empty()) {  // no program behind its subprograms
+  if (!unit.name.empty()) {  // no program after its subprograms
     units_.push_back(unit);
     unit = {.text = text, .begin = unit.end};
   }
@@ -67,7 +67,7 @@ void IsgFlow::add_units(std::size_t text, FirstBlock first_block) {
   units_.push_back(unit);
 }
 
-// A lone % with nothing behind it.
+// A lone % with nothing after it.
 bool IsgFlow::ends_tape(const ProgramText& text, std::size_t line) {
   const std::string_view sign = text.line(line);
   std::size_t at = behind_blanks(sign, 0);
@@ -76,7 +76,7 @@ bool IsgFlow::ends_tape(const ProgramText& text, std::size_t line) {
   return line == text.size();
 }
 
-// Of a line with % that is not the first one of what is executed.
+// The name for a line with % that is not the first of the executed ones.
 std::string IsgFlow::name_of_second(std::string_view line) {
   return isg_subprogram_of(line).empty() ? "%, a second program"
                                          : "%L, a subprogram behind the program";
@@ -139,7 +139,7 @@ bool IsgFlow::execute_line(std::string& flat) {
   if (in_declaration_) return declare(flat);
   if (line_[behind_blanks(line_, 0)] == '%') return pass_header(flat);
   if (line_[head_.behind] == '$') {
-    // Where a statement goes on to is counted in lines as they are written.
+    // The target of a statement counts lines as they are written.
     return !is_joined_
                ? follow(flat)
                : refuse(Code::nc_unsupported, head_.behind, "$, a statement on several lines");
@@ -167,7 +167,7 @@ bool IsgFlow::pass_line(std::string& flat) {
   return true;
 }
 
-// The end of a subprogram needs no word.
+// A subprogram needs no word at its end.
 bool IsgFlow::end_of_frame() { return frames_.size() == 1 ? end_of_program() : return_from(); }
 
 bool IsgFlow::end_of_program() {
@@ -188,7 +188,7 @@ bool IsgFlow::end_of_program() {
     const IsgHead head = isg_head_of(text.line(line));
     return head.is_target || !head.label.empty();
   };
-  // $IF … M30 $ENDIF: other values lead to what stands behind it.
+  // $IF … M30 $ENDIF: other values lead to the lines after it.
   std::ptrdiff_t branches = 0;
   for (const auto& [line, structure] : outline_of(main).structures) {
     if (line > main.current) break;

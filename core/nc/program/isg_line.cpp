@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t npos = std::string_view::npos;
 
-// `#`, `[` and `$` begin what is computed, P, V and L a variable or a call, `%` a subprogram.
+// `#`, `[` and `$` begin computed parts, P, V and L a variable or a call, `%` a subprogram.
 constexpr std::string_view signs_of_computing = "$[#%PVLpvl";
 
 constexpr std::array<bool, 256> make_signs() {
@@ -45,7 +45,7 @@ bool is_in_isg_comment(std::string_view line, std::size_t at, std::size_t place)
 }
 
 // V.G.WZ_AKT.R = 5 and V.G.WZ_AKT.R = V.G.WZ_AKT.R - 0.1 are words of the reader, V.P.A = 5 is a
-// line that passes: nothing of them has to be computed.
+// line that passes: none of them needs computing.
 bool is_plain_assignment(std::string_view line, std::size_t at) {
   const auto end_of_name = [&](std::size_t begin) {
     while (goes_on_as_name(sign_at(line, begin)) || sign_at(line, begin) == '.') ++begin;
@@ -71,7 +71,7 @@ bool is_plain_assignment(std::string_view line, std::size_t at) {
   return length > 0 && std::string_view("+-*/<>=&|^[").find(sign_at(line, behind)) == npos;
 }
 
-// The value behind an address: P1, V.P.X, [P1+5], SIN[30], also behind its `=` or a sign.
+// The value after an address: P1, V.P.X, [P1+5], SIN[30], also after its `=` or a sign.
 bool computes_behind(std::string_view line, std::size_t at) {
   at = behind_blanks(line, at);
   if (sign_at(line, at) == '=') at = behind_blanks(line, at + 1);

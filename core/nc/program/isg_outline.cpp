@@ -5,8 +5,7 @@
 #include "core/nc/program/isg_flow.h"
 #include "core/nc/text/characters.h"
 
-// Where the lines of a program of ISG lead: its branches and loops, and what stands in the wrong
-// place among them.
+// The branches and loops of an ISG program, and the statements that are misplaced in them.
 
 namespace trc::program {
 
@@ -115,14 +114,14 @@ void IsgFlow::add_structure(Outline& outline, std::vector<Open>& open, Structure
   open.pop_back();
 }
 
-// What bars a statement bars all that stands around it: which lines are executed hangs on it.
+// A barred statement bars all statements around it, because they decide which lines are executed.
 void IsgFlow::misplace(Outline& outline, const std::vector<Open>& open, std::size_t line,
                        const Misplaced& misplaced) {
   outline.misplaced.try_emplace(line, misplaced);
   for (const Open& each : open) outline.misplaced.try_emplace(each.head, misplaced);
 }
 
-// Between $SWITCH and its first $CASE nothing leads to a line.
+// No path leads to a line between $SWITCH and its first $CASE.
 void IsgFlow::check_choice(Outline& outline, const std::vector<Open>& open, std::size_t line,
                            std::string_view text) {
   if (open.empty() || open.back().structure != Structure::choice ||
@@ -133,8 +132,8 @@ void IsgFlow::check_choice(Outline& outline, const std::vector<Open>& open, std:
            {.line = line, .detail = "a line between $SWITCH and its first $CASE", .whole = true});
 }
 
-// Behind the words that say all by themselves nothing may stand: where a jump leads behind their
-// line, it would be lost. Nor may they be skipped.
+// Nothing may follow the words that are complete by themselves: a jump past their line would lose
+// the rest of it. These words may not be skipped either.
 void IsgFlow::check_statement(Outline& outline, const std::vector<Open>& open, std::size_t line,
                               std::string_view text) const {
   constexpr auto complete = std::to_array<std::string_view>(

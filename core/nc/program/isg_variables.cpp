@@ -11,7 +11,7 @@
 namespace trc::program {
 namespace {
 
-// The variable an element belongs to: V.P.A of V.P.A[2].
+// The variable that an element belongs to: V.P.A of V.P.A[2].
 std::string_view base_of(std::string_view name) { return name.substr(0, name.find('[')); }
 
 bool has_base(const std::map<std::string, Value, std::less<>>& values, std::string_view base) {
@@ -21,7 +21,7 @@ bool has_base(const std::map<std::string, Value, std::less<>>& values, std::stri
 
 bool is_local(std::string_view name) { return name.starts_with("V.L."); }
 
-// Where an axis stands: no one value holds for the whole program.
+// Positions of axes: no single value holds for the whole program.
 bool is_place_of_axis(std::string_view name) {
   constexpr auto groups =
       std::to_array<std::string_view>({"V.A.ABS.", "V.A.ACS.", "V.A.PCS.", "V.A.WCS.", "V.A.MCS.",
@@ -30,7 +30,7 @@ bool is_place_of_axis(std::string_view name) {
                              [&](std::string_view group) { return name.starts_with(group); });
 }
 
-// Of P, V.P., V.L., V.S. and V.CYC. the program knows what they hold.
+// The program knows the values of P, V.P., V.L., V.S. and V.CYC.
 bool belongs_to_program(std::string_view name) {
   return name.front() == 'P' || name.starts_with("V.P.") || is_local(name) ||
          name.starts_with("V.S.") || name.starts_with("V.CYC.");
@@ -102,7 +102,7 @@ std::string IsgFlow::numbered_parameter(ExpressionReader& expression, std::int64
   return "P" + std::to_string(number);
 }
 
-// The number that a parameter holds of another one; 0: it holds none.
+// The number of another parameter that a parameter holds; 0: it holds none.
 std::int64_t IsgFlow::number_held(ExpressionReader& expression, const std::string& name,
                                   std::size_t begin) {
   const Value* const value = held(name);
@@ -139,8 +139,8 @@ std::string IsgFlow::indices_at(ExpressionReader& expression) {
   return indices;
 }
 
-// V.L. variables are known where they are declared and in what is called from there; what is called
-// may declare its own.
+// V.L. variables are known where they are declared and in subprograms called from there. A called
+// subprogram may declare its own.
 std::size_t IsgFlow::level_of(std::string_view name) const {
   const std::size_t own = locals_.size() - 1;
   const std::string_view base = base_of(name);
@@ -162,7 +162,7 @@ const Value* IsgFlow::held(const std::string& name) const {
 bool IsgFlow::assign(const std::string& name, Value value, std::size_t begin) {
   constexpr std::size_t most_values = 100'000;
   if (name.starts_with("V.G.WZ[")) values_[name] = value;
-  if (!belongs_to_program(name)) return true;  // of the machine: nothing is known of it
+  if (!belongs_to_program(name)) return true;  // a variable of the machine: its value is unknown
   if (whole_.contains(base_of(name)) && value.number != std::round(value.number))
     return refuse(Code::value_invalid, begin, name + ", which is declared whole");
   Values& values = values_of(name);
@@ -210,7 +210,7 @@ Value IsgFlow::read(ExpressionReader& expression) {
     values_of(name)[name] = value;
     return value;
   }
-  // Which of the two comes first nobody says.
+  // No manual defines which of the two comes first.
   if (reads_words_ && std::ranges::find(assigned_, name) != assigned_.end())
     return expression.fail(Code::value_invalid, begin, name + ", which its own line sets");
   const std::size_t end = expression.at();
@@ -269,7 +269,7 @@ Value IsgFlow::read_radius(ExpressionReader& expression, const std::string& name
 
 bool IsgFlow::exists(ExpressionReader& /*expression*/) { return false; }
 
-// A line between #VAR and #ENDVAR: V.P.NAME : REAL64 = 5, P10[3] = [1, 2, 3]. What is given no
+// A line between #VAR and #ENDVAR: V.P.NAME : REAL64 = 5, P10[3] = [1, 2, 3]. A variable without a
 // value begins with 0.
 bool IsgFlow::declare(std::string& flat) {
   const std::size_t begin = head_.behind;
@@ -279,7 +279,7 @@ bool IsgFlow::declare(std::string& flat) {
     in_declaration_ = false;
     return writes_variables_ ? pass_line(flat) : finish_statement(flat, begin + 1 + word.size());
   }
-  // The sizes of an array stand where its indices do.
+  // The sizes of an array are written like indices.
   ExpressionReader expression = expression_at(begin);
   const std::string declared = place_at(expression);
   expression.pass_blanks();
@@ -366,7 +366,7 @@ bool IsgFlow::forget_declared(std::size_t at) {
   }
 }
 
-// What the program has set, for a call of what is not there.
+// Writes the values that the program has set, for a call of a missing subprogram.
 void IsgFlow::write_values(std::string& flat) {
   for (const std::string& name : unwritten_) {
     const Value& value = values_.at(name);

@@ -6,7 +6,7 @@
 #include "core/nc/program/isg_line.h"
 #include "core/nc/text/characters.h"
 
-// Lines of words of ISG whose values are computed.
+// Lines of words of ISG with computed values.
 
 namespace trc::program {
 namespace {
@@ -76,7 +76,7 @@ bool IsgFlow::scan_word(std::size_t& at) {
   const char sign = line_[at];
   if (sign == '(' || sign == ';') {
     at = behind_isg_comment(line_, at);
-    if (at == 0) at = line_.size();  // the reader says what is missing
+    if (at == 0) at = line_.size();  // the reader reports the missing bracket
     pieces_.push_back({.begin = begin, .end = at, .is_comment = true});
     return true;
   }
@@ -147,7 +147,7 @@ bool IsgFlow::scan_address(std::size_t& at) {
   const bool is_assigned = sign_at(line_, value) == '=';
   if (is_assigned) value = behind_blanks(line_, value + 1);
   if (is_isg_expression_at(line_, value)) return scan_value(begin, value, at);
-  if (is_letter(sign_at(line_, at + 1))) {  // a name: the reader says what it is
+  if (is_letter(sign_at(line_, at + 1))) {  // a name: the reader reports it
     at = line_.size();
     if (const std::size_t comment = line_.find_first_of("(;", begin); comment != npos) at = comment;
     pieces_.push_back({.begin = begin, .end = end_without_blanks(line_, begin, at)});
@@ -172,7 +172,7 @@ bool IsgFlow::scan_address(std::size_t& at) {
   return true;
 }
 
-// T5 LM06. What is called there is the machine's: it alone may stand behind words.
+// T5 LM06: only a call of the machine may follow words.
 bool IsgFlow::scan_call(std::size_t& at, const IsgCall& call) {
   const bool is_known = given_subprogram(setup_, call.name) != nullptr ||
                         (call.is_local && unit_called(call) != nullptr);
@@ -201,7 +201,7 @@ bool IsgFlow::scan_value(std::size_t begin, std::size_t value, std::size_t& at) 
     return refuse(Code::expression_invalid, at, std::string(1, line_[at]));
   std::string text(line_.substr(begin, value - begin));
   append_number(text, computed);
-  // XP1M8: what follows is no digit.
+  // XP1M8: no digit follows the value.
   pieces_.push_back({.begin = begin, .end = end, .instead = std::move(text)});
   return true;
 }
@@ -213,8 +213,8 @@ void IsgFlow::append_number(std::string& text, const Value& value) {
     append_value(text, value.number, PointStyle::as_whole);
 }
 
-// Where the variable begins that the name at `at` ends with: P1 of IDP1, V.L.A of XV.L.A. npos:
-// none. `end` is behind the name.
+// Where the variable at the end of the name at `at` begins: P1 of IDP1, V.L.A of XV.L.A. npos:
+// none. `end` is after the name.
 std::size_t IsgFlow::variable_in_name(std::size_t at, std::size_t& end) const {
   const std::size_t begin = at;
   for (end = at; goes_on_as_name(sign_at(line_, end));) ++end;
@@ -226,8 +226,8 @@ std::size_t IsgFlow::variable_in_name(std::size_t at, std::size_t& end) const {
   return digits < end && is_isg_parameter_at(line_, parameter) ? parameter : npos;
 }
 
-// Where the value begins that stands in a command at or behind `sign` and hangs on a variable;
-// npos: none. `behind`: where to go on then.
+// Where a value in a command that depends on a variable begins, at or after `sign`; npos: none.
+// `behind`: where to continue in that case.
 std::size_t IsgFlow::value_in_command(std::size_t sign, std::size_t& behind) const {
   const char here = line_[sign];
   behind = sign + 1;
@@ -248,7 +248,7 @@ std::size_t IsgFlow::value_in_command(std::size_t sign, std::size_t& behind) con
   return is_own_name ? npos : variable;
 }
 
-// Of a command every value that hangs on a variable.
+// Replaces each value of a command that depends on a variable.
 bool IsgFlow::scan_command(std::size_t& at) {
   const std::size_t begin = at;
   const std::size_t end = line_[at] == '#' ? end_of_isg_command(line_, at)
@@ -261,7 +261,7 @@ bool IsgFlow::scan_command(std::size_t& at) {
     if (line_[sign] == '"') quoted = !quoted;
     const std::size_t value = quoted ? npos : value_in_command(sign, next);
     if (value == npos) continue;
-    // 2*P1: the value begins in front of the variable.
+    // 2*P1: the value begins before the variable.
     const char before = line_[without_blanks_behind(line_.substr(0, value)).size() - 1];
     if (value == sign && (is_isg_operator(before) || is_digit(line_[value - 1])) && before != ']')
       return refuse(Code::expression_invalid, value, std::string(1, before));
@@ -294,7 +294,7 @@ bool IsgFlow::write_words(std::string& flat) {
   flat.append(line_.substr(0, in_front));
   std::size_t behind = npos;
   for (const Piece& piece : pieces_) {
-    // What is left out goes with the blanks in front of it, the first one with those behind.
+    // A word left out takes the blanks before it along, the first word those after it.
     const bool is_out = piece.instead && piece.instead->empty();
     if (!is_out) {
       if (behind != npos)

@@ -5,7 +5,7 @@
 namespace trc::program {
 namespace {
 
-// Names are kept without their last quotation mark.
+// Names are stored without their last quotation mark.
 std::string shown(const std::string& label) {
   return "LBL " + label + (label.starts_with('"') ? "\"" : "");
 }
@@ -35,7 +35,7 @@ void KlartextFlow::read_outline() {
   if (lines_in_outline_ == texts_.front().size()) outline_.finish();
 }
 
-// A line of the outline is a step as well, so that a long text can be interrupted.
+// Reading a line of the outline is a step too, so that a long text can be interrupted.
 Flow::Step KlartextFlow::execute_next(std::string& flat) {
   if (lines_in_outline_ < texts_.front().size()) {
     read_outline();
@@ -50,7 +50,7 @@ Flow::Step KlartextFlow::execute_next(std::string& flat) {
     --frame().repetitions_left;
     frame().next = frame().restart;
     flat.append("; ").append(frame().name).append(line_end());
-    // Where nothing stands in between, the repetition itself is what is executed.
+    // If no lines are in between, the repetition itself counts as executed.
     if (frame().next == frame().end) return count_line() ? Step::goes_on : Step::refused;
   }
   return execute_line(flat) ? Step::goes_on : Step::refused;
@@ -81,7 +81,7 @@ bool KlartextFlow::execute_line(std::string& flat) {
         return refuse(Code::block_skip_undecided, 0, "/, a line to skip that computes");
       return execute_call(statement, flat);
     case LabelStatement::Kind::label:
-      // What is called has been written out, so that nothing leads to the label any more.
+      // The called lines have been written out, so nothing leads to the label any more.
       if (statement.label != "0" && frames_.size() == 1) write_name(flat, statement.label);
       return true;
   }
@@ -89,7 +89,7 @@ bool KlartextFlow::execute_line(std::string& flat) {
   return true;
 }
 
-// The label stays where it is.
+// The label stays in its place.
 void KlartextFlow::take_effects_of_call() {
   const std::string_view line = text_of(frame()).line(frame().current);
   if (!klartext_computes(line)) return;
@@ -134,13 +134,13 @@ bool KlartextFlow::execute_call(const LabelStatement& statement, std::string& fl
                 .name = shown(statement.label)});
 }
 
-// Labels that have been written out are no longer there to be called.
+// Labels that have been written out can no longer be called.
 bool KlartextFlow::write_behind_end(std::string& flat) {
   const LabelStatement statement = label_statement_in(text_of(frame()).line(frame().current));
   if (statement.kind == LabelStatement::Kind::label) {
     const bool left_out = leaves_out_;
     const KlartextOutline::Label* const label = outline_.label(statement.label);
-    // What is repeated within it is left out with it.
+    // Nested lines that are repeated are left out with the label.
     leaves_out_ = statement.label != "0" && (left_out || (label != nullptr && label->is_called));
     if (leaves_out_ || (left_out && statement.label == "0")) return true;
   }

@@ -49,7 +49,7 @@ KlartextEffects LabelEffects::of(std::size_t label) {
   return from(labels_[label].section, labels_[label].step, 0);
 }
 
-// From the end of the section on, so that each step is looked at once.
+// Works backwards from the end of the section, so that each step is examined once.
 KlartextEffects LabelEffects::from(std::size_t section, std::size_t step, std::size_t depth) {
   Section& within = sections_[section];
   const std::size_t end =

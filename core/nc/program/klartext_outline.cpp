@@ -8,7 +8,7 @@
 namespace trc::program {
 namespace {
 
-// Contours of cycles stand in labels as well.
+// Contours of cycles are in labels too.
 bool names_labels_for_cycles(std::string_view statement) {
   return begins_with_word(statement, "CYCL DEF 14") || begins_with_word(statement, "CONTOUR DEF") ||
          begins_with_word(statement, "SEL CONTOUR");
@@ -29,7 +29,7 @@ bool ends_program(std::string_view statement) {
          has_word(statement, "M02") || has_word(statement, "M30");
 }
 
-// Behind the number of the block, and what may be skipped.
+// After the block number and the skip sign.
 std::size_t begin_of_statement(std::string_view line) {
   return std::min(line.find_first_not_of("0123456789 \t/"), line.size());
 }
@@ -52,7 +52,7 @@ LabelStatement label_statement_in(std::string_view line, std::string_view words)
   const std::size_t digits = std::min(words.find_first_not_of(' ', behind + 4), words.size());
   std::uint64_t times = 0;
   const char* const end = words.data() + words.size();
-  // REP 3/2 counts what is left behind the stroke. Without a number it is once.
+  // REP 3/2: the number after the stroke counts the repetitions left. REP alone repeats once.
   const auto read = std::from_chars(words.data() + digits, end, times);
   const bool is_number = read.ec == std::errc{} && (read.ptr == end || *read.ptr == '/');
   if (digits == words.size()) found.repetitions = 1;
@@ -121,7 +121,7 @@ void KlartextOutline::read_effects(std::string_view line, std::string_view words
                           : target_of(label_of(line, statement.begin, words.substr(at))));
   }
   if (calls && !statement.repeats) effects_.add_call(target_of(statement.label));
-  // Lines in front of the label are executed as well, and again.
+  // REP executes the lines after the label again.
   const bool is_choice = execution == Execution::perhaps && (calls || effects.touched() != 0);
   if (is_choice || (calls && statement.repeats)) effects_.add_choice();
   effects_.add(effects);
@@ -159,15 +159,15 @@ void KlartextOutline::take_contour(Section& section, std::size_t line) {
   for (; section.with_contour < section.labels.size(); ++section.with_contour) {
     const std::size_t index = section.labels[section.with_contour];
     if (labels_[index].line > line) return;
-    // Without LBL 0 nothing comes back from there.
+    // Without LBL 0 the label never returns.
     if (labels_[index].end == nowhere) continue;
     labels_[index].has_contour = true;
     reached_.push_back(index);
   }
 }
 
-// A label has a contour where one stands behind it in its section, or a call of a label that has
-// one: each call is looked at once, when its label is found to have one.
+// A label has a contour if a contour follows it in its section, or a call of a label with a
+// contour. Each call is examined once, when its label turns out to have one.
 void KlartextOutline::find_contours_of_labels() {
   std::vector<std::vector<std::size_t>> calls_of_label(labels_.size());
   for (std::size_t call = 0; call < calls_.size(); ++call)

@@ -26,7 +26,7 @@ bool LinuxcncFlow::execute_words(std::string& flat) {
   }
   if (head_.to_skip && (has_computed_ || call_word != nullptr))
     return refuse(Code::block_skip_undecided, 0, "/, a line to skip that computes");
-  // What the line prints it prints behind its assignments.
+  // The line prints after its assignments.
   bool assigned = true;
   for (const Assignment& assignment : assignments_) assigned = assigned && assign(assignment);
   write_kept_assignments();
@@ -40,7 +40,7 @@ bool LinuxcncFlow::execute_words(std::string& flat) {
 
 bool LinuxcncFlow::call_sub(const std::string& label, std::size_t at, std::string& flat) {
   Locals locals;
-  locals.numbered.fill(0);  // what the call does not give
+  locals.numbered.fill(0);  // values that the call does not give
   ExpressionReader expression = expression_at(at);
   expression.pass_blanks();
   std::size_t arguments = 0;
@@ -81,7 +81,7 @@ bool LinuxcncFlow::call_sub(const std::string& label, std::size_t at, std::strin
   return true;
 }
 
-// `at`: behind the arguments.
+// `at`: after the arguments.
 bool LinuxcncFlow::enter_sub(Frame sub, std::size_t at, Locals locals, std::string& flat) {
   const std::string comments = with_values(comments_of(line_, at));
   write_behind_number(flat, "(" + sub.name + ")" + (comments.empty() ? "" : " " + comments));
@@ -94,7 +94,7 @@ bool LinuxcncFlow::enter_sub(Frame sub, std::size_t at, Locals locals, std::stri
   return true;
 }
 
-// It passes with its values, and may set what is everyone's (D-77).
+// The call passes with its values, and may set global parameters (D-77).
 void LinuxcncFlow::call_sub_of_machine(const std::string& label, const Arguments& arguments,
                                        std::span<const std::optional<double>> values,
                                        std::string& flat) {
@@ -158,7 +158,7 @@ bool LinuxcncFlow::call_program(ComputedWord& word, std::string& flat) {
 }
 
 bool LinuxcncFlow::return_from_program(ComputedWord& word, std::string& flat) {
-  if (frames_.size() == 1) {  // what ends it for the reader as well
+  if (frames_.size() == 1) {  // this ends the program for the reader as well
     write_line(flat);
     return end_main_program(flat);
   }

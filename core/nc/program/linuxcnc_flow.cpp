@@ -56,7 +56,7 @@ LinuxcncFlow::Statement LinuxcncFlow::statement_at(std::string_view line, std::s
 
 namespace {
 
-// Behind a label that is written out, whose text goes to `label`; 0: it is computed, or none.
+// After a literal label, whose text goes to `label`; 0: the label is computed, or missing.
 std::size_t behind_label(std::string_view line, std::size_t at, std::string& label) {
   at = behind_blanks(line, at + 1);
   if (at < line.size() && line[at] == '<') {
@@ -126,7 +126,7 @@ void LinuxcncFlow::add_o_words(std::size_t text) {
     std::size_t behind = behind_label(content, at, label);
     if (behind == 0) continue;
     word.statement = statement_at(content, behind);
-    // The two ends of a subprogram belong to what is around it.
+    // Both ends of a subprogram belong to the scope around it.
     if (word.statement == Statement::endsub) scope = 0;
     words[{scope, label}].push_back(word);
     if (word.statement == Statement::sub) scope = line + 1;
@@ -150,7 +150,7 @@ bool LinuxcncFlow::execute_line(std::string& flat) {
   return count_line() && (is_left_out(line_) || execute(flat));
 }
 
-// What stands behind an O word may be a subprogram that nothing has called.
+// An O word after the end may begin a subprogram that nothing has called.
 bool LinuxcncFlow::end_main_program(std::string& flat) {
   if (looks_ahead()) return ended_ = true;
   const Frame& main = frames_.front();
@@ -225,7 +225,7 @@ bool LinuxcncFlow::follow(Statement statement, const std::string& label, std::si
     case if_true:
       if (!holds) return choose(label);
       break;
-    case elseif:  // behind a branch that was taken
+    case elseif:  // after a branch that was taken
     case otherwise:
       return skip_behind(next_of(label, {endif}), "if");
     case while_true:
@@ -314,7 +314,7 @@ bool LinuxcncFlow::skip_behind(const OWord* word, std::string_view statement) {
   return true;
 }
 
-// Behind a condition that does not hold: the first branch whose condition does.
+// After a condition that does not hold: goes to the first branch whose condition holds.
 bool LinuxcncFlow::choose(const std::string& label) {
   using enum Statement;
   const std::size_t begin = frame().current;
@@ -339,7 +339,7 @@ bool LinuxcncFlow::choose(const std::string& label) {
   }
 }
 
-// A `while` ends a loop that begins with `do`, or begins one that ends with `endwhile`.
+// A `while` ends a loop that begins with `do`, or begins a loop that ends with `endwhile`.
 bool LinuxcncFlow::loop_while(const std::string& label, bool holds) {
   using enum Statement;
   const OWord* const before = last_of(label, {do_once, while_true, endwhile});

@@ -4,8 +4,8 @@
 #include "core/nc/program/linuxcnc_flow.h"
 #include "core/nc/text/characters.h"
 
-// What the flat program says of the parameters of the program: to whoever reads its messages, and
-// to subprograms that only the machine has (D-84).
+// The parameters in the messages of the flat program, and for subprograms that only the machine has
+// (D-84).
 
 namespace trc::program {
 namespace {
@@ -19,7 +19,8 @@ bool prints_values(std::string_view comment) {
   return std::ranges::any_of(words, [&](std::string_view word) { return begin.starts_with(word); });
 }
 
-// Of %d, %f, %lf or %.3f at `at`, which goes behind it; -1: it is none of them, and is printed.
+// The decimals of %d, %f, %lf or %.3f at `at`, which moves past it; -1: no such format, the sign is
+// printed.
 int decimals_at(std::string_view message, std::size_t& at) {
   constexpr int of_float = 4;
   const std::string_view format = message.substr(at + 1);
@@ -53,8 +54,8 @@ std::string LinuxcncFlow::with_values(std::string_view comments) {
   return text;
 }
 
-// (print,#<depth> %d #1): with so many decimals as the control prints. What it does not know it
-// prints as it stands, and what only the machine holds it prints itself.
+// (print,#<depth> %d #1): prints as many decimals as the control. Unknown parameters stay as they
+// are; the machine prints the parameters that only it has.
 void LinuxcncFlow::append_message(std::string& out, std::string_view message) const {
   int decimals = usual_decimals;
   for (std::size_t at = 0; at < message.size();) {
@@ -86,7 +87,7 @@ void LinuxcncFlow::append_message(std::string& out, std::string_view message) co
   }
 }
 
-// For a subprogram that only the machine has, as D-95 does it.
+// For a subprogram that only the machine has, as in D-95.
 void LinuxcncFlow::write_values() {
   const auto write = [&](const std::string& name, double value) {
     settings_.append("#").append(name).append("=");

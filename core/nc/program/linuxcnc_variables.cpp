@@ -12,12 +12,12 @@
 namespace trc::program {
 namespace {
 
-// Parameters that QtPlasmaC's filter looks for in the text, in front of the control.
+// Parameters that QtPlasmaC's filter looks for in the text, before the control reads it.
 constexpr auto read_by_the_filter =
     std::to_array<std::string_view>({"h_diameter", "h_velocity", "holes", "i_diameter",
                                      "i_velocity", "keep-z-motion", "oclength", "pierce-only"});
 
-// What the control itself puts into a parameter, and knows only when the program runs.
+// Parameters that the control itself sets, and only knows when the program runs.
 constexpr auto states = std::to_array<std::string_view>({
     "_a",
     "_abs_a",
@@ -83,7 +83,7 @@ bool names_a_state(std::string_view name) {
                              [&](std::string_view begin) { return name.starts_with(begin); });
 }
 
-// The last of those that a program sets for itself.
+// The last of the parameters that a program sets for itself.
 constexpr std::int64_t last_number_of_programs = 5000;
 
 }  // namespace
@@ -146,7 +146,8 @@ bool LinuxcncFlow::assign(const Assignment& assignment) {
   return true;
 }
 
-// What the control computes itself stands in one line, as all of it holds behind that.
+// All assignments that the control computes itself are in one line, as they all take effect after
+// it.
 void LinuxcncFlow::write_kept_assignments() {
   std::string text;
   for (const Assignment& assignment : assignments_) {
@@ -191,7 +192,7 @@ const double* LinuxcncFlow::given_to(const Target& target) const {
   return given(target.name.empty() ? std::to_string(target.number) : in_upper_case(target.name));
 }
 
-// Everyone's, and not set by the program but by the control, or by what that holds.
+// A global parameter that the control sets, or whose value depends on the control.
 bool LinuxcncFlow::is_of_machine(const Target& target) const {
   if (!outlives_program(target)) return false;
   const bool is_set =
@@ -203,7 +204,7 @@ bool LinuxcncFlow::is_given_state(const Target& target) const {
   return is_state(target) && given_to(target) != nullptr;
 }
 
-// Not everyone's.
+// A parameter that is not global.
 bool LinuxcncFlow::is_own(const Target& target) const {
   const auto numbered = static_cast<std::int64_t>(locals_.back().numbered.size());
   return target.name.empty() ? target.number < numbered : target.name.front() != '_';

@@ -13,11 +13,11 @@
 namespace trc {
 namespace {
 
-// So many lines are executed, or come out, before others have their turn.
+// The number of lines executed, or output, before others have their turn.
 constexpr std::size_t lines_per_call = 256;
 constexpr std::size_t executed_per_call = 4096;
 
-// Behind the end of the line that begins at `at`; 0 where it is not known yet whether it has ended.
+// The position after the line that begins at `at`; 0 if its end is not known yet.
 std::size_t behind_line(std::string_view text, std::size_t at) {
   const std::size_t line_feed = text.find('\n', at);
   const std::size_t end = std::min(text.substr(0, line_feed).find('\r', at), line_feed);
@@ -27,7 +27,7 @@ std::size_t behind_line(std::string_view text, std::size_t at) {
   return end + (text[end + 1] == '\n' ? 2 : 1);
 }
 
-// From one to the next: to compare each byte takes five times as long.
+// Searches from one to the next: comparing each byte takes five times as long.
 std::uint64_t line_feeds_in(std::string_view text) {
   std::uint64_t count = 0;
   for (std::size_t at = text.find('\n'); at != std::string_view::npos; at = text.find('\n', at + 1))
@@ -44,7 +44,7 @@ std::string_view without_line_end(std::string_view line) {
   return line;
 }
 
-// Behind these nothing that follows is the program's.
+// After these faults the rest of the program is not checked.
 bool tells_all_alone(Code code) {
   return code == Code::too_many_lines_executed || code == Code::calls_too_deep ||
          code == Code::program_alarm || code == Code::side_behind_end;
@@ -72,8 +72,8 @@ bool ProgramReader::feed(std::string_view text, std::vector<LinePointer>& lines)
   return split(whole, lines);
 }
 
-// Text of lines that compute nothing and whose ends are line feeds goes on as a whole, but for the
-// line that was begun in front of it.
+// Text of lines that compute nothing and end in line feeds goes on as a whole, except for the line
+// that was begun before it.
 bool ProgramReader::pass_plain(std::string_view text, std::vector<LinePointer>& lines) {
   if (!partial_.empty()) {
     const std::size_t behind = std::min(text.find('\n'), text.size() - 1) + 1;
@@ -117,7 +117,7 @@ bool ProgramReader::split(std::string_view text, std::vector<LinePointer>& lines
         return refuse_order_of_programs(program::program_head_of(first_program_).told() +
                                             ", a subprogram in front of what calls it",
                                         lines_before_ + 1);
-      // Behind the end of the program there is text alone.
+      // Only text follows the end of the program.
       passes_ = first_program_.empty();
       if (passes_) return interpreter_.feed(text, lines);
     }
@@ -129,8 +129,8 @@ bool ProgramReader::split(std::string_view text, std::vector<LinePointer>& lines
   return goes_on && keep_partial(text.substr(begin), lines);
 }
 
-// Takes whole lines as long as it is not known whether they are of the main program; how many
-// bytes.
+// Takes whole lines until it is known whether they belong to the main program. Returns the number
+// of bytes.
 std::size_t ProgramReader::wait(std::string_view text, std::vector<LinePointer>& lines) {
   std::size_t begin = 0;
   for (std::size_t end = behind_line(text, begin); end > 0; end = behind_line(text, begin)) {
@@ -163,7 +163,7 @@ bool ProgramReader::stop_waiting(std::vector<LinePointer>& lines) {
   return split(text, lines);
 }
 
-// Of a text that has been collected.
+// Finds the main program in the collected text.
 bool ProgramReader::find_main_program(std::vector<LinePointer>& lines) {
   if (setup_.dialect != DialectName::fanuc) return true;
   const bool waited = has_to_wait();
@@ -186,7 +186,7 @@ bool ProgramReader::find_main_program(std::vector<LinePointer>& lines) {
     main_line_ = main.line;
     return true;
   }
-  // It is the main program that stands first: its lines are read as any others.
+  // The main program comes first: its lines are read like any others.
   computing_ = false;
   const std::string behind = std::exchange(text_, {});
   if (!stop_waiting(lines)) return false;
@@ -199,7 +199,7 @@ bool ProgramReader::refuse_order_of_programs(std::string detail, std::uint64_t l
   return interpreter_.stop(std::move(refused));
 }
 
-// A subprogram in front has nothing of what its caller says in front of the call.
+// A subprogram before its caller does not know the modes that the caller sets before the call.
 bool ProgramReader::check_order_of_files(std::string_view line, std::uint64_t number) {
   if (setup_.dialect != DialectName::sinumerik || !line.starts_with('%')) return true;
   std::string file = program::file_of_header(line);
@@ -212,7 +212,7 @@ bool ProgramReader::check_order_of_files(std::string_view line, std::uint64_t nu
   return true;
 }
 
-// Behind the end: the program that stands first has ended with M99.
+// After the end: the first program has ended with M99.
 bool ProgramReader::calls_what_stands_first(std::string_view line) const {
   if (first_program_.empty()) return false;
   if (before_is_whole_) {
@@ -232,7 +232,7 @@ bool ProgramReader::keep_partial(std::string_view text, std::vector<LinePointer>
   }
   partial_ = text;
   if (partial_.size() <= limits_.longest_line) return true;
-  return interpreter_.feed(std::exchange(partial_, {}), lines);  // which refuses it
+  return interpreter_.feed(std::exchange(partial_, {}), lines);  // the interpreter refuses it
 }
 
 bool ProgramReader::pass(std::string_view text, std::vector<LinePointer>& lines) {
@@ -247,7 +247,7 @@ bool ProgramReader::pass(std::string_view text, std::vector<LinePointer>& lines)
   return text.empty() || interpreter_.feed(text, lines);
 }
 
-// Of ISG the first target of a jump begins to compute, so that nothing leads back in front of it.
+// In ISG the first jump target already counts as computing, so that no jump leads back before it.
 void ProgramReader::keep_what_tells(std::string_view text) {
   before_is_whole_ &= text.empty();
   std::size_t begin = 0;
@@ -261,7 +261,7 @@ void ProgramReader::keep_what_tells(std::string_view text) {
 
 bool ProgramReader::collect(std::string_view text, std::vector<LinePointer>& lines) {
   if (text_.size() + text.size() > most_computing_text) {
-    // Klartext only calls labels, which may as well pass as they stand.
+    // Klartext only calls labels, which may also pass unchanged.
     if (setup_.dialect == DialectName::heidenhain) {
       computing_ = false;
       passes_ = true;
@@ -280,7 +280,7 @@ bool ProgramReader::collect(std::string_view text, std::vector<LinePointer>& lin
 bool ProgramReader::begin_to_execute(std::vector<LinePointer>& lines) {
   if (flow_) return true;
   if (computing_ ? !find_main_program(lines) : has_to_wait() && !stop_waiting(lines)) return false;
-  // A last line without an end may compute as well.
+  // A last line without a line end may compute too.
   if (!computing_ && !passes_ && program::computes(setup_, partial_) && !interpreter_.has_ended()) {
     computing_ = true;
     collect(std::exchange(partial_, {}), lines);
@@ -335,7 +335,7 @@ program::ModalState ProgramReader::modes() const {
           .place = place};
 }
 
-// All that one line has become is told by its place.
+// All lines that come from one line are reported at its place.
 bool ProgramReader::read_flat_lines(std::vector<LinePointer>& lines) {
   return read_flat_lines(flow_->settings(), FlatText::settings, lines) &&
          read_flat_lines(flat_, FlatText::rest, lines);
@@ -353,7 +353,7 @@ bool ProgramReader::read_flat_lines(std::string_view flat, FlatText kind,
         .text = flat.substr(begin, end - begin),
         .line_end = flat.substr(end, next - end),
         .number = flow_->line_in_program(),
-        // Columns are those of the program.
+        // The columns are those of the program.
         .is_as_written = !sets_variables && flow_->is_as_written() && flow_->line_within() == 0,
         .sets_variables = sets_variables,
         .calls_the_machine = !sets_variables && flow_->calls_the_machine() && next == flat.size(),
@@ -365,17 +365,17 @@ bool ProgramReader::read_flat_lines(std::string_view flat, FlatText kind,
   return true;
 }
 
-// Where the line stands that was executed last.
+// The place of the line that was executed last.
 Diagnostic ProgramReader::with_place(Diagnostic found) const {
   found.source.line = flow_->line_in_program();
   found.source.number = flow_->number_in_program();
   found.calls = diagnostics_.calls().of(flow_->chain(), flow_->line_within());
-  // Of a line of another text the column says nothing.
+  // The column is meaningless for a line of another text.
   if (flow_->line_within() > 0) found.column = 0;
   return found;
 }
 
-// Whether the rest of the program is looked at.
+// Whether the rest of the program is checked.
 bool ProgramReader::take_refusals() {
   diagnostics_.calls().stand(interpreter_.blocks_read(), flow_->chain(), flow_->line_within());
   for (const Diagnostic& found : flow_->refusals()) {

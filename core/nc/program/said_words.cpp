@@ -19,7 +19,7 @@ struct LineWords {
   };
   std::vector<Word> words{};
   bool may_be_skipped = false;
-  bool is_text = false;  // it has a name, or what no word begins with
+  bool is_text = false;  // it has a name, or a sign that begins no word
 
   [[nodiscard]] bool has(char letter, std::initializer_list<double> values) const {
     return std::ranges::any_of(words, [&](const Word& word) {
@@ -69,7 +69,7 @@ void SaidWords::forget() {
 void SaidWords::take(std::string_view line) {
   const LineWords words = words_of(line);
   if (words.is_text || words.has('G', {4, 10})) return;
-  // What D and F are in a cycle that mills by itself, and S in a limit, is not in force behind it.
+  // D and F of a cycle that mills by itself, and S of a limit, are not in force after it.
   const bool is_cycle = words.has('G', {12, 13, 35, 36, 37, 47, 70, 71, 72, 150});
   const bool limits_spindle = words.has('G', {50, 92});
   for (const char letter : letters) {
@@ -86,7 +86,7 @@ void SaidWords::take(std::string_view line) {
 }
 
 void SaidWords::take_modes(const LineWords& words) {
-  // What counts in the unit, and which register is in force behind G49, hangs on the control.
+  // The unit of values, and the register in force after G49, depend on the control.
   if (words.has('G', {20, 21, 70, 71}) && !words.has('F') && says('F')) say('F', {});
   if (words.has('G', {49}) && !words.has('H') && says('H')) say('H', {});
   if (words.has('G', {49}) && !words.may_be_skipped) has_length_ = false;
@@ -106,7 +106,7 @@ void SaidWords::take_places(const LineWords& words) {
   }
 }
 
-// What a number without a decimal point counts in hangs on the control.
+// The unit of a number without a decimal point depends on the control.
 std::optional<RegisterSetting> register_set_by(std::string_view line, bool incremental) {
   if (!has_function(line, 'G', 10, 10)) return {};
   const LineWords words = words_of(line);

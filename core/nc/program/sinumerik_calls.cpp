@@ -4,12 +4,12 @@
 #include "core/nc/program/sinumerik_flow.h"
 #include "core/nc/text/characters.h"
 
-// Calls of Sinumerik, with their arguments: subprograms that are there, and what only the machine
-// has.
+// Calls of Sinumerik, with their arguments: of subprograms in the text or the setup, and of
+// subprograms that only the machine has.
 
 namespace trc::program {
 
-// CALL "NAME", EXTCALL "NAME": as NAME, where it is there.
+// CALL "NAME", EXTCALL "NAME": same as NAME if that subprogram is present.
 bool SinumerikFlow::scan_call_of_text(std::size_t& at, std::vector<Call>& calls) {
   const std::size_t begin = at;
   const std::string word = name_at(line_, at);
@@ -36,7 +36,7 @@ bool SinumerikFlow::scan_call_of_text(std::size_t& at, std::vector<Call>& calls)
   return true;
 }
 
-// What a call that is passed on is given: `at` stands behind it.
+// Writes the arguments of a call that is passed on: `at` is after it.
 bool SinumerikFlow::scan_call_arguments(std::size_t begin, std::size_t& at) {
   const std::size_t open = line_.find('(', begin);
   std::string text(line_.substr(begin, open - begin));
@@ -47,7 +47,7 @@ bool SinumerikFlow::scan_call_arguments(std::size_t begin, std::size_t& at) {
   return true;
 }
 
-// What stands between the bracket at `open` and its end in front of `end`, with its values.
+// Appends the text from the bracket at `open` to its end before `end`, with values.
 bool SinumerikFlow::append_arguments(std::size_t open, std::size_t end, std::string& text,
                                      bool& changes, std::string_view call) {
   text += line_[open];
@@ -64,7 +64,7 @@ bool SinumerikFlow::append_arguments(std::size_t open, std::size_t end, std::str
       if (sign == '(' || sign == '[') ++depth;
       if (sign == ')' || sign == ']') --depth;
     }
-    if (next == end) break;  // blanks behind the bracket
+    if (next == end) break;  // blanks after the bracket
     if (!append_argument(argument, next, passing_to(call, place), text, changes)) return false;
     text += line_[next];
     argument = next + 1;
@@ -72,7 +72,7 @@ bool SinumerikFlow::append_arguments(std::size_t open, std::size_t end, std::str
   return true;
 }
 
-// A variable that the call may set stays one, where its DEF does.
+// A variable that the call may set stays a variable if its DEF stays.
 bool SinumerikFlow::append_argument(std::size_t begin, std::size_t end, Passing passing,
                                     std::string& text, bool& changes) {
   const std::size_t first = behind_blanks(line_, begin);
@@ -119,7 +119,7 @@ bool SinumerikFlow::call(std::string& flat, const Call& call) {
     comment.append(" ").append(line_.substr(pieces_.back().begin));
   Scope scope;
   if (!pass_arguments(call, scope)) return false;
-  if (looks_ahead()) {  // what its parameters are is not known
+  if (looks_ahead()) {  // the values of its parameters are unknown
     forget_values();
     return write_words(flat);
   }
@@ -144,7 +144,7 @@ bool SinumerikFlow::call(std::string& flat, const Call& call) {
   return true;
 }
 
-// What is not given is what PROC says, else 0.
+// A missing argument has its value from PROC, else 0.
 bool SinumerikFlow::pass_arguments(const Call& call, Scope& scope) {
   std::vector<Parameter> parameters;
   if (!read_head(*call.unit, parameters)) return false;
@@ -185,7 +185,7 @@ bool SinumerikFlow::pass_arguments(const Call& call, Scope& scope) {
                 call.unit->name + " with more values than it takes");
 }
 
-// From the subprogram that is executed, out of all that is repeated in it.
+// Returns from the executed subprogram and from all repetitions within it.
 bool SinumerikFlow::return_from(std::string& flat) {
   if (looks_ahead()) return true;
   while (frames_.size() > 1 && !frame().own_variables) frames_.pop_back();

@@ -10,7 +10,7 @@
 namespace trc::program {
 namespace {
 
-// As the control compares: equal within 1e-12 of the size.
+// Compares as the control does: equal within 1e-12 of the size.
 bool is_at_most(double value, double end) {
   constexpr double digits = 1e-12;
   return value <= end + digits * std::max(std::abs(value), std::abs(end));
@@ -35,7 +35,7 @@ bool SinumerikFlow::follow_structure(std::string& flat, Structure structure) {
   switch (structure) {
     case branch:
       return this->branch(flat, expression);
-    case otherwise:  // behind a branch that was taken
+    case otherwise:  // after a branch that was taken
       if (!go_behind(partner(outline.behind, "ENDIF"))) return false;
       break;
     case counting:
@@ -102,8 +102,7 @@ bool SinumerikFlow::branch(std::string& flat, ExpressionReader& expression) {
   return finish_statement(flat, expression.at());
 }
 
-// FOR name = first TO last. Where `last` is another one at the end of a round than it was at the
-// beginning, what the control does is not known.
+// FOR name = first TO last. If the round changes `last`, the behaviour of the control is unknown.
 bool SinumerikFlow::count(std::string& flat, Structure structure) {
   const bool begins = structure == Structure::counting;
   const Outline& outline = outline_of(frame());
@@ -137,7 +136,7 @@ bool SinumerikFlow::count(std::string& flat, Structure structure) {
   if (!begins && known->second != last)
     return refuse(Code::value_invalid, head_.behind, "FOR to an end that its loop changes");
   const double now = content_of(*place, expression, begin).number;
-  // Behind the end of the loop, or its head.
+  // Continues after the end of the loop, or after its head.
   if (is_at_most(now, last) != begins) frame().next = *other + 1;
   constexpr std::size_t length_of_end = 6;  // of ENDFOR
   return finish_statement(flat, begins ? expression.at() : head_.behind + length_of_end);
@@ -188,7 +187,7 @@ std::optional<SinumerikFlow::Direction> SinumerikFlow::direction_of(std::string_
   return {};
 }
 
-// A label, N100 or :100, or a text with one of these.
+// A label, N100 or :100, or a text that contains one of these.
 std::string SinumerikFlow::target_at(ExpressionReader& expression) {
   expression.pass_blanks();
   const std::size_t begin = expression.at();
@@ -225,7 +224,7 @@ std::optional<std::size_t> SinumerikFlow::line_of(const std::string& target, Dir
     lines = &found->second;
   }
   if (lines == nullptr) return {};
-  // Of the line itself the label lies backward.
+  // A label in the line itself counts as backward.
   const auto behind = std::ranges::upper_bound(*lines, frame().current);
   if (direction != Direction::backward && behind != lines->end()) return *behind;
   if (direction != Direction::forward && behind != lines->begin()) return *std::prev(behind);

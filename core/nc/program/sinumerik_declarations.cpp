@@ -6,7 +6,7 @@
 #include "core/nc/program/sinumerik_flow.h"
 #include "core/nc/text/characters.h"
 
-// DEF and PROC of Sinumerik: the types, sizes and first values of variables.
+// DEF and PROC of Sinumerik: the types, sizes and initial values of variables.
 
 namespace trc::program {
 namespace {
@@ -102,8 +102,8 @@ bool SinumerikFlow::define_one(ExpressionReader& expression, Type type) {
   return true;
 }
 
-// A value; of an array SET(…), (…) or REP(…), from its first element on. What REP leaves of the
-// array has its value too.
+// A value; for an array SET(…), (…) or REP(…), from its first element on. REP sets the rest of the
+// array too.
 bool SinumerikFlow::initialise(ExpressionReader& expression, Variable& variable,
                                std::size_t element) {
   expression.pass_blanks();
@@ -119,7 +119,7 @@ bool SinumerikFlow::initialise(ExpressionReader& expression, Variable& variable,
     Value value = expression.expression();
     if (expression.failed()) return refuse(expression.fault());
     if (!convert(value, variable.type, begin)) return false;
-    // A single value stands for all of them.
+    // A single value sets all elements.
     const std::size_t end = variable.sizes.empty() ? 1 : variable.elements.size();
     std::fill(variable.elements.begin() + static_cast<std::ptrdiff_t>(element),
               variable.elements.begin() + static_cast<std::ptrdiff_t>(end), value);
@@ -192,7 +192,7 @@ bool SinumerikFlow::read_head(const Unit& unit, std::vector<Parameter>& paramete
     if (expression.peek() != ')') return refused(", what stands between ( and )");
     expression.go_to(end);
   }
-  // Modes that come back behind it: which ones it changes is not followed.
+  // SAVE restores modes after the return; which modes the subprogram changes is not followed.
   if (place_of_word(line, expression.at(), "SAVE", WordEnd::whole) != std::string_view::npos)
     return refuse(Code::nc_unsupported, 0, "SAVE of PROC " + unit.name);
   return true;

@@ -14,7 +14,7 @@ bool begins_header(std::string_view line) {
   return at < line.size() && line[at] == '%';
 }
 
-// The name in that of a file: KONTUR of KONTUR.SPF and of _N_KONTUR_SPF.
+// The program name in a file name: KONTUR in KONTUR.SPF and in _N_KONTUR_SPF.
 std::string name_of_file(std::string_view name) {
   const std::size_t folder = name.find_last_of("/\\");
   if (folder != std::string_view::npos) name.remove_prefix(folder + 1);
@@ -23,7 +23,7 @@ std::string name_of_file(std::string_view name) {
   return plain;
 }
 
-// What the control does beside the program, or before it runs.
+// Statements that the control executes beside the program, or before it runs.
 constexpr auto beside_the_program = std::to_array<std::string_view>(
     {"DEFINE", "DO", "EVERY", "FROM", "ID", "IDS", "REDEF", "WHEN", "WHENEVER"});
 
@@ -51,7 +51,7 @@ SinumerikFlow::SinumerikFlow(const ProgramSetup& setup, CallPlaces& calls, Progr
                      .own_variables = true});
 }
 
-// A text is divided where a header stands, and where PROC does behind something else.
+// Divides a text at each header, and at each PROC that follows other lines.
 void SinumerikFlow::add_units(std::size_t text) {
   const ProgramText& lines = texts_[text];
   const std::size_t known = units_.size();
@@ -87,7 +87,7 @@ void SinumerikFlow::add_units(std::size_t text) {
   if (file.name != units_[known].name) units_.push_back(file);
 }
 
-// What stands in the program itself is meant, else what is given.
+// A program in the text itself takes precedence over a given one.
 const SinumerikFlow::Unit* SinumerikFlow::unit_named(std::string_view name) const {
   const auto found = std::ranges::find(units_, name, &Unit::name);
   return name.empty() || found == units_.end() ? nullptr : &*found;
@@ -212,7 +212,7 @@ bool SinumerikFlow::end_of_frame(std::string& flat) {
     frames_.pop_back();
     return true;
   }
-  // Each time counts, so that nothing repeats itself for ever.
+  // Each repetition counts, so that none goes on forever.
   if (!count_line()) return false;
   --frame().repetitions_left;
   frame().next = frame().restart;
@@ -220,8 +220,8 @@ bool SinumerikFlow::end_of_frame(std::string& flat) {
   return true;
 }
 
-// What stands behind a label may be meant for other values, and so may a subprogram that nothing
-// has called. A second main program, with an end of its own, is not.
+// Lines after a label may be meant for other values, and so may a subprogram that nothing has
+// called. A second main program with its own end is not.
 bool SinumerikFlow::end_of_program(std::string& flat) {
   ended_ = true;
   if (looks_ahead()) return true;
@@ -295,7 +295,7 @@ bool SinumerikFlow::execute_statement(std::string& flat, std::string_view word,
   return jump(expression) && finish_statement(flat, expression.at());
 }
 
-// What is there is executed, and needs no declaration in the flat program.
+// A subprogram that is present is executed, and needs no declaration in the flat program.
 bool SinumerikFlow::declare_external(std::string& flat, std::size_t at) {
   if (unit_named(name_at(line_, behind_blanks(line_, at))) != nullptr) return true;
   is_as_written_ = true;

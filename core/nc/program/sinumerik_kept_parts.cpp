@@ -7,16 +7,16 @@
 #include "core/nc/text/characters.h"
 #include "core/nc/text/named_words.h"
 
-// What stands in the text behind the program and comes out behind its end:
+// Lines after the program in the text that come out after its end:
 //
-//   - contours that cycles find in the program itself, by the names that they are given: CYCLE62
-//     and older cycles name labels or a subprogram, and the control looks for them there as well
+//   - contours that cycles find in the program itself, by the names given to them: CYCLE62 and
+//     older cycles name labels or a subprogram, and the control looks for them there as well
 //   - programs that nobody calls: those of an archive (D-157)
 
 namespace trc::program {
 namespace {
 
-// A text of a cycle: NAME, /_N_WKS_DIR/_N_A_WPD/NAME.SPF, or BEGIN:END.
+// The text argument of a cycle: NAME, /_N_WKS_DIR/_N_A_WPD/NAME.SPF, or BEGIN:END.
 void add_names(std::string_view text, std::vector<std::string>& names) {
   text.remove_prefix(text.find_last_of("/\\") + 1);
   while (!text.empty()) {
@@ -28,10 +28,10 @@ void add_names(std::string_view text, std::vector<std::string>& names) {
   }
 }
 
-// PROC and RET stand in what is no more than a list of motions, too.
+// A mere list of motions may contain PROC and RET too.
 bool begins_or_ends(std::string_view word) { return word == "PROC" || word == "RET"; }
 
-// X=R1, which alone makes no program one that computes.
+// X=R1, which alone does not make a program one that computes.
 bool has_variable(std::string_view line) {
   NamedWordReader reader(line);
   for (NamedWord word = reader.next(); word.kind != NamedWord::Kind::end; word = reader.next()) {
@@ -61,7 +61,8 @@ void SinumerikFlow::note_named_by_cycles(std::string_view written) {
   }
 }
 
-// From the first of two labels up to the last one; what passed in front of the text is there.
+// From the first of two labels to the last one. Lines before the executed ones have come out
+// already.
 bool SinumerikFlow::find_named_labels(const std::vector<std::string>& names,
                                       std::set<std::size_t>& lines) {
   const Frame& main = frames_.front();
@@ -92,7 +93,7 @@ void SinumerikFlow::find_named_units(const std::vector<std::string>& names,
   }
 }
 
-// With its header.
+// Appends the lines with their header.
 void SinumerikFlow::append_lines_of(const Unit& unit, std::set<std::size_t>& lines) const {
   const bool has_header =
       unit.begin > 0 && !program_of_header(texts_.front().line(unit.begin - 1)).empty();
@@ -100,7 +101,7 @@ void SinumerikFlow::append_lines_of(const Unit& unit, std::set<std::size_t>& lin
     lines.insert(line);
 }
 
-// By unit, whether its name stands in another one.
+// By unit, whether another unit contains its name.
 std::vector<bool> SinumerikFlow::said_by_others() const {
   if (units_.size() == 1) return {false};
   std::map<std::string, std::size_t, std::less<>> said_first;
@@ -136,7 +137,7 @@ void SinumerikFlow::find_units_nobody_calls(const std::vector<bool>& called,
   }
 }
 
-// The values of a line that computes are not there any more.
+// The values of a line that computes are no longer known.
 bool SinumerikFlow::keep_part(std::size_t line, std::string& flat) {
   const ProgramText& text = texts_.front();
   const std::string_view content = text.line(line);
@@ -161,7 +162,7 @@ bool SinumerikFlow::keep_parts_behind_end(const std::vector<bool>& called, std::
   std::set<std::size_t> of_others;
   find_units_nobody_calls(called, of_others);
   if (lines.empty() && of_others.empty()) return true;
-  // Nothing has ended the program: they would be taken for a part of it.
+  // Nothing has ended the program: these lines would become a part of it.
   if (flat.empty())
     return refuse(Code::block_structure, 0,
                   lines.empty() ? "a program behind one without M30"

@@ -12,8 +12,7 @@ namespace trc::program {
 namespace {
 
 bool begins_name(char sign) { return is_letter(sign) || sign == '_'; }
-// A plain value behind `=`: a number or a text. What it passes goes behind it; false: something
-// that may have to be computed.
+// Passes a plain value after `=`, a number or a text. False: the value may have to be computed.
 bool pass_plain_value(std::string_view line, std::size_t& at) {
   at = behind_blanks(line, at);
   if (sign_at(line, at) == '"') {
@@ -30,7 +29,7 @@ bool pass_plain_value(std::string_view line, std::size_t& at) {
                             std::string_view::npos;
 }
 
-// Few lines get past this: one of plain letters and numbers computes nothing.
+// A cheap test that rules out most lines: a line of plain letters and numbers computes nothing.
 bool may_compute_something(std::string_view line) {
   for (std::size_t at = 0; at < line.size();) {
     const char sign = line[at];
@@ -48,7 +47,7 @@ bool may_compute_something(std::string_view line) {
   return false;
 }
 
-// X=-R1, X=+(…): what the reader takes for a number without digits.
+// X=-R1, X=+(…): the reader would take these for a number without digits.
 bool is_signed_expression(std::string_view line, std::size_t word) {
   std::size_t at = line.find('=', word);
   if (at == std::string_view::npos) return false;
@@ -63,8 +62,8 @@ bool is_indexed_parameter(std::string_view line, std::size_t word) {
   return upper(sign_at(line, word)) == 'R' && sign_at(line, behind_blanks(line, word + 1)) == '[';
 }
 
-// Whether $TC_DP6[R1,1]=R2 or $P_UIFR[1]=CTRANS(X,_SHIFT) asks for a value: nothing but axes and
-// the words of frames stand in them elsewhere.
+// Whether $TC_DP6[R1,1]=R2 or $P_UIFR[1]=CTRANS(X,_SHIFT) asks for a value: otherwise they only
+// contain axes and the words of frames.
 bool names_variable(std::string_view setting) {
   constexpr auto words =
       std::to_array<std::string_view>({"CFINE", "CMIRROR", "CROT", "CROTS", "CRPL", "CSCALE",

@@ -7,13 +7,13 @@
 #include "core/nc/program/sinumerik_flow.h"
 #include "core/nc/text/characters.h"
 
-// What calls that only the machine has may read and set of the variables of the program: R
-// parameters (D-95), and those they are given by name (D-83).
+// Variables of the program that calls of the machine may read and set: R parameters (D-95), and
+// variables given to them by name (D-83).
 
 namespace trc::program {
 namespace {
 
-// Calls of the control that set variables, by the places of these among the arguments.
+// Calls of the control that set variables, with the positions of these among the arguments.
 struct SettingCall {
   std::string_view name;
   std::array<std::size_t, 2> places;
@@ -27,7 +27,7 @@ constexpr auto setting_calls = std::to_array<SettingCall>({{"DELETE", {0, 0}},
                                                            {"READ", {0, 4}},
                                                            {"WRITE", {0, 0}}});
 
-// What stands between the bracket at `open` and the one that closes it, at the commas.
+// Splits the text between the bracket at `open` and its closing bracket at the commas.
 std::vector<std::string_view> arguments_of(std::string_view line, std::size_t open) {
   std::vector<std::string_view> arguments;
   const std::size_t close = behind_bracket(line, open);
@@ -49,7 +49,7 @@ std::vector<std::string_view> arguments_of(std::string_view line, std::size_t op
   return arguments;
 }
 
-// Whether NAME(…) at `at` may be a call: no function of an expression, X=AC(…) and the like.
+// Whether NAME(…) at `at` may be a call: not a function of an expression, X=AC(…) and the like.
 bool may_be_call(std::string_view line, std::size_t at, std::string_view name) {
   const std::string_view before = without_blanks_behind(line.substr(0, at));
   const bool is_value = !before.empty() && std::string_view("=+-*/<>:(,[").find(before.back()) !=
@@ -86,7 +86,7 @@ void SinumerikFlow::know_external(std::string_view line, std::size_t at) {
     if (has_word_at(types[place], 0, "VAR")) by_reference.insert(place);
 }
 
-// Which variables of the main program are given to calls that stay: their DEF stays too.
+// The variables of the main program that calls in the output receive: their DEF stays too.
 void SinumerikFlow::find_what_calls_are_given(const Unit& main) {
   for (const ProgramText& text : texts_)
     for (std::size_t line = 0; line < text.size(); ++line) {
@@ -115,7 +115,7 @@ void SinumerikFlow::find_what_calls_are_given(const Unit& main) {
   }
 }
 
-// Whether the variable is there on the machine as well.
+// Whether the machine has the variable too.
 bool SinumerikFlow::is_kept(std::string_view name) const {
   return is_variable_name(name) ||
          (scopes_.size() == 1 && kept_.contains(name) && scopes_.back().contains(name));
@@ -146,7 +146,7 @@ void SinumerikFlow::write_element(const std::string& name, std::size_t element) 
   write_setting(indices.empty() ? name : name + "[" + indices + "]", variable.elements[element]);
 }
 
-// What the program has set since it was last written, for a call that may read it.
+// Writes the values set since the last time, for a call that may read them.
 void SinumerikFlow::write_values() {
   const bool writes_all = reads_variables_ || modal_call_reads_;
   const auto is_given = [&](const std::string& name) {
@@ -167,8 +167,8 @@ void SinumerikFlow::write_values() {
   });
 }
 
-// R parameters, and what the calls were given by its name; under MCALL each motion has the call
-// behind it.
+// Loses R parameters, and the variables that the calls received by name. Under MCALL a call follows
+// each motion.
 void SinumerikFlow::lose_values() {
   const auto moves = [this](const Piece& piece) {
     const char letter = piece.is_comment ? ' ' : upper(line_[piece.begin]);

@@ -7,7 +7,7 @@
 #include "core/nc/program/sinumerik_flow.h"
 #include "core/nc/text/characters.h"
 
-// The values of R parameters and of what DEF and PROC declare.
+// The values of R parameters and of variables that DEF and PROC declare.
 
 namespace trc::program {
 namespace {
@@ -17,7 +17,7 @@ constexpr std::size_t longest_text = 400;
 
 }  // namespace
 
-// The number of R12; -1: the name is none.
+// The number of R12; -1: the name is no R parameter.
 std::int64_t SinumerikFlow::number_of_parameter(std::string_view name) {
   constexpr std::size_t most_digits = 6;
   if (name.size() < 2 || name.size() > most_digits + 1 || upper(name.front()) != 'R') return -1;
@@ -38,9 +38,9 @@ bool SinumerikFlow::is_variable_name(std::string_view name) {
   return number_of_parameter(name) >= 0;
 }
 
-// What is assigned a value there.
+// Whether a variable is assigned a value there.
 bool SinumerikFlow::is_variable_at(std::size_t at) const {
-  // No name is as long as that: words without blanks between are not looked through anew for each.
+  // Longer than any name: words without blanks between them are not searched anew for each.
   constexpr std::size_t longest_name = 256;
   const std::string name = name_at(line_.substr(at, longest_name), 0);
   const std::size_t behind = behind_blanks(line_, at + name.size());
@@ -86,7 +86,7 @@ std::optional<SinumerikFlow::Place> SinumerikFlow::place_at(ExpressionReader& ex
   return place;
 }
 
-// The element that [index, index, …] names; the first one where nothing stands.
+// The element that [index, index, …] names; the first one without an index.
 std::size_t SinumerikFlow::element_at(ExpressionReader& expression, const Variable& variable) {
   const std::size_t begin = expression.at();
   const std::size_t bracket = behind_blanks(expression.line(), begin);
@@ -141,7 +141,7 @@ bool SinumerikFlow::assign_at(ExpressionReader& expression) {
     scopes_[place->scope][place->name].of_machine = kept_text_.hangs_on_machine();
     return true;
   }
-  // The control computes it anew in each run (D-88).
+  // The control computes the value anew in each run (D-88).
   const std::string name = "R" + std::to_string(place->parameter);
   note_counter(name);
   if (kept_text_.stays()) {
@@ -171,7 +171,7 @@ bool SinumerikFlow::store(const Place& place, const Value& value, std::size_t be
   return true;
 }
 
-// As the control does when a value is assigned.
+// As the control does when it assigns a value.
 bool SinumerikFlow::convert(Value& value, Type type, std::size_t begin) {
   constexpr double smallest = -2147483648.0;
   constexpr double largest = 2147483647.0;
@@ -260,7 +260,7 @@ Value SinumerikFlow::read(ExpressionReader& expression) {
   return expression.failed() ? Value{} : content_of(*place, expression, begin);
 }
 
-// What only the machine knows, unless the setup does.
+// A variable that only the machine knows, unless the setup gives it.
 Value SinumerikFlow::read_system_variable(ExpressionReader& expression) {
   const std::string_view line = expression.line();
   const std::size_t begin = expression.at();
@@ -279,7 +279,7 @@ Value SinumerikFlow::read_system_variable(ExpressionReader& expression) {
     kept_text_.take(begin, end, text_of_value({.number = *value}));
     return {.number = *value};
   }
-  // What the control itself counts and measures.
+  // Variables that the control itself counts and measures.
   if (name.starts_with("$A") && kept_text_.may_be_unknown(name)) {
     kept_text_.keep_unknown(name);
     kept_text_.take(begin, end, name);

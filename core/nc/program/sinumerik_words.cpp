@@ -7,7 +7,7 @@
 #include "core/nc/program/sinumerik_flow.h"
 #include "core/nc/text/characters.h"
 
-// Lines of words whose values are computed, and calls.
+// Lines of words with computed values, and calls.
 
 namespace trc::program {
 namespace {
@@ -55,8 +55,8 @@ bool SinumerikFlow::execute_words(std::string& flat) {
   if (calls_twice)
     return refuse(Code::expression_invalid, calls.back().begin, "a second call in one line");
   if (begins_modal_call_) modal_call_reads_ = reads_variables_;
-  // I=5 is a variable where DEF has named it, and a centre beside a motion: the reader of the
-  // program may take it for either. X=5 always looks like a motion.
+  // I=5 is a variable if DEF has named it, and a centre beside a motion: the reader of the program
+  // may take it for either. X=5 always looks like a motion.
   const bool is_left = std::ranges::any_of(
       pieces_, [](const Piece& piece) { return !piece.instead && !piece.is_comment; });
   const bool names_axis = addressed_ && upper(line_[*addressed_]) >= 'X';
@@ -102,8 +102,8 @@ bool SinumerikFlow::scan_word(std::size_t& at, std::vector<Call>& calls) {
   return is_named ? scan_name(at, name_at(line_, at), calls) : scan_address(at, calls);
 }
 
-// $AC_TIMER[1]=0, $TC_DP6[R1,1]=R2/2, $P_UIFR[1]=CTRANS(X,R1):CROT(Z,R2): what the machine holds is
-// given a value.
+// $AC_TIMER[1]=0, $TC_DP6[R1,1]=R2/2, $P_UIFR[1]=CTRANS(X,R1):CROT(Z,R2): assigns a value to a
+// variable of the machine.
 bool SinumerikFlow::scan_setting(std::size_t& at) {
   const std::size_t begin = at;
   const std::string name = "$" + name_at(line_, at + 1);
@@ -133,7 +133,7 @@ bool SinumerikFlow::scan_setting(std::size_t& at) {
   kept_text_.end();
   if (!goes_on) return false;
   Piece& piece = pieces_.back();
-  // A counter of the control, which it computes itself (D-88).
+  // The control computes its counter itself (D-88).
   if (kept_text_.stays()) {
     piece.instead = text + kept_text_.text(line_, value_begin, piece.end);
     return true;
@@ -145,7 +145,7 @@ bool SinumerikFlow::scan_setting(std::size_t& at) {
   return true;
 }
 
-// CTRANS(X,R1):CROT(Z,30), with the values of what stands in it.
+// CTRANS(X,R1):CROT(Z,30), with the values of its arguments.
 bool SinumerikFlow::append_frame(std::size_t& at, std::string& text, bool& changes) {
   for (;;) {
     const std::size_t begin = behind_blanks(line_, at);
@@ -157,7 +157,7 @@ bool SinumerikFlow::append_frame(std::size_t& at, std::string& text, bool& chang
     const std::size_t open = behind_blanks(line_, at);
     const bool is_call = !is_of_machine && !name.empty() && sign_at(line_, open) == '(';
     if (!is_frame && !is_call) {
-      // One element of it, as $P_UIFR[1,X,TR]=R1.
+      // One element of a frame, such as $P_UIFR[1,X,TR]=R1.
       text.erase(text.size() - (at - begin));
       at = begin;
       return append_value_of(at, text, changes);
@@ -218,13 +218,13 @@ bool SinumerikFlow::scan_address(std::size_t& at, std::vector<Call>& calls) {
     at = begin + 1;
     return scan_times(at, calls);
   }
-  // P2 L20: what it counts may stand behind it.
+  // P2 L20: the call that it counts may follow.
   if (letter == 'P' && (length > 0 || has_value)) times_in_front_ = pieces_.size();
   if (has_value) {
     at = behind + 1;
     return scan_value(begin, at);
   }
-  // S[1]=R5; which spindle it is has to stand there.
+  // S[1]=R5; the index of the spindle must be a literal.
   const bool is_indexed =
       length == 0 && sign_at(line_, digits) == '[' && std::string_view("SMH").find(letter) != npos;
   const std::size_t index_end = is_indexed ? behind_bracket(line_, digits) : 0;
@@ -251,13 +251,13 @@ bool SinumerikFlow::scan_address(std::size_t& at, std::vector<Call>& calls) {
     leave_out(begin, at);
     return true;
   }
-  if (length == 0) at = line_.size();  // the reader says what is missing
+  if (length == 0) at = line_.size();  // the reader reports the missing value
   keep(begin, at);
   return true;
 }
 
-// A subprogram under MCALL would be called behind each motion, not here. A count may stand in front
-// of what it counts, where it was taken for a word.
+// MCALL would call a subprogram after each motion, not here. A count may come before its call, and
+// was then taken for a word.
 bool SinumerikFlow::complete_call(Call& call) {
   if (begins_modal_call_) return refuse(Code::nc_unsupported, call.begin, "MCALL of a subprogram");
   if (!times_in_front_) return true;
@@ -268,7 +268,7 @@ bool SinumerikFlow::complete_call(Call& call) {
   return true;
 }
 
-// P3, P=R1: how often what is called in the line is executed.
+// P3, P=R1: the number of times that the call in the line is executed.
 bool SinumerikFlow::scan_times(std::size_t& at, std::vector<Call>& calls) {
   const std::size_t begin = at - 1;
   if (!read_times(at, calls.back())) return false;
@@ -295,7 +295,7 @@ bool SinumerikFlow::read_times(std::size_t& at, Call& call) {
   return true;
 }
 
-// The value behind the `=` in front of `at`, of the word that begins at `begin`.
+// The value after the `=` before `at`, of the word that begins at `begin`.
 bool SinumerikFlow::scan_value(std::size_t begin, std::size_t& at) {
   std::size_t value_begin = behind_blanks(line_, at);
   const std::string name = name_at(line_, value_begin);
@@ -303,7 +303,7 @@ bool SinumerikFlow::scan_value(std::size_t begin, std::size_t& at) {
   const bool refers = is_reference(name) && sign_at(line_, behind_name) == '(';
   const std::size_t close = refers ? behind_bracket(line_, behind_name) : 0;
   if (refers) value_begin = behind_blanks(line_, behind_name + 1);
-  // A variable of the machine: the reader copies the line where it can.
+  // A variable of the machine: the reader copies the line if it can.
   const char axis = upper(line_[begin]);
   const bool is_main_axis = axis >= 'X' && axis <= 'Z' && !is_digit(sign_at(line_, begin + 1)) &&
                             !is_letter(sign_at(line_, begin + 1));
@@ -383,7 +383,7 @@ bool SinumerikFlow::scan_name(std::size_t& at, const std::string& name, std::vec
     return true;
   }
   if (!scan_call_arguments(begin, at)) return false;
-  // Which of them the machine changes is not known (D-64).
+  // Which of them the machine changes is unknown (D-64).
   if (!is_of_control && !setup_.pass_words.contains(name)) calls_of_line_.push_back(name);
   return true;
 }
@@ -412,7 +412,7 @@ bool SinumerikFlow::write_words(std::string& flat) {
   flat.append(line_.substr(0, in_front));
   std::size_t behind = npos;
   for (const Piece& piece : pieces_) {
-    // What is left out goes with the blanks in front of it, the first one with those behind.
+    // A word left out takes the blanks before it along, the first word those after it.
     const bool is_out = piece.instead && piece.instead->empty();
     if (!is_out) {
       if (behind != npos) flat.append(line_.substr(behind, piece.begin - behind));

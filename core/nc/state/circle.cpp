@@ -9,9 +9,9 @@
 namespace trc {
 namespace {
 
-// mm; on smaller arcs the share of the radius limits the shift of a centre alone (D-41).
+// mm; on smaller arcs only the share of the radius limits the shift of a centre (D-41).
 constexpr double small_radius = 20;
-// mm; what rounded coordinates do to the centre of the smallest arcs is no misfit.
+// mm; a shift that rounded coordinates cause on the smallest arcs is no misfit.
 constexpr double rounded_shift = 0.01;
 
 bool is_full_circle(const CircleEnds& ends, double same_point) {
@@ -34,8 +34,8 @@ Arc part_of_circle(const Point& center, const CircleEnds& ends) {
 
 }  // namespace
 
-// Seen from the programmed centre an arc of up to half a turn leads from one radius to the other;
-// a longer one comes by where it is farthest off, in the directions of its chord.
+// Seen from the programmed centre an arc of up to half a turn leads from one radius to the other; a
+// longer arc also passes its extremes, in the directions of its chord.
 double width_about(const Point& programmed_center, const Arc& arc) {
   if (std::abs(arc.sweep) > std::numbers::pi) return 2 * (arc.center - programmed_center).norm();
   return std::abs((arc.start - programmed_center).norm() - (arc.end - programmed_center).norm());
@@ -51,8 +51,8 @@ CircleResult arc_about(const Point& center, const CircleEnds& ends, const Circle
   const double end_radius = (ends.end - center).norm();
   if (start_radius == end_radius) return part_of_circle(center, ends);
 
-  // The valid centres lie on the perpendicular bisector of start and end; the
-  // nearest one is the foot of the programmed centre on it.
+  // The valid centres lie on the perpendicular bisector of start and end; the nearest one is the
+  // foot of the programmed centre on it.
   const Point middle = (ends.start + ends.end) / 2;
   const Vector chord = (ends.end - ends.start).normalized();
   const double shift = std::abs(chord.dot(center - middle));

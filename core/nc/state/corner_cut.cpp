@@ -14,7 +14,7 @@ namespace {
 
 constexpr double nearly_back = std::numbers::pi - 1e-3;
 
-// How far along the segment the point lies, mm; it lies on the line or circle of it.
+// The distance of the point along the segment, mm; the point lies on its line or circle.
 double way_to(const Segment& segment, const Point& point) {
   if (const auto* line = std::get_if<Line>(&segment))
     return (point - line->start).dot(tangent_of(*line));
@@ -41,7 +41,7 @@ Segment begun_at(const Segment& segment, const Point& point) {
   return arc;
 }
 
-// Where circles that touch the segment from the side of `shift` have their centres.
+// The centres of the circles that touch the segment from the side of `shift`.
 struct Parallel {
   std::optional<StraightLine> line{};
   std::optional<Circle> circle{};
@@ -65,7 +65,7 @@ Meetings meetings_of(const Parallel& a, const Parallel& b, double same_point) {
   return intersect(*a.circle, *b.circle, same_point);
 }
 
-// Where a circle about the centre touches the segment.
+// The point where a circle about the centre touches the segment.
 Point touched(const Segment& segment, const Point& center) {
   if (const auto* line = std::get_if<Line>(&segment)) {
     const Vector tangent = tangent_of(*line);
@@ -114,8 +114,8 @@ std::optional<CutCorner> cut_lines(const Line& before, const Line& after, const 
   if (cut.form == CornerCut::Form::width) leg = cut.size / (2 * std::cos(turn / 2));
   const double shorter = std::min(length_of(before), length_of(after));
   if (!(leg > tolerances.same_point && leg <= shorter + tolerances.input_resolution)) return {};
-  // Two roundings may meet, as at the end of a slot: what rounding of coordinates leaves between
-  // them goes (D-63).
+  // Two roundings may meet, as at the end of a slot: a gap between them within rounding of
+  // coordinates is removed (D-63).
   double size = cut.size;
   if (std::abs(shorter - leg) <= tolerances.input_resolution) {
     size *= shorter / leg;

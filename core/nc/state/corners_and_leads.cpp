@@ -1,5 +1,5 @@
-// What a program says of the ends of a contour and of its corners: rounding and chamfer words, APPR
-// and DEP. Both make blocks wait until the next motion is known.
+// The ends and corners of a contour in a program: rounding and chamfer words, APPR and DEP. Both
+// make blocks wait until the next motion is known.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -21,8 +21,8 @@ constexpr const char* lead_without_room =
     "an approach or a departure that has no room: LCT from within its circle, CT, G247 and G347 "
     "with an arc that is smaller than the tool, G147 with DISR= that leaves no line";
 
-// The line between the arc of LCT and the point is no part of the contour, so that nothing later
-// looks at it (D-161).
+// The line between the arc of LCT and the point is no part of the contour, so no later step checks
+// it (D-161).
 bool comes_too_near(const Line& line, const Segment& wall, double reach,
                     const Tolerances& tolerances) {
   return nearness(line, wall, tolerances.same_point).distance < reach - tolerances.on_contour;
@@ -51,14 +51,15 @@ bool ProgramState::refuse_open_lead() {
                 "APPR or G147, G247, G347 without a contour behind it");
 }
 
-// Only between motions of the contour itself, along which nothing else moves (D-124).
+// A corner needs two motions of the contour itself, without motion of other axes (D-124).
 bool ProgramState::check_corner(const MoveRequest& request, bool alone) {
   return !request.corner || request.corner->modal || (alone && is_in_contour()) ||
          refuse_corner(request.source);
 }
 
-// Whether what stands between its motions parts them: a motion across the plane or of a further
-// axis, and for Sinumerik more than three blocks, as many as a machine looks past by default.
+// Whether blocks between the motions of the corner separate them: a motion across the plane or of a
+// further axis, and for Sinumerik more than three blocks, the default number that a machine looks
+// past.
 bool ProgramState::is_corner_interrupted() const {
   constexpr std::size_t most_between = 3;
   const std::vector<Block>& held = corner_.blocks();
@@ -69,7 +70,7 @@ bool ProgramState::is_corner_interrupted() const {
   });
 }
 
-// The block that is held loses its end and `path` its beginning.
+// Shortens the end of the held block and the beginning of `path`.
 bool ProgramState::cut_corner_before(const MoveRequest& request, Segment& path, bool alone) {
   if (!corner_.waits()) return true;
   if (corner_.is_open()) {
@@ -96,8 +97,7 @@ bool ProgramState::cut_corner_before(const MoveRequest& request, Segment& path, 
   const bool beside_arc =
       cut.form != CornerCut::Form::round && (is_arc(before.path) || is_arc(path));
   const bool takes_all_behind = corner && is_point(corner->after);
-  // The corner takes the place of the motion behind it: that has one feed, and no corner of its
-  // own.
+  // The corner replaces the motion after it, which has one feed and no corner of its own.
   const bool has_place = !takes_all_behind || (!is_point(corner->before) && !request.corner &&
                                                !corner_.has_own_line_or_feed());
   if (!corner || !has_place)
@@ -169,7 +169,7 @@ bool ProgramState::approach_by(const Lead& lead, const MoveRequest& request, con
   return true;
 }
 
-// Across the plane where the path in it has ended, as the control does it.
+// Travels across the plane at the end of the path in it, as the control does.
 void ProgramState::travel_across(const MoveRequest& request) {
   const std::size_t third = axes_of(mode_.plane).third;
   if (!request.end[third] || *request.end[third] == position_[third]) return;
@@ -178,7 +178,7 @@ void ProgramState::travel_across(const MoveRequest& request) {
   append_passive(request, end, standing_tracking());
 }
 
-// To the height from which the lead goes down, or to its plane.
+// Travels to the height from which the lead goes down, or to its plane.
 void ProgramState::come_down(const PendingLead& pending) {
   const std::size_t third = axes_of(mode_.plane).third;
   MoveRequest down = pending.way;
@@ -192,7 +192,7 @@ void ProgramState::come_down(const PendingLead& pending) {
   travel_across(down);
 }
 
-// What leads to the contour comes out before what has been held since.
+// The lead to the contour comes out before the blocks held since.
 bool ProgramState::approach_contour(const Segment& contour) {
   const PendingLead pending = *std::exchange(lead_, std::nullopt);
   const Position here = position_;
@@ -203,7 +203,7 @@ bool ProgramState::approach_contour(const Segment& contour) {
   if (!path) return report(pending.request.source, Code::nc_unsupported, lead_without_room);
   position_ = pending.from;
   const std::size_t third = axes_of(mode_.plane).third;
-  // Where the lead goes down, the line to it runs above the contour.
+  // If the lead goes down, the line to it runs above the contour.
   const bool is_in_depth =
       pending.request.end[third].value_or(position_[third]) == position_[third];
   if (pending.lead.form == Lead::Form::arc_and_line && is_in_depth && !pending.infeed &&
@@ -216,8 +216,8 @@ bool ProgramState::approach_contour(const Segment& contour) {
     append_motion(request, shape, end, standing_tracking(), blocks_);
     std::get<MotionBlock>(blocks_.back()).role = ContourRole::lead;
   };
-  // The line to an arc that begins where the tool stands would have no length, so that no line of
-  // the contour would lead to its path.
+  // If the arc begins at the tool position, the line to it would have no length, and no line of the
+  // contour would lead to its path.
   const bool stands_at_arc = path->contour && !pending.infeed &&
                              (start_of(*path->contour) - from).norm() <= tolerances_.same_point;
   if (path->contour && !stands_at_arc) {
@@ -227,7 +227,7 @@ bool ProgramState::approach_contour(const Segment& contour) {
     if (!climbs) travel_across(pending.request);
     std::visit([&](const auto& shape) { go(pending.request, shape, climbs); }, *path->contour);
   } else {
-    // Up to the path of the tool without compensation, whatever the line leads across.
+    // Up to the tool path without compensation, even if the line crosses the contour.
     const TrcMode mode = mode_;
     TrcMode& off = change_mode();
     off.side = Side::off;
@@ -256,7 +256,7 @@ bool ProgramState::approach_on_arc(MoveRequest request) {
   const Arc& arc = programmed.arc;
   if ((arc.end - arc.start).norm() <= tolerances_.same_point)
     return report(request.source, Code::nc_unsupported, "a full circle to the contour");
-  // Which arc leads beside the contour, the contour says.
+  // The contour decides which arc leads to its path.
   request.kind = MotionKind::linear;
   request.center = {};
   request.radius.reset();
@@ -266,7 +266,7 @@ bool ProgramState::approach_on_arc(MoveRequest request) {
   return true;
 }
 
-// With rounded coordinates an arc ends beside its tangent, a small one by some degrees.
+// With rounded coordinates an arc may end off its tangent, a small arc by some degrees.
 bool ProgramState::goes_on_from_arc(const Segment& contour) {
   constexpr double largest_kink = 5 * std::numbers::pi / 180;
   const ArcToContour arc = *std::exchange(arc_to_contour_, {});

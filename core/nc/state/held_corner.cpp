@@ -26,7 +26,7 @@ void HeldCorner::put_in(const CutCorner& corner, double same_point) {
 }
 
 void HeldCorner::release(std::vector<Block>& to) {
-  // Nearly always one.
+  // Nearly always one block.
   for (Block& block : blocks_) to.push_back(std::move(block));
   blocks_.clear();
   cut_.reset();

@@ -13,7 +13,7 @@ Vector turned(const Vector& v, double angle) {
   return std::cos(angle) * v + std::sin(angle) * left_of(v);
 }
 
-// A lead to the contour is the lead from it, travelled backwards.
+// A lead to the contour is a lead from it, travelled backwards.
 ContourEnd backwards(const ContourEnd& end) {
   return {.point = end.point, .tangent = -end.tangent, .side = -end.side, .reach = end.reach};
 }
@@ -25,7 +25,7 @@ Segment backwards(const Segment& segment) {
   return Line{.start = line.end, .end = line.start};
 }
 
-// Sweep of the arc of LCT, on the path of the tool about `center`: up to where the tangent leads to
+// The sweep of the arc of LCT, on the tool path about `center`: up to where the tangent leads to
 // the point. `turn`: 1 counter-clockwise, -1 clockwise.
 std::optional<double> sweep_to_tangent(const Point& begin, const Point& center, const Point& to,
                                        double turn, double same_point) {
@@ -37,7 +37,7 @@ std::optional<double> sweep_to_tangent(const Point& begin, const Point& center, 
   double sweep = turn * turn_between(arm, way) - lead;
   while (sweep < 0) sweep += full_turn;
   while (sweep >= full_turn) sweep -= full_turn;
-  // The begin itself, where rounding has put it behind.
+  // The sweep is 0 if rounding has put the beginning after its tangent.
   if ((full_turn - sweep) * radius <= same_point) sweep = 0;
   return sweep;
 }

@@ -4,13 +4,13 @@
 #include "core/nc/state/in_range.h"
 #include "core/nc/state/program_state.h"
 
-// What a program chooses: side, selection mode, masking, feed, plane, tool and options.
+// The modes that a program selects: side, selection mode, masking, feed, plane, tool and options.
 
 namespace trc {
 namespace {
 
-// G237 leaves the contour by itself, G239 where it stands; all other modes need
-// a motion block after G40 (rule 10.9).
+// G237 leaves the contour itself, G239 where the tool is; all other modes need a motion block after
+// G40 (rule 10.9).
 bool retracts_in_a_block(Selection selection) {
   return selection != Selection::perpendicular && selection != Selection::without_block;
 }
@@ -28,7 +28,7 @@ bool ProgramState::select(Side side, const Source& source) {
     tangential_requested_ = false;
     return true;
   }
-  // The control wants a motion with R0 in between (D-162).
+  // The control needs a motion with R0 in between (D-162).
   if (mode_.active() && setup_.dialect == DialectName::heidenhain)
     return report(source, Code::nc_unsupported,
                   side == Side::left ? "RL behind RR without R0 in between"
@@ -50,7 +50,7 @@ bool ProgramState::deselect(const Source& source) {
   const bool tangential = std::exchange(tangential_requested_, false);
   if (!mode_.active()) return true;
   if (lead_) return refuse_open_lead();
-  // A corner that is cut is refused by the next motion.
+  // The next motion refuses a corner that is cut.
   if (!corner_.is_asked_for()) corner_.release(blocks_);
   const bool has_contour = in_plane_blocks_ > (has_approach_ ? 1U : 0U);
   if (has_contour && mode_.selection == Selection::without_block) {
@@ -137,7 +137,7 @@ bool ProgramState::set_tangfeed_minimum(double radius, const Source& source) {
 
 bool ProgramState::set_plane(Plane plane, const Source& source) {
   if (plane == programmed_plane()) return true;
-  // Behind a bare G40 the next straight motion leaves the contour first, in the plane of that
+  // After a bare G40 the next straight motion first leaves the contour, in the plane of the contour
   // (D-128).
   if (setup_.dialect != DialectName::isg && retract_pending_ && !mode_.active()) {
     next_plane_ = plane;

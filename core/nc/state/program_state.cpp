@@ -175,7 +175,7 @@ bool ProgramState::refuse_assumed_start(const Source& source, std::size_t axis) 
                                    ", where the tool stands in front of the contour"});
 }
 
-// That G91 has been forgotten is the commonest mistake behind G28 G91.
+// A forgotten G91 is the most common mistake after G28 G91.
 std::string ProgramState::told_increments() const {
   if (increments_since_.line == 0) return {};
   constexpr std::size_t in = std::string_view("in ").size();
@@ -213,7 +213,7 @@ bool ProgramState::move(const MoveRequest& request) {
   if (!find_end(request, end)) return refuse(request.source, end_out_of_range(request));
   if (!all_known())
     if (auto refusal = unknown_start(request)) return refuse(request.source, std::move(*refusal));
-  // 0 is none said; F0 is found where words are read (D-139).
+  // 0: no feed is given; the reader of the words finds F0 (D-139).
   if (request.feed != 0 && !is_feed(request.feed))
     return report(request.source, Code::field_invalid, "feed", {{"feed", request.feed}});
   if (next_plane_ && is_circle(request.kind))
@@ -261,7 +261,7 @@ bool ProgramState::move_straight(const MoveRequest& request, const Position& end
   return true;
 }
 
-// Nearly all motions have no word for a corner, before or behind them.
+// Nearly all motions have no word for a corner, before or after them.
 template <class Shape>
 bool ProgramState::append_between_corners(const MoveRequest& request, const Shape& shape,
                                           const Position& end, TrackingTravel&& tracking) {
@@ -276,8 +276,8 @@ bool ProgramState::append_between_corners(const MoveRequest& request, const Shap
   Segment path = shape;
   if (!check_corner(request, alone) || !cut_corner_before(request, path, alone)) return false;
   if (lead_ && !approach_contour(path)) return false;
-  // An arc that rounds a corner may have taken the place of the motion.
-  // In Klartext the corner behind it stands in the next line.
+  // An arc that rounds a corner may have replaced the motion. In Klartext the next line has the
+  // corner after the motion.
   const bool may_be_followed = setup_.dialect == DialectName::heidenhain && is_in_contour();
   std::visit(
       [&](const auto& way) {
@@ -292,8 +292,8 @@ bool ProgramState::append_between_corners(const MoveRequest& request, const Shap
   return true;
 }
 
-// Behind G40 alone the tool stands beside the contour, so that a motion to where it ends in the
-// program moves it all the same: programs go back there and begin the next pass (D-123).
+// After G40 alone the tool is beside the contour, so a motion to the programmed end of the contour
+// does move the tool: programs go back there and begin the next pass (D-123).
 bool ProgramState::leads_back(const MoveRequest& request) const {
   const PlaneAxes axes = axes_of(mode_.plane);
   return setup_.dialect != DialectName::isg && setup_.dialect != DialectName::fanuc &&
@@ -317,7 +317,7 @@ void ProgramState::append_motion(const MoveRequest& request, const Shape& path, 
                                  TrackingTravel&& tracking, std::vector<Block>& to) {
   const std::size_t third = axes_of(mode_.plane).third;
   const std::shared_ptr<const TrcMode>& mode = shared_mode();
-  // Filled in where it lies: it is large.
+  // Filled in place, because the block is large.
   auto& block = *std::get_if<MotionBlock>(&to.emplace_back(std::in_place_type<MotionBlock>));
   block.source = request.source;
   block.source.part = part_of(request.source.index);
@@ -375,7 +375,7 @@ bool ProgramState::end(const Source& source) {
   if (lead_) return refuse_open_lead();
   if (corner_.is_asked_for()) return refuse_held_corner();
   corner_.release(blocks_);
-  // Both axes may have been led away by copied motions, such as G53 X0 Y0 (D-142).
+  // Copied motions may have led both axes away, such as G53 X0 Y0 (D-142).
   const bool has_left = retract_is_lost() && std::ranges::none_of(beside_contour_, std::identity{});
   if (std::exchange(ended_, true) || !contour_open() || has_left) return !diagnostics_.stopped();
   const char* const ended = setup_.dialect == DialectName::heidenhain

@@ -4,7 +4,7 @@
 #include "core/nc/state/circle_words.h"
 #include "core/nc/state/program_state.h"
 
-// The arc that a request asks for, or why there is none.
+// The arc that a request asks for, or why it is refused.
 
 namespace trc {
 namespace {
@@ -26,7 +26,7 @@ std::optional<Refusal> ProgramState::check_circle_words(const MoveRequest& reque
   const bool has_center = request.center[axes.first] || request.center[axes.second];
   if (has_center && request.radius) return Refusal{.code = Code::center_and_radius_together};
   if (!has_center && !request.radius)
-    // With G164 the reference control takes the missing centre for the start point.
+    // With G164 the reference control uses the start point as the missing centre.
     return Refusal{.code =
                        circle_.correct_center ? Code::circle_incomplete : Code::circle_radius_zero};
   if (request.radius && !std::isfinite(*request.radius))

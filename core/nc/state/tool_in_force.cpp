@@ -22,7 +22,7 @@ ToolInForce::ToolInForce(const ProgramSetup& setup)
              .wear = setup.wear,
              .allowance = setup.allowance,
              .nominal = setup.nominal_radius} {
-  // A centre path asks for no more than the nominal radius: nothing may differ from it.
+  // A centre path needs only the nominal radius, if nothing differs from it.
   if (setup.tool_radius_given || setup.mode.tool_radius != 0 || setup.nominal_radius > 0)
     giver_ = RadiusGiver::setup;
   if (setup.every_radius) {
@@ -37,7 +37,7 @@ std::optional<Refusal> ToolInForce::set_radius(double radius) {
   return enter_terms(terms, RadiusGiver::program);
 }
 
-// A T word that waits for its first motion has given what is changed here.
+// A T word that waits for its first motion gives the radius that is changed here.
 std::optional<Refusal> ToolInForce::change_radius(double more) {
   if (has_tool_that_waits())
     if (auto refusal = take_tool(std::exchange(prepared_, no_tool))) return refusal;
@@ -154,7 +154,7 @@ std::optional<Refusal> ToolInForce::change_terms(const RadiusTerms& terms) {
   return {};
 }
 
-// A radius the setup has given stands for tools that the table does not hold.
+// A radius of the setup applies to tools that the table does not have.
 std::optional<Refusal> ToolInForce::take_tool(std::int64_t number) {
   if (giver_ == RadiusGiver::program) return {};
   if (defined_.contains(number) || setup_.tools.contains(number))
@@ -169,7 +169,7 @@ std::optional<Refusal> ToolInForce::take_tool(std::int64_t number) {
 }
 
 std::optional<Refusal> ToolInForce::check_at_first_motion(const Source& selected) {
-  // One that is missed still is told where it was called.
+  // If the tool is still missing, it is reported where it was called.
   const bool is_missed = giver_ == RadiusGiver::nobody && !defined_.contains(loaded_);
   const bool reads_register =
       setup_.dialect == DialectName::fanuc && loaded_ != no_tool && !is_missed;

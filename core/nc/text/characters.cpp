@@ -16,7 +16,7 @@ std::string in_upper_case(std::string_view text) {
 
 std::string in_capitals_as_utf8(std::string_view text) {
   std::string result = in_upper_case(as_utf8(text));
-  // U+00E0 to U+00FE and the capitals of them differ in one bit of their second byte.
+  // U+00E0 to U+00FE and their capitals differ in one bit of the second byte.
   constexpr char lead = '\xC3';
   constexpr char division_sign = '\xB7';
   for (std::size_t at = 1; at < result.size(); ++at) {
@@ -30,7 +30,7 @@ namespace {
 
 bool is_control(char byte) { return static_cast<unsigned char>(byte) < 0x20 || byte == 0x7f; }
 
-// Characters that cannot be seen, or cannot be told from those an NC program has.
+// Characters that are invisible, or look like those of an NC program.
 struct NamedCharacter {
   std::uint32_t point = 0;
   std::string_view name;

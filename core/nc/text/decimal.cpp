@@ -20,12 +20,11 @@ constexpr std::array<double, 23> powers_of_ten{1e0,  1e1,  1e2,  1e3,  1e4,  1e5
                                                1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                                1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
-// Whole numbers up to here are exact too, so that one division rounds correctly.
+// Whole numbers up to this one are exact too, so that one division rounds correctly.
 constexpr std::uint64_t largest_exact = std::uint64_t{1} << 53;
 constexpr std::size_t digits_that_fit = 19;  // in 64 bits
 
-// Moves `at` behind the digits there and appends them to `number`, which wraps beyond
-// `digits_that_fit`.
+// Moves `at` past the digits and appends them to `number`, which wraps beyond `digits_that_fit`.
 void take_digits(const char*& at, const char* end, std::uint64_t& number) {
   for (; at != end; ++at) {
     const auto digit = static_cast<unsigned char>(*at - '0');
@@ -34,7 +33,7 @@ void take_digits(const char*& at, const char* end, std::uint64_t& number) {
   }
 }
 
-// For what 64 bits or one division cannot give.
+// For numbers that need more than 64 bits or one division.
 double read_by_library(const char* first, const char* end) {
   double value = 0;
   if (std::from_chars(first, end, value, std::chars_format::fixed).ec !=

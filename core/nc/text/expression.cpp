@@ -20,7 +20,7 @@ class ExpressionReader {
 
   std::optional<TextFault> read(double& value, std::size_t& length) {
     if (sum(value) && !std::isfinite(value)) fail(Code::nc_number, 0, "too large");
-    // Blanks behind belong to nobody.
+    // Trailing blanks do not count.
     length = without_blanks_behind(text_.substr(0, at_)).size();
     return fault_;
   }

@@ -13,8 +13,8 @@ bool begins_number(char sign) {
   return is_digit(sign) || sign == '+' || sign == '-' || sign == '.';
 }
 
-// The parenthesis that closes the comment: the one that belongs to the first, or, where those
-// within are not in pairs, the first one.
+// The parenthesis that closes the comment: the match of the first one, or, if the inner ones are
+// not in pairs, the first closing one.
 std::size_t end_of_comment(std::string_view line, std::size_t begin) {
   std::size_t depth = 0;
   for (std::size_t at = begin; at < line.size(); ++at) {
@@ -24,7 +24,7 @@ std::size_t end_of_comment(std::string_view line, std::size_t begin) {
   return line.find(')', begin);
 }
 
-// (RPT N10,N20), (GOTO N10), (CALL 5), (IF (P1 …: Fagor jumps and calls with them.
+// (RPT N10,N20), (GOTO N10), (CALL 5), (IF (P1 …: jumps and calls of Fagor.
 bool is_statement(std::string_view comment) {
   std::string text;
   for (const char sign : comment.substr(1, 12))
@@ -112,7 +112,7 @@ GcodeWord GcodeReader::comment() {
           .end = static_cast<std::uint32_t>(at_)};
 }
 
-// IF, WHILE, GOTO, sub, …: letters side by side are no words.
+// IF, WHILE, GOTO, sub, …: adjacent letters are no words.
 GcodeWord GcodeReader::name(std::size_t begin) {
   std::size_t end = begin;
   std::string detail;
@@ -132,8 +132,8 @@ GcodeWord GcodeReader::polar(std::size_t begin) {
               begin + without_blanks_behind(line_.substr(begin, at_ - begin)).size())};
 }
 
-// O<PART1>: a program may have a name in place of a number. With more behind it is an O word of
-// LinuxCNC.
+// O<PART1>: a program may have a name instead of a number. With more text after it, it is an O word
+// of LinuxCNC.
 GcodeWord GcodeReader::name_of_program(GcodeWord word) {
   const std::size_t close = line_.find('>', at_);
   const std::size_t behind =
@@ -148,7 +148,7 @@ GcodeWord GcodeReader::name_of_program(GcodeWord word) {
   return word;
 }
 
-// `X - 10.`: the sign and the blanks between it and the digits; 0: the number stands together.
+// `X - 10.`: the length of the sign and the blanks before the digits; 0: the number has no blanks.
 std::size_t GcodeReader::blanks_behind_sign() const {
   if (peek() != '+' && peek() != '-') return 0;
   const std::size_t digits = line_.find_first_not_of(" \t", at_ + 1);
@@ -157,7 +157,7 @@ std::size_t GcodeReader::blanks_behind_sign() const {
   return apart ? digits - at_ : 0;
 }
 
-// How many bytes from `at_` on are the number; 0: none.
+// The number of bytes of the number from `at_` on; 0: none.
 std::size_t GcodeReader::read_value(GcodeWord& word) const {
   if (blanks_ == Blanks::between_words) {
     const std::size_t blanks = blanks_behind_sign();
@@ -178,7 +178,7 @@ std::size_t GcodeReader::read_value(GcodeWord& word) const {
   return length;
 }
 
-// `begin`: of the word; `at_` stands on its letter.
+// `begin`: of the word; `at_` is at its letter.
 GcodeWord GcodeReader::address(std::size_t begin) {
   const bool comma = begin != at_;
   GcodeWord word{.kind = GcodeWord::Kind::address,
@@ -193,7 +193,7 @@ GcodeWord GcodeReader::address(std::size_t begin) {
   if (sign == '#') return fail(Code::nc_unsupported, begin, line_.size(), "#, a variable");
   if (sign == '[') return fail(Code::nc_unsupported, begin, line_.size(), "[, an expression");
   if (sign == '<') return name_of_program(word);
-  // N12 without blanks is a number; a bare N stands for no number at all.
+  // N12 without blanks is a number; a bare N is no number at all.
   const std::size_t length = begins_number(sign) ? read_value(word) : 0;
   at_ += length;
   word.has_number = length > 0;

@@ -23,7 +23,8 @@ void KlartextToolReader::skip_blanks() {
   at_ = std::min(text_.find_first_not_of(' ', at_), text_.size());
 }
 
-// Longer names first. DR2, the radius of a corner, has its sign: DR2.5 is DR and a number.
+// Longer names come first. DR2, the radius of a corner, needs a sign, `:`, Q or a blank after it:
+// DR2.5 is DR and a number.
 std::string_view KlartextToolReader::name_here() const {
   const std::string_view rest = text_.substr(at_);
   const std::size_t behind = rest.find_first_not_of(' ', std::min<std::size_t>(3, rest.size()));
@@ -52,7 +53,7 @@ bool KlartextToolReader::read_number_here(double& value) {
   return length > 0;
 }
 
-// Q5, QL1; empty: there is none.
+// Q5, QL1; empty: no parameter.
 std::string_view KlartextToolReader::read_parameter() {
   if (peek() != 'Q') return {};
   const std::size_t kind = std::string_view("LRS").find(peek(1)) != std::string_view::npos ? 2 : 1;

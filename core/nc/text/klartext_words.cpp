@@ -14,7 +14,7 @@ using Kind = KlartextWord::Kind;
 
 bool is_sign(char sign) { return sign == '+' || sign == '-'; }
 
-// RLF300, RRM3: the compensation needs no blank behind it.
+// RLF300, RRM3: the compensation needs no blank after it.
 std::size_t length_of_name(std::string_view letters) {
   const bool side = letters.size() > 2 && upper(letters[0]) == 'R' &&
                     (upper(letters[1]) == 'L' || upper(letters[1]) == 'R') &&
@@ -22,13 +22,13 @@ std::size_t length_of_name(std::string_view letters) {
   return side ? 2 : letters.size();
 }
 
-// X, IX: of DR and the like a sign may stand for itself.
+// X, IX; after DR and the like a sign may be alone.
 bool takes_a_coordinate(std::string_view name) {
   if (name.starts_with('I') && name.size() == 2) name.remove_prefix(1);
   return name.size() == 1 && std::string_view("ABCUVWXYZ").find(name[0]) != std::string_view::npos;
 }
 
-// RND, CHF, R and the like, whose value may stand behind a blank.
+// RND, CHF, R and the like: a blank may precede their value.
 bool takes_a_size(std::string_view name) {
   constexpr auto names = std::to_array<std::string_view>(
       {"CCA", "CHF", "F", "LEN", "PA", "IPA", "PR", "IPR", "R", "RND"});
@@ -43,15 +43,15 @@ bool begins_parameter(std::string_view text) {
   return is_digit(text[has_kind ? 2 : 1]);
 }
 
-// Behind Q13 or QL1.
+// The position after Q13 or QL1.
 std::size_t behind_parameter(std::string_view block, std::size_t at) {
   const char kind = at + 1 < block.size() ? upper(block[at + 1]) : '\0';
   at += kind == 'L' || kind == 'R' || kind == 'S' ? 2 : 1;
   return std::min(block.find_first_not_of("0123456789", at), block.size());
 }
 
-// Behind the parameter or the formula that begins there: Q13, (Q1+2), Q1*2. What stands behind it,
-// with a blank of any kind between them or none, is the next word.
+// The position after the parameter or formula that begins there: Q13, (Q1+2), Q1*2. The text after
+// it, with or without a blank, is the next word.
 std::size_t behind_formula(std::string_view block, std::size_t at) {
   for (;;) {
     if (at < block.size() && block[at] == '(') {
@@ -78,7 +78,7 @@ bool is_continued_klartext(std::string_view line) {
   if (line.empty() || is_digit(line.back()) || is_sign(line.back())) return false;
   std::string_view block = without_blanks_behind(line);
   if (!block.ends_with('~')) return false;
-  // A structure block is a title; a comment goes on as blocks do.
+  // A structure block is a title; a comment is continued like a block.
   const std::size_t statement = block.find_first_not_of("0123456789 \t/Nn");
   return statement != std::string_view::npos && block[statement] != '*';
 }
@@ -160,7 +160,7 @@ KlartextWord KlartextReader::named() {
     at_ = end;
     return found;
   }
-  // FQ5, XQL2: Q is a parameter where something stands in front of it.
+  // FQ5, XQL2: Q is a parameter if letters precede it.
   const bool parameter =
       found.name.size() > 1 &&
       (found.name.ends_with('Q') || found.name.ends_with("QL") || found.name.ends_with("QR"));
@@ -168,7 +168,7 @@ KlartextWord KlartextReader::named() {
   return numbered(std::move(found));
 }
 
-// The number behind the name; `at_` stands on it.
+// The number after the name; `at_` is at the number.
 KlartextWord KlartextReader::numbered(KlartextWord found) {
   if (is_sign(peek())) {
     found.negative = peek() == '-';

@@ -18,8 +18,8 @@ constexpr int some_spindle = 1000;
 
 bool has_spindles(char letter) { return letter == 'S' || letter == 'M' || letter == 'H'; }
 
-// Where the colon of a label such as `L1:` stands that begins at `begin`, else npos. A label is the
-// first word of a block, behind its number at most.
+// The colon of a label such as `L1:` that begins at `begin`, else npos. A label is the first word
+// of a block; only the block number may precede it.
 std::size_t colon_of_label(std::string_view line, std::size_t begin) {
   constexpr std::string_view number_signs = "/:Nn0123456789 \t";
   constexpr auto none = std::string_view::npos;
@@ -37,7 +37,7 @@ void NamedWordReader::skip_blanks() {
   while (const std::size_t blank = blank_at_start(line_.substr(at_))) at_ += blank;
 }
 
-// The rest of the line is passed over: what it means hangs on what was not understood.
+// Passes over the rest of the line: its meaning depends on the part with the fault.
 NamedWord NamedWordReader::fail(Code code, std::size_t begin, std::string detail) {
   fault_ = {.code = code, .begin = static_cast<std::uint32_t>(begin), .detail = std::move(detail)};
   at_ = line_.size();
@@ -51,7 +51,7 @@ NamedWord NamedWordReader::next() {
   const char sign = peek();
   if (is_letter(sign) || sign == '_') {
     const bool named = is_letter(peek(1)) || peek(1) == '_' || sign == '_';
-    // N10G1X5: a number never stands within a name of more than one letter.
+    // N10G1X5: a number is never part of a name of more than one letter.
     return named ? name() : address();
   }
   if (sign == ':' && is_digit(peek(1))) return address();  // the number of a main block
@@ -61,7 +61,7 @@ NamedWord NamedWordReader::next() {
             .begin = static_cast<std::uint32_t>(begin),
             .end = static_cast<std::uint32_t>(at_)};
   }
-  if (sign == '(') {  // 810 and 820: a comment; a call has its name right in front
+  if (sign == '(') {  // 810 and 820: a comment; a call has its name directly before
     const std::size_t close = line_.find(')', begin);
     if (close == std::string_view::npos)
       return fail(Code::nc_unclosed, begin, "(, a comment without )");
@@ -122,8 +122,8 @@ bool NamedWordReader::read_plain_number(NamedWord& word) {
   return false;
 }
 
-// Behind `=`: a number, a text, AC(…), IC(…), PM(…) of a feed, QU(…) of M and H. Else `fault_` says
-// what it is.
+// After `=`: a number, a text, AC(…), IC(…), PM(…) of a feed, QU(…) of M and H. For anything else
+// `fault_` says what it is.
 bool NamedWordReader::read_value(NamedWord& word) {
   skip_blanks();
   if (begins_number(peek())) return read_plain_number(word);
@@ -204,12 +204,12 @@ NamedWord NamedWordReader::address() {
   return word;
 }
 
-// A variable alone, behind `=`; the place is unchanged where there is none, or more than that.
+// A variable alone after `=`. The position does not change if there is none, or if more follows.
 bool NamedWordReader::read_variable() {
   const std::size_t begin = at_;
   skip_blanks();
   if (is_letter(peek()) || peek() == '_') {
-    // R9 ends with its number: X=R9G41 are two words.
+    // R9 ends with its number: X=R9G41 has two words.
     const bool is_parameter = upper(peek()) == 'R' && is_digit(peek(1));
     if (is_parameter) ++at_;
     while ((is_letter(peek()) && !is_parameter) || is_digit(peek()) || peek() == '_') ++at_;
@@ -223,8 +223,8 @@ bool NamedWordReader::read_variable() {
   return false;
 }
 
-// CTRANS(X,10):CROT(Z,30), $P_UIFR[2], from where the value begins; the place is unchanged where
-// there is none.
+// CTRANS(X,10):CROT(Z,30), $P_UIFR[2], from the beginning of the value. The position does not
+// change if it is no frame.
 bool NamedWordReader::read_frame() {
   const std::size_t begin = at_;
   for (;;) {
@@ -247,8 +247,8 @@ bool NamedWordReader::read_frame() {
   return false;
 }
 
-// What the control counts and measures itself (D-88): $AC_PARAM[2]*2+1, with such names alone; the
-// place is unchanged where there is none.
+// A value that the control counts and measures itself (D-88): $AC_PARAM[2]*2+1, with such names
+// only. The position does not change if it is no such value.
 bool NamedWordReader::read_value_of_control() {
   const std::size_t begin = at_;
   int depth = 0;
@@ -295,7 +295,7 @@ NamedWord NamedWordReader::name() {
   while (is_letter(peek()) || is_digit(peek()) || peek() == '_') spelled += upper(line_[at_++]);
   word.end = static_cast<std::uint32_t>(at_);
   skip_blanks();
-  // ACC[X]=80: of an axis or a place.
+  // ACC[X]=80: of an axis or a position.
   const std::size_t index_end = peek() == '[' ? line_.find(']', at_) : std::string_view::npos;
   if (index_end != std::string_view::npos) {
     at_ = index_end + 1;

@@ -16,7 +16,7 @@ constexpr Wide most_units = std::numeric_limits<std::int64_t>::max();
 // A sign, up to 19 digits, or a zero and all decimals, and the point.
 constexpr std::size_t longest_number = 24;
 
-// "00" to "99": digits are made two at a time.
+// "00" to "99": two digits are written at a time.
 constexpr auto digit_pairs = [] {
   std::array<std::array<char, 2>, 100> pairs{};
   for (std::size_t pair = 0; pair < pairs.size(); ++pair)
@@ -29,7 +29,7 @@ std::uint64_t magnitude_of(std::int64_t units) {
   return units < 0 ? std::uint64_t{0} - bits : bits;
 }
 
-// These write backwards, in front of `end`, and return where the text begins.
+// These functions write backwards from `end` and return the beginning of the text.
 char* write_pair(std::uint64_t& digits, char* end) {
   const std::array<char, 2>& pair = digit_pairs[digits % 100];
   digits /= 100;
@@ -75,8 +75,8 @@ char* write_long_number(char* at, std::int64_t units, int decimals) {
 constexpr int digits_at_once = 8;
 constexpr std::uint64_t beyond_digits_at_once = 100'000'000;
 
-// The eight digits of a number below `beyond_digits_at_once`, one a byte, the first one lowest:
-// fours, then pairs, then digits. The factors divide exactly what is below 10000 and 100.
+// The eight digits of a number below `beyond_digits_at_once`, one per byte, the first digit lowest:
+// fours, then pairs, then digits. The factors divide numbers below 10000 and 100 exactly.
 std::uint64_t eight_digits(std::uint64_t number) {
   const std::uint64_t first_four = number / 10'000;
   const std::uint64_t fours = first_four | (number - 10'000 * first_four) << 32;
@@ -86,7 +86,7 @@ std::uint64_t eight_digits(std::uint64_t number) {
   return tens | (pairs - 10 * tens) << 8;
 }
 
-// Writes digits as text; zeros for what is not there.
+// Writes digits as text; missing digits become zeros.
 void store_digits(char* at, std::uint64_t digits) {
   digits += 0x3030'3030'3030'3030;
   if constexpr (std::endian::native == std::endian::big) digits = __builtin_bswap64(digits);
@@ -95,9 +95,9 @@ void store_digits(char* at, std::uint64_t digits) {
 
 enum class Front { first_digits, more_digits };
 
-// Writes a number of up to eight digits, so many of them decimals, which are fewer, without the
-// zeros behind them. Where the first digits stand in front of these already, zeros are digits too;
-// else the last one in front of the point is alone.
+// Writes a number of up to eight digits, fewer than eight of them `decimals`, without trailing
+// zeros. If the first digits have been written before these, leading zeros are written too; else
+// only the last one before the point is.
 char* write_eight_digits(char* at, std::uint64_t number, int decimals, Front front) {
   const std::uint64_t digits = eight_digits(number);
   const int whole = digits_at_once - decimals;
@@ -117,8 +117,8 @@ char* write_eight_digits(char* at, std::uint64_t number, int decimals, Front fro
 }  // namespace
 
 std::int64_t to_units_exactly(double value, int decimals) {
-  // value = mantissa * 2^exponent exactly; the product with the power of ten
-  // takes at most 53 + 30 bits, so that only the final shift rounds.
+  // value = mantissa * 2^exponent exactly; the product with the power of ten takes at most 53 + 30
+  // bits, so that only the final shift rounds.
   const auto bits = std::bit_cast<std::uint64_t>(value);
   const int biased = static_cast<int>((bits >> 52) & 0x7ff);
   const std::uint64_t fraction = bits & 0xf'ffff'ffff'ffff;

@@ -12,7 +12,7 @@ namespace {
 
 bool is_high(char sign) { return static_cast<unsigned char>(sign) >= 0x80; }
 bool is_o(char sign) { return sign == 'O' || sign == 'o'; }
-// Where a digit belongs; a capital L is not taken for a 1.
+// Letters in the place of a digit; a capital L is not taken for a 1.
 bool is_letter_for_digit(char sign) { return is_o(sign) || sign == 'l'; }
 bool belongs_to_number(char sign) {
   return is_digit(sign) || sign == '.' || sign == '+' || sign == '-';
@@ -40,7 +40,7 @@ Sign sign_of(std::string_view text) {
     return {.length = length, .instead = '\'', .quotes = true};
   if (point == 0x2212 || (point >= 0x2010 && point <= 0x2015))
     return {.length = length, .instead = '-'};
-  // Full-width: as wide as a sign of Chinese or Japanese.
+  // Full-width: as wide as a Chinese or Japanese character.
   if (point >= 0xff01 && point <= 0xff5e)
     return {.length = length, .instead = static_cast<char>(point - 0xff01 + '!')};
   return {.length = length};
@@ -105,8 +105,8 @@ std::optional<FoundSlip> letter_for_digit(std::string_view line, std::size_t at)
   if (begin > 0 && (is_letter(line[begin - 1]) || line[begin - 1] == '_')) return std::nullopt;
   std::size_t first = begin + 1;
   if (sign(first) == '+' || sign(first) == '-') ++first;
-  // A letter that could begin a word of its own is one only where the fault lies, or right behind
-  // it, where the letter was taken for such a word.
+  // A letter that could begin a word is a slip only at the fault, or directly before the fault,
+  // where it was taken for such a word.
   const bool behind = at > first && !is_letter_for_digit(sign(at));
   const std::size_t slip = at == begin ? first : at - (behind ? 1 : 0);
   if (!is_letter_for_digit(sign(slip))) return std::nullopt;
@@ -125,7 +125,7 @@ std::optional<FoundSlip> letter_for_digit(std::string_view line, std::size_t at)
       sign(end) == '[' || sign(end) == '=' || sign(end) == ':';
   const char letter = upper(line[begin]);
   const bool statement = is_o(sign(begin + 1)) && (letter == 'D' || letter == 'T');  // DO1, TO
-  // G00 with both of its zeros mistyped; other names may end in OO.
+  // G00 with both zeros mistyped; other names may end in OO.
   const bool is_rapid = letter == 'G' && word.size() == 3 && is_o(word[1]) && is_o(word[2]);
   if (name_follows || statement || (!digits && word.size() != 2 && !is_rapid)) return std::nullopt;
   Slip slipped{.instead = word};

@@ -56,11 +56,11 @@ constexpr std::array<Class, 256> classes = make_classes();
 Class class_of(char byte) { return classes[static_cast<unsigned char>(byte)]; }
 
 struct CommentEnd {
-  std::size_t at = 0;  // behind the closing parenthesis, or at the line end
+  std::size_t at = 0;  // after the closing parenthesis, or at the line end
   bool closed = false;
 };
 
-// Of the comment that starts at `begin` with a parenthesis.
+// The end of the comment that starts at `begin` with a parenthesis.
 CommentEnd end_of_comment(std::string_view text, std::size_t begin) {
   std::size_t depth = 0;
   std::size_t at = begin;
@@ -157,7 +157,7 @@ inline bool WordReader::skip_blanks() {
   }
 }
 
-// A `\` with the line end of a continued line. False at any other `\`.
+// Skips a `\` with the line end of a continued line. False at any other `\`.
 bool WordReader::skip_line_end() {
   const char* behind = at_ + 1;
   while (const std::size_t length =
@@ -216,9 +216,9 @@ Word WordReader::comment() {
                                      ? end_of_comment(line_, place)
                                      : CommentEnd{.at = end_of_line(line_, place), .closed = true};
   at_ = line_.data() + comment_end.at;
-  // Whatever stands behind a forgotten parenthesis would be lost without a word.
+  // The text after a forgotten parenthesis would be lost silently.
   if (!comment_end.closed) return fail(Code::nc_unclosed, begin, "(, a comment without )");
-  // One closing parenthesis too many is common and harms nobody.
+  // One extra closing parenthesis is common and harmless.
   while (in_parentheses && peek() == ')') ++at_;
   const std::size_t bad =
       first_byte_that_is_no_text({begin, static_cast<std::size_t>(at_ - begin)});
@@ -270,7 +270,7 @@ Word WordReader::subprogram_call(const char* begin) {
   return fail(Code::nc_unsupported, begin, std::string(begin, end) + ", a subprogram call");
 }
 
-// Blanks and one `=` may stand in front of the number.
+// Blanks and one `=` may come before the number.
 Word WordReader::address() {
   const char* const begin = at_++;
   Word word{.kind = WordKind::address, .letter = upper(*begin), .begin = place_of(begin)};
@@ -307,7 +307,7 @@ Word WordReader::address() {
   return word;
 }
 
-// Behind the first number of X=100/2 and X=4 + 5.
+// After the first number of X=100/2 and X=4 + 5.
 bool WordReader::goes_on_as_expression() {
   const char* const behind = at_;
   pass_blanks();
@@ -335,7 +335,7 @@ Word WordReader::no_number(const Word& word) {
   const bool name = at_ == begin + 1 && class_of(sign) == Class::letter;
   const bool variable = sign == 'V' && at_ + 1 != end_ && at_[1] == '.';
   if (sign == '[' || sign == 'P' || variable || name) {
-    // A word of another language is named whole: TRANS, not TR.
+    // A word of another language is reported whole: TRANS, not TR.
     const char* end = at_ + 1;
     while (name && end != end_ && (class_of(*end) == Class::letter || *end == '_')) ++end;
     return fail(Code::nc_unsupported, begin,
@@ -357,7 +357,7 @@ std::string WordReader::variable_name() {
   return name;
 }
 
-// "V.G.WZ_AKT.R + 0.2" behind the sign of "V.G.WZ_AKT.R =": what the tool has worn off.
+// "V.G.WZ_AKT.R + 0.2" after the sign of "V.G.WZ_AKT.R =": the tool wear.
 bool WordReader::sum(const std::string& variable, Word& word) {
   if (variable_name() != variable || !skip_blanks()) return false;
   const char sign = peek();

@@ -7,7 +7,7 @@
 #include "core/nc/writer/nc_writer.h"
 #include "core/nc/writer/written_block.h"
 
-// Which lines still make the motion of their block and are copied.
+// The lines that still make the motion of their block and are copied.
 
 namespace trc {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 // mm; a reader takes the start of a copied arc for the programmed one.
 constexpr double same_start = 1e-9;
 
-// Under a radius of 0 (D-119), and as a whole.
+// Whether the block runs the whole programmed path, under a radius of 0 (D-119).
 bool is_programmed_path(const NcWriter::Meaning& meaning, const CompensatedBlock& block) {
   const bool may_be = block.origin == Origin::programmed || block.origin == Origin::approach ||
                       block.origin == Origin::retract;
@@ -23,14 +23,14 @@ bool is_programmed_path(const NcWriter::Meaning& meaning, const CompensatedBlock
          (end_of(block.path) - to_plane(block.plane, meaning.end)).norm() <= same_start;
 }
 
-// Angles may count from one of a line that is written anew.
+// Angles may count from the angle of a line that is rewritten.
 bool has_polar_words(const ProgramLine& line) {
   return std::ranges::any_of(line.words, [&](const WordRange& word) {
     return word.role == WordRole::coordinate && is_polar(line, word);
   });
 }
 
-// Whether X, Y and Z of the line are numbers, and those of where the block ends.
+// Whether X, Y and Z of the line are numbers, and equal the end of the block.
 bool names_end(const ProgramLine& line, const CompensatedBlock& block) {
   const Position end = from_plane(block.plane, end_of(block.path), block.normal.to);
   return std::ranges::all_of(line.words, [&](const WordRange& range) {
@@ -46,8 +46,9 @@ bool names_end(const ProgramLine& line, const CompensatedBlock& block) {
   });
 }
 
-// Of Klartext a block may end where the next line rounds its corner, and arcs and polar words count
-// on lines that are written anew: a straight line to a place that it names itself.
+// In Klartext a block may end where the next line rounds its corner, and arcs and polar words
+// depend on lines that are rewritten. Only a straight line to a position of its own words is
+// independent.
 bool stands_for_itself(const ProgramLine& line, const CompensatedBlock& block) {
   if (!line.klartext) return true;
   const auto name = std::ranges::find(line.words, WordRole::motion, &WordRange::role);
@@ -103,12 +104,12 @@ bool NcWriter::reads_as(const WaitingLine& own, const CompensatedBlock& block,
   for (std::size_t axis = 0; axis < end.size(); ++axis) {
     const AxisSet bit = axis_bit(axis);
     double& position = after.position[axis];
-    // The centre may count from the start, so that an arc begins just there.
+    // The centre may count from the start, so an arc must begin exactly there.
     if (is_arc(block.path) && (in_plane & bit) != 0 &&
         !(std::abs(position - start[axis]) <= same_start))
       return false;
-    // Without motion in the plane the block stays where TRC has put it, and the
-    // words of the line name the programmed place.
+    // Without motion in the plane the block stays where TRC has put it, and the words of the line
+    // name the programmed position.
     if (!flat && (in_plane & named & bit) != 0 &&
         !motions_.reaches(end[axis], own.meaning.end[axis], line.unit))
       return false;

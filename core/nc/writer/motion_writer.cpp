@@ -16,16 +16,16 @@ namespace {
 constexpr std::string_view main_axis_letters = "XYZ";
 constexpr std::string_view center_letters = "IJK";
 
-// How far an arc may leave its circle when its numbers are rounded, in units of the last decimal:
-// of up to 180 degrees in its middle, one unit from its centre and half of one from its ends.
-// Beyond that the ends turn it about each other, the more the nearer they are.
+// The most that an arc may leave its circle when its numbers are rounded, in units of the last
+// decimal. Up to 180 degrees, in its middle: one unit due to its centre and half a unit due to its
+// ends. Beyond that the ends turn the arc about each other, the more the nearer they are.
 constexpr double short_arc_units = 1.5;
 constexpr double long_arc_units = 5;
-// A rounded arc turns by no more than this further or less, as a share of its sweep or in rad.
+// A rounded arc turns by at most this much more or less, as a share of its sweep or in rad.
 constexpr double sweep_share = 0.01;
 constexpr double sweep_change = 1e-3;
 
-// A written feed is wrong by no more than a thousandth.
+// A written feed is wrong by at most a thousandth.
 constexpr std::int64_t least_feed_units = 500;
 
 Point middle_of(const Arc& arc) {
@@ -51,7 +51,7 @@ bool is_full_circle(const Arc& arc) { return arc.start == arc.end; }
 double sagitta_of(const Arc& arc) { return radius_of(arc) * (1 - std::cos(arc.sweep / 2)); }
 
 // A control that counts in thousandths of a millimetre, or ten-thousandths of an inch, takes both
-// ends of an arc so short for one place, and goes all the way round (D-97). `squared_chord`: mm².
+// ends of such a short arc for one point, and runs a full circle (D-97). `squared_chord`: mm².
 bool may_become_circle(const Arc& arc, double squared_chord, LengthUnit unit) {
   const double near = 1.5 * (unit == LengthUnit::inch ? mm_per_inch / 10'000 : 0.001);
   return squared_chord < near * near && std::abs(arc.sweep) < std::numbers::pi;
@@ -68,7 +68,7 @@ bool is_same_arc(const Arc& read, const Arc& arc, double unit) {
   return std::abs((middle_of(read) - arc.center).norm() - radius) <= short_arc_units * unit;
 }
 
-// What a reader makes of the numbers of an arc.
+// The numbers of an arc as a reader reads them.
 struct ReadArc {
   Point start = Point::Zero();
   Point end = Point::Zero();
@@ -77,17 +77,17 @@ struct ReadArc {
 
 double size_of(const Vector& v) { return std::abs(v.x()) + std::abs(v.y()); }
 
-// Whether the reader surely runs the same arc. True only where form_of says `arc` too, which asks
-// arc_about, is_same_arc and for the radii: here the arc is compared without any angle. Every limit
-// is a tenth below that of form_of, so that rounding on the two ways, and a sweep that is not quite
-// that of its points, cannot matter.
+// Whether the reader certainly runs the same arc. True only if form_of also returns `arc`; form_of
+// uses arc_about, is_same_arc and the radii, while this comparison uses no angle. Every limit is a
+// tenth below that of form_of, so that rounding in the two computations, and a sweep that differs
+// slightly from its points, cannot matter.
 bool is_surely_read_alike(const ReadArc& read, const Arc& arc, double unit) {
   constexpr CircleCheck check;
   constexpr Tolerances tolerances;
   const double sweep = std::abs(arc.sweep);
   if (sweep < 2 * sweep_change || sweep > full_turn - 2 * sweep_change) return false;
 
-  // As arc_about does it: the centre goes to the perpendicular bisector of start and end.
+  // As in arc_about: the centre goes to the perpendicular bisector of start and end.
   const Vector chord = read.end - read.start;
   const double length = chord.norm();
   if (length < 100 * tolerances.same_point) return false;
@@ -116,7 +116,7 @@ bool is_surely_read_alike(const ReadArc& read, const Arc& arc, double unit) {
   constexpr double limit = 0.9 * short_arc_units;
   if (moved + std::abs(radius - true_radius) <= limit * unit) return true;
   if (sweep > std::numbers::pi - sweep_change) return false;
-  // Counter-clockwise it bulges to the right of its chord.
+  // A counter-clockwise arc bulges to the right of its chord.
   const Point summit = center - std::copysign(radius, arc.sweep) * left_of(along);
   return std::abs((summit - arc.center).norm() - true_radius) <= limit * unit;
 }
@@ -151,7 +151,7 @@ std::optional<std::size_t> MotionWriter::axis_named(std::string_view name) const
   return static_cast<std::size_t>(found - tracking_names_.begin());
 }
 
-// A B C turn: degrees have no inch.
+// A B C are rotary: degrees do not scale with inches.
 LengthUnit MotionWriter::unit_of_axis(std::size_t axis, LengthUnit of_lengths) const {
   const std::string& name = tracking_names_[axis];
   const char letter = name.empty() ? tracking_letters_[axis] : name.front();
@@ -215,7 +215,7 @@ MotionWriter::ArcForm MotionWriter::form_of(const Arc& arc, const ArcNumbers& nu
   if (may_become_circle(arc, (end - start).squaredNorm(), state.unit) &&
       sagitta_of(arc) <= last_decimal(state.unit))
     return ArcForm::line;
-  // Controls know no rounding.
+  // Controls do not allow for rounding.
   const CircleCheck check{.last_digit = 0};
   if ((center - start).norm() <= tolerances.same_point) return ArcForm::line;
   if (is_full_circle(arc)) return ArcForm::arc;
@@ -291,7 +291,7 @@ void MotionWriter::append_arc(TextBuffer& out, const NumberedArc& numbered, cons
   const bool clockwise = arc.sweep < 0;
   const PlaneAxes axes = axes_of(numbered.plane);
   const AxisSet plane_axes = axis_bit(axes.first) | axis_bit(axes.second);
-  // An end that rounds to another place than the start would not close the circle.
+  // An end that rounds to another point than the start would not close the circle.
   const bool only_center =
       is_full_circle(arc) && (numbers.end[0].read != state.position[axes.first] ||
                               numbers.end[1].read != state.position[axes.second]);
@@ -335,7 +335,7 @@ void MotionWriter::append_pole(TextBuffer& out, const Point& pole, Plane plane,
   state.pole = {first.read, second.read};
 }
 
-// Behind its CC. A helix has the angle that it turns by, as C has no third axis.
+// The arc after its CC. A helix is written with its sweep, as C has no third axis.
 void MotionWriter::append_klartext_arc(TextBuffer& out, const NumberedArc& numbered,
                                        const Axes& given, WrittenState& state) const {
   const Arc& arc = numbered.arc;
@@ -374,8 +374,8 @@ void MotionWriter::append_klartext_arc(TextBuffer& out, const NumberedArc& numbe
   state.motion = clockwise ? MotionKind::clockwise : MotionKind::counter_clockwise;
 }
 
-// A feed counts by its digits, not by its decimals: a slow one gets more of them,
-// and none becomes F0.
+// The digits of a feed count, not its decimals: a slow feed gets more decimals, and no feed becomes
+// F0.
 MotionWriter::WrittenFeed MotionWriter::written_feed(double feed, LengthUnit unit) const {
   const double value = feed / feed_unit(unit);
   int decimals = decimals_of(unit);

@@ -10,11 +10,11 @@
 namespace trc {
 namespace {
 
-// What is left of a line besides its N word when its motion is gone.
+// The roles that a line keeps besides its N word when its motion is gone.
 constexpr RoleSet roles_without_motion =
     bit(WordRole::mode) | bit(WordRole::feed) | bit(WordRole::technology) | bit(WordRole::comment);
 
-// Of a line that is written anew, in front of the words of its motion and behind them.
+// The roles of a rewritten line before and after the words of its motion.
 constexpr RoleSet roles_in_front = bit(WordRole::number) | bit(WordRole::mode);
 constexpr RoleSet roles_behind =
     bit(WordRole::technology) | bit(WordRole::comment) | bit(WordRole::feed);
@@ -77,10 +77,10 @@ void NcWriter::write(const CompensatedBlock& block, std::string& out) {
       first_ < waiting_.size() && waiting_[first_].line->source.index == block.source.index;
   own_ = has_own ? &waiting_[first_] : nullptr;
   if (block.origin == Origin::passthrough) {
-    // The technology of a motion line comes with the motion, that of the program
-    // end behind everything.
+    // The technology of a motion line comes with the motion, that of the program end after
+    // everything.
     if (!has_own) {
-      // Behind a motion that was written anew: M00 and the like.
+      // After a motion that was rewritten: M00 and the like.
       if (block.source.index == rewritten_index_) write_text(block.text, line_end_, out);
       return;
     }
@@ -112,7 +112,7 @@ void NcWriter::write_without_motion(const WaitingLine& own, std::string& out) {
   } else {
     begin_words();
     bool has_more_than_number = false;
-    bool has_name = false;  // L in front of its feed
+    bool has_name = false;  // L before its feed
     const std::uint64_t number = next_number_;
     for (const WordRange& word : line.words) {
       if (word.role == WordRole::trc || word.role == WordRole::coordinate) continue;
@@ -120,7 +120,7 @@ void NcWriter::write_without_motion(const WaitingLine& own, std::string& out) {
       if (word.role == WordRole::motion && line.is_motion) continue;
       if (klartext_ && word.role == WordRole::feed && !has_name) words_.append(" L");
       has_name |= word.role == WordRole::motion;
-      // L RL alone, L R0 FMAX: nothing is left of them.
+      // L RL alone, L R0 FMAX: nothing remains.
       has_more_than_number |=
           word.role != WordRole::number && !(klartext_ && word.role == WordRole::motion);
       append(line, word);
@@ -137,7 +137,7 @@ void NcWriter::write_without_motion(const WaitingLine& own, std::string& out) {
   if (own.line->has(WordRole::motion) && !line.is_motion) state_.motion = line.motion;
 }
 
-// What a reader of the output knows behind the line.
+// The state that a reader of the output knows after the line.
 void NcWriter::enter_klartext(const ProgramLine& line, LineForm form) {
   const bool copied = form == LineForm::copied;
   const KlartextLine& says = *line.klartext;
@@ -208,7 +208,7 @@ void NcWriter::write_piece(const CompensatedBlock& block, const Segment& piece,
   const TrackingTravel& tracking = share == 1 ? block.tracking : tracking_;
   const bool in_plane = moves_in_plane(block);
   AxisSet always = in_plane ? plane_axes(block.plane) : 0;
-  // Where the machine stands on an axis the program has not named may be known to it alone.
+  // Only the machine may know its position on an axis that the program has not named.
   if (own_ != nullptr && block.origin == Origin::uncompensated && !is_arc(piece))
     always &= axes_named_in(*own_->line);
   if (own_ != nullptr) always |= axes_to_keep(*own_, block, end);
@@ -246,9 +246,9 @@ void NcWriter::write_piece(const CompensatedBlock& block, const Segment& piece,
   own_ = nullptr;
 }
 
-// The words of the line for axes that need not move by our count. They stay:
-// where the machine is at the start of the program or after a shift of the zero
-// point only the line says. Under TRC the line names the programmed place, not that of the tool.
+// The axis words of the line that need not move by our count. They stay: at the start of the
+// program, or after a shift of the zero point, only the line gives the position of the machine.
+// Under TRC the line names the programmed position, not that of the tool.
 AxisSet NcWriter::axes_to_keep(const WaitingLine& own, const CompensatedBlock& block,
                                const Position& end) const {
   AxisSet kept = axes_named_in(*own.line) & ~own.meaning.moved;
@@ -276,7 +276,7 @@ void NcWriter::append_feed_and_rest(const CompensatedBlock& block) {
       append(line, word);
     } else if (word.role == WordRole::feed) {
       note_open_feed(line);
-      // FMAX stands for the feed of its block; that of the line comes with the next one.
+      // FMAX gives the feed of its block; the feed of the line comes with the next block.
       if (klartext_ && block.rapid) continue;
       if (needs_feed && !motions_.same_feed(line.feed, block.feed, line.feed_unit)) {
         append_feed(block.feed);
@@ -288,8 +288,8 @@ void NcWriter::append_feed_and_rest(const CompensatedBlock& block) {
   }
 }
 
-// With a feed word that the program has written itself its reader has the feed
-// of the program, also where that is per revolution and means nothing here.
+// After a feed word of the program itself, a reader has the programmed feed, even if that is per
+// revolution and meaningless here.
 bool NcWriter::has_feed(const CompensatedBlock& block) const {
   if (feed_is_programmed_ && own_ != nullptr && own_->line->feed == block.feed) return true;
   return motions_.same_feed(state_.feed, block.feed, state_.feed_unit);
@@ -317,7 +317,7 @@ void NcWriter::note_open_feed(const ProgramLine& line) {
 }
 
 void NcWriter::write_plane(Plane plane, std::string& out) {
-  if (klartext_) return;  // its plane is that of the tool
+  if (klartext_) return;  // the axis of the tool determines its plane
   begin_words();
   append_number_of_inserted();
   words_.append(plane == Plane::xy ? " G17" : plane == Plane::zx ? " G18" : " G19");

@@ -6,19 +6,19 @@
 #include "core/nc/text/characters.h"
 #include "core/nc/writer/nc_writer.h"
 
-// What a line that is copied counts on: the feed of the program (D-70), and in front of a call of
-// what only the machine has the modes of TRC, which that subprogram would find (D-69).
+// The state that a copied line depends on: the feed of the program (D-70), and, before a call that
+// only the machine can execute, the modes of TRC that the subprogram would find (D-69).
 
 namespace trc {
 namespace {
 
 struct Mode {
   std::string_view beginning;  // of the word, in capitals
-  char group;                  // of those that end one another
+  char group;                  // of the words that end one another
 };
 
 // G40 to G42 are resolved for good, and a G40 that ends nothing stays (D-140); corners and leads
-// are those of their block.
+// belong to their block.
 constexpr auto modes = std::to_array<Mode>({
     {"G10", 'f'},  {"G11", 'f'},  {"G25", 't'},        {"G26", 't'},    {"G138", 's'},
     {"G139", 's'}, {"G236", 's'}, {"G237", 's'},       {"G238", 's'},   {"G239", 's'},
@@ -26,7 +26,7 @@ constexpr auto modes = std::to_array<Mode>({
     {"M110", 'f'}, {"M111", 'f'}, {"#SET TANGF", 'v'}, {"#TANGF", 'v'}, {"#TRC", ' '},
 });
 
-// Each option of #TRC stands for itself.
+// Each option of #TRC is independent.
 constexpr char of_no_group = ' ';
 constexpr char radius_group = 'r';
 
@@ -41,7 +41,7 @@ const Mode* mode_of(std::string_view word) {
   return found == modes.end() ? nullptr : &*found;
 }
 
-// V.G.WZ_AKT.R += 0.1: what was said before still holds.
+// V.G.WZ_AKT.R += 0.1: the previous value still counts.
 bool is_change(std::string_view word) {
   const std::size_t equals = word.find('=');
   return equals != std::string_view::npos && equals > 0 &&
@@ -61,7 +61,7 @@ void NcWriter::keep_removed_words(const ProgramLine& line) {
   };
   for (const WordRange& range : line.words) {
     const std::string_view word = line.word(range);
-    // A new tool has data of its own.
+    // A new tool has its own data.
     const bool names_tool = word.size() > 1 && upper(word[0]) == 'D' && is_digit(word[1]);
     if (range.role == WordRole::technology && names_tool) forget(radius_group);
     if (range.role != WordRole::trc || word.empty()) continue;
@@ -75,7 +75,7 @@ void NcWriter::keep_removed_words(const ProgramLine& line) {
   }
 }
 
-// G functions together, in front of what stands in a line by itself.
+// G functions in one line, before the words that each need a line.
 void NcWriter::write_removed_words(std::string& out) {
   const auto begin = [&] {
     begin_words();

@@ -2,12 +2,12 @@
 #include "core/nc/writer/nc_writer.h"
 #include "core/nc/writer/written_block.h"
 
-// How words become a line of the output, with its block number and its line end.
+// Makes lines of the output from words, with block number and line end.
 
 namespace trc {
 
-// In a continued block words may stand behind a `;` comment, and each line may
-// have an N word: the first one is that of the block.
+// In a continued block words may follow a `;` comment, and each line may have an N word: the first
+// one is that of the block.
 void NcWriter::append(const ProgramLine& line, const WordRange& word) {
   if (word.role == WordRole::number && &word != &line.words.front()) {
     const auto first = std::ranges::find(line.words, WordRole::number, &WordRange::role);
@@ -47,7 +47,7 @@ void NcWriter::append_number_of_inserted() {
   words_.append(take_number());
 }
 
-// Five digits are what all controls take (D-60).
+// All controls accept five digits (D-60).
 std::string NcWriter::take_number() {
   constexpr std::uint64_t largest = 99'990;
   const std::uint64_t number = next_number_;

@@ -17,13 +17,13 @@ std::optional<BowTie> bow_tie_of(const Segment& before, const Segment& between,
   const double of_begin = distance(begin, after);
   const double of_end = distance(end, before);
   if (std::min(of_begin, of_end) > largest) return std::nullopt;
-  // Places along a block count as one up to here, mm.
+  // Places along a block count as one within this distance, mm.
   const double slack = 0.01 * tolerances.same_point;
   for (const Crossing& crossing : crossings(Track(before), Track(after), slack)) {
     const Vector to_begin = begin - crossing.point;
     const Vector to_end = end - crossing.point;
     if (to_begin.norm() > longest || to_end.norm() > longest) continue;
-    // A circle that is closed comes by once more, at its other end.
+    // A closed circle passes the crossing once more, at its other end.
     const double beyond = length_of(before) - crossing.along_first;
     if (std::max(beyond, crossing.along_second) > 2 * longest) continue;
     const double turn = cross(to_begin, to_end);

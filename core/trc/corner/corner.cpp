@@ -33,9 +33,9 @@ double length_of_cut(const OffsetCurve& curve, double cut) {
   return curve.circular ? cut * curve.circle.radius : cut;
 }
 
-// How far outside its block a meeting may seem to lie by rounding alone: near a
-// tangential corner the place of a meeting along the curves is known the worse,
-// the smaller the turn. It is still on both curves.
+// How far outside its block a meeting may seem to lie by rounding alone: at a nearly
+// tangential corner, the place of a meeting along the curves is the less exact, the
+// smaller the turn. It is still on both curves.
 double slack_of(const OffsetCurve& before, const OffsetCurve& after, const Tolerances& tolerances) {
   constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
   const double size = before.anchor.cwiseAbs().sum() +
@@ -43,13 +43,12 @@ double slack_of(const OffsetCurve& before, const OffsetCurve& after, const Toler
                       (after.circular ? after.circle.radius : 0);
   const double sine = std::abs(cross(before.tangent, after.tangent));
   const double of_place = rounding * size / std::max(sine, tolerances.tangent);
-  // Beside a tool of hundreds of metres one point is wider than `on_contour`.
+  // With a tool of hundreds of metres, one point is wider than `on_contour`.
   return std::max(std::min(of_place, tolerances.on_contour), tolerances.same_point);
 }
 
-// What the second block leaves between itself and the first one as far as both go, on the side of
-// the shift where positive: the first gap that counts, 0 if there is none. They part by an angle
-// and by their curvatures.
+// The gap between the two blocks along their common length, positive on the side of the shift: the
+// first gap that counts, 0 if there is none. An angle and the curvatures part the blocks.
 double gap_of_reversal(const Corner& corner, const Segment& before, const Segment& after,
                        const Tolerances& tolerances) {
   double opening = 0;  // curvature by which the second block leaves the first to its right
@@ -66,7 +65,7 @@ double gap_of_reversal(const Corner& corner, const Segment& before, const Segmen
   const double bend = -side * opening;
   const double angle = side * corner.sine_of_turn();
   const auto gap_at = [&](double way) { return way * (angle + 0.5 * bend * way); };
-  // Up to where it closes again it is widest halfway.
+  // Until it closes again, the gap is widest halfway.
   const double widest = bend != 0 ? -angle / bend : -1;
   const bool turns_over = widest > 0 && widest < reach;
   if (turns_over && std::abs(gap_at(widest)) > tolerances.input_resolution) return gap_at(widest);
@@ -134,7 +133,7 @@ std::optional<MeetingPoint> nearest_meeting(const OffsetCurve& before, const Off
   double nearest_after = std::numeric_limits<double>::infinity();
   double nearest_before = nearest_after;
   for (const Point& point : meetings_of(before, after, tolerances.same_point)) {
-    // On a line the place is had for nothing, on a circle it costs an angle.
+    // On a line the place is cheap to find, on a circle it takes an angle.
     if (!before.circular && cut_before_anchor(before, point, slack) < -slack) continue;
     const double cut_after = cut_after_anchor(after, point, slack);
     const double length_after = length_of_cut(after, cut_after);

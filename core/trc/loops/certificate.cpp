@@ -9,12 +9,12 @@
 namespace trc {
 namespace {
 
-// Half a turn on the square, less what rounding may do to it.
+// Half a turn on the square, less a margin for rounding.
 constexpr double widest = 2 - 1e-6;
 
-// Where a direction points at a square whose corners lie on the axes, in quarters of a turn from
-// the first axis on, -2 to 2. That grows with the angle, by at most as much, and by 2 in half a
-// turn wherever that begins; an angle is dear.
+// The place where a direction meets a square with its corners on the axes, in quarters of a turn
+// from the first axis, -2 to 2. It grows with the angle, by at most the same amount in rad, and by
+// 2 in any half turn. An angle would be expensive.
 double on_square(const Vector& direction) {
   const double size = std::abs(direction.x()) + std::abs(direction.y());
   return std::copysign(1 - direction.x() / size, direction.y());
@@ -22,7 +22,7 @@ double on_square(const Vector& direction) {
 
 }  // namespace
 
-// The shorter way round.
+// Goes on by the shorter way round.
 inline double Certificate::counted_on(double on_square) {
   double direction = turns_ + on_square;
   const double turn = direction - direction_;
@@ -34,7 +34,7 @@ inline double Certificate::counted_on(double on_square) {
   return direction_ = direction;
 }
 
-// What outside corners add does not count: the proof is about equidistants without it.
+// The length that outside corners add does not count: the proof is about equidistants without it.
 Certificate::Block Certificate::block_of(const PathBlock& block) {
   const auto* arc = std::get_if<Arc>(&block.programmed.path);
   const double extent =
@@ -85,7 +85,7 @@ void Certificate::clear() {
 
 void Certificate::drop_before(std::size_t block) {
   first_of_chain_.drop_before(block);
-  // Chains that go on from dropped blocks may.
+  // The current chain may begin in the dropped blocks.
   if (chain_ < block) begin_chain(block, size() - 1);
   last_of_chain_.drop_before(block);
 }

@@ -98,8 +98,8 @@ HeldPath::Number HeldPath::note_changed_setting(const MotionBlock& motion) {
   return last_setting();
 }
 
-// What is inserted before a change of radius may be travelled with either. Settings are forgotten
-// in the order of their blocks: from the first one that is changed on, each has one of its own.
+// Blocks inserted before a change of radius may be travelled with either radius. Settings are
+// forgotten in the order of their blocks: from the first changed one on, each block has its own.
 void HeldPath::limit_radius_of_inserted(double radius) {
   const auto is_larger = [&](const KeptBlock& inserted) {
     return settings_[inserted.setting].radius > radius;

@@ -30,7 +30,7 @@ bool LinearTransitions::may_replace(std::size_t piece) const {
     return false;
   const HeldPath::Block transition = path_.block(block);
   if (transition.origin != Origin::transition || !is_arc(transition.path)) return false;
-  // The circle of GEN_CIR_BLOCK_IN_CORNER has its place at inside corners.
+  // The circle of GEN_CIR_BLOCK_IN_CORNER belongs to inside corners.
   return !has_no_radius(transition.path) && block + 1 < path_.end() &&
          are_asked_for(path_.mode_of(block + 1));
 }
@@ -45,7 +45,7 @@ void LinearTransitions::replace(std::size_t piece) {
   const Joint joint = transition_joint(corner, path_.mode_of(block + 1), tolerances_);
   const auto inserted = joint.inserted();
   const bool stays = inserted.size() == 1 && is_arc(*inserted.front());
-  // An arc goes on as itself only where nothing is put between.
+  // An arc is prolonged as an arc only if nothing is inserted.
   const bool bends = inserted.empty() && (corner.before.circular || corner.after.circular);
   if (stays || (bends && !(goes_on(block - 1) && goes_on(block + 1)))) return;
   const Replacement lines = replacement(corner, joint);
@@ -105,7 +105,7 @@ LinearTransitions::Replacement LinearTransitions::replacement(const Corner& corn
                            bends && corner.after.circular)};
 }
 
-// The leg behind the arc belongs to the next block, whose window reaches farther.
+// The leg after the arc belongs to the next block, whose window reaches farther.
 bool LinearTransitions::keeps_clear(std::size_t transition, const Replacement& replacement) const {
   const auto is_clear = [&](std::size_t block, const Segment& way) {
     return !obstacles_.comes_nearer(block, way, Obstacles::Nearness::passable);
@@ -120,7 +120,7 @@ bool LinearTransitions::reaches_over(const Corner& corner, const Replacement& re
   if ((point - corner.programmed).norm() <= corner.tool_radius() + slack) return false;
   const Point places[] = {corner.before.anchor, replacement.across.start, replacement.across.end,
                           corner.after.anchor};
-  // The tool goes round the corner clockwise left of the contour: what is outside lies to the left.
+  // Left of the contour the tool goes round the corner clockwise: points outside lie to the left.
   const double side = corner.shift > 0 ? 1 : -1;
   for (std::size_t leg = 0; leg < 3; ++leg) {
     const Point& start = side > 0 ? places[leg + 1] : places[leg];

@@ -9,13 +9,13 @@
 namespace trc {
 namespace {
 
-// How far from the closing, in tool radii, the path may run into what lies beyond it.
+// How far from the closing, in tool radii, the path may run into walls beyond it.
 constexpr double near_closing = 2;
 
 }  // namespace
 
-// Where the contour goes over its begin again, or lap over lap, the path comes back to the same
-// point a lap later too, which leaves out the lap: that is for where nothing else leads on.
+// If the contour repeats its beginning or a lap, the path also comes back to the same point a lap
+// later. That crossing leaves out the lap, so it counts only if nothing else leads on.
 std::optional<LoopExit> LoopExits::find(const PathPiece& at, const Onset& onset,
                                         Nearness nearness) const {
   within_lap_ = true;
@@ -35,7 +35,7 @@ std::optional<LoopExit> LoopExits::find_any(const PathPiece& at, const Onset& on
       obstacles_.at(at.block, piece.end, onset.obstacle, nearness);
   ask_about(piece);
   known_of_ = HeldPath::most_blocks;
-  // Where the path has long been within reach, it has crossed before what is now beside it.
+  // A path that has been within reach for long has crossed before the block now beside it.
   const bool beside_last = nearness == Nearness::passable;
   if (auto exit = first_here(piece, obstacles, beside_last ? Kind::crossing : Kind::any, nearness))
     return exit;
@@ -52,8 +52,8 @@ std::optional<LoopExit> LoopExits::find_any(const PathPiece& at, const Onset& on
   return std::nullopt;
 }
 
-// Where the path is in one point again and again, all continuations but the first may leave out
-// what is legal.
+// If the path passes one point several times, all continuations but the first may leave out legal
+// stretches.
 std::optional<LoopExit> LoopExits::first_here(const PathPiece& piece,
                                               const std::vector<std::size_t>& obstacles, Kind kind,
                                               Nearness nearness) const {
@@ -70,7 +70,7 @@ std::optional<LoopExit> LoopExits::first_here(const PathPiece& piece,
 LoopExits::Stretch LoopExits::stretch_about(std::size_t obstacle, std::size_t at) const {
   const std::size_t begin =
       obstacle > path_.begin_of_contour() ? contour(obstacle - 1).block : path_.begin();
-  // Leads are in nobody's way: the path may leave the obstacle by any of them (D-38, D-137).
+  // Leads are never in the way: the path may leave the obstacle by any of them (D-38, D-137).
   std::size_t behind = obstacle + 1;
   while (behind < end_of_contour() && obstacles_.is_lead(behind)) ++behind;
   const std::size_t end = behind < end_of_contour() ? contour(behind).block + 1 : path_.end();
@@ -83,8 +83,8 @@ std::optional<LoopExit> LoopExits::exit_here(const PathPiece& piece, std::size_t
   if (kind != Kind::beside)
     if (auto exit = crossing_in(piece, walked_.end(), obstacle, {})) return exit;
   if (kind == Kind::crossing) return std::nullopt;
-  // Side by side there is no crossing to be had, but the distance tells. By as much as
-  // the path is moved over it comes nearer to its own block.
+  // Blocks side by side have no crossing, so their distance decides. The path comes nearer
+  // to its own block by the distance it is moved over.
   const double radius = std::max(path_.radius_of_tool(piece.block), 1.0);
   const double part = nearness == Nearness::exact ? 4 * tolerances_.rounding : tolerances_.passable;
   for (const std::size_t block : near_) {
@@ -138,7 +138,7 @@ double LoopExits::walls_between(std::size_t first, std::size_t end, double most)
 std::optional<LoopExit> LoopExits::last_of_walked(const Onset& onset, const Stretch& stretch,
                                                   const PathPlace& least) const {
   const HeldPath::ContourBlock obstacle = contour(onset.obstacle);
-  // A lead may come back to the path anywhere near.
+  // A lead may come back to the path anywhere nearby.
   double rest = stretch.holds_leads ? 8 * path_.largest_radius(obstacle) : 0;
   for (std::size_t number = walked_.end(); number-- > walked_.begin();) {
     const PathPiece walked = walked_[number];
@@ -151,10 +151,9 @@ std::optional<LoopExit> LoopExits::last_of_walked(const Onset& onset, const Stre
   return std::nullopt;
 }
 
-// Segments cross in places that are up to the slack beyond their ends and as far from each other,
-// and the ends of a piece may be off its block where a loop has been left out. Points of theirs are
-// not computed to the last digits; what is farther apart than one point may be wide is so all the
-// same.
+// A crossing may lie up to the slack beyond the ends of its segments, and its two places as far
+// apart; the ends of a piece may be off its block after a loop has been left out. These points are
+// not exact to the last digits, but the error is less than the width of one point.
 void LoopExits::ask_about(const PathPiece& piece) const {
   checkpoint_.pass();
   area_ = path_.box_about(piece.block, piece.start, piece.end);

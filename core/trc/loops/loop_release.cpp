@@ -16,10 +16,10 @@ namespace {
 
 constexpr double most_of_a_turn = 1.25 * std::numbers::pi;
 
-// How far walls turn, one behind the other.
+// Sums up the turn of consecutive walls.
 class WallTurn {
  public:
-  // `share`: of the wall, all of whose turn counts where it is 1.
+  // `share`: the part of the wall whose turn counts, 1 for all of it.
   void add(const Segment& wall, double share) {
     if (direction_) {
       const Vector next = tangent_at_start(wall);
@@ -50,9 +50,9 @@ void LoopRelease::leave_out_rest(const Point& place, PathBlocks& out) {
   if (next_ < end_of_path()) pass_by({end_of_path(), 0}, place, out);
 }
 
-// Up to what leaves as it came, where that is not what the caller has just passed over.
+// Ends before the next block that leaves as it came, unless the caller has just passed that over.
 std::size_t LoopRelease::end_of_portion() const {
-  constexpr std::size_t portion = 32;  // whose storage is the same for each
+  constexpr std::size_t portion = 32;  // each one reuses the storage of the last
   const std::size_t end = std::min(walked_.begin() + portion, walked_.end());
   if (next_stands_for_itself()) return end;
   std::size_t number = std::min(walked_.begin() + 1, end);
@@ -125,7 +125,7 @@ void LoopRelease::pass_by(const PathPlace& next, const Point& place, PathBlocks&
   }
   const std::size_t last = last_dropped_before(end);
   DroppedBlocks dropped(place, out);
-  // Nobody asks for those between the first and the last one, but for their passive blocks.
+  // Between the first and the last block, only blocks with passive blocks matter.
   bool is_first = true;
   for (; next_ < end; ++next_) {
     if (!path_.is_contour(next_)) continue;
@@ -166,7 +166,7 @@ void LoopRelease::release(std::size_t number, PathBlocks& out) {
 }
 
 void LoopRelease::release_linear(std::size_t transition, PathBlocks& out) {
-  // An arc is never rapid; lines are where the blocks on both sides are.
+  // An arc is never rapid; lines are rapid if the blocks on both sides are.
   const bool rapid =
       path_.setting_of(transition - 1).rapid && path_.setting_of(transition + 1).rapid;
   const HeldPath::Lines lines = path_.lines_of(transition);
@@ -214,7 +214,7 @@ bool LoopRelease::leaves_nothing_of(std::size_t first, std::size_t last, const P
 LeftOut LoopRelease::left_out(const PathPlace& from, const PathPlace& to) const {
   LeftOut stretch{.tool_radius =
                       path_.mode_of(from.block).cutting_radius(path_.radius_of_tool(from.block))};
-  // The share of a wall that lies along the part of its path.
+  // Adds the share of a wall that lies along the given part of its path.
   const auto add = [&](std::size_t block, double begin, double end) {
     if (!path_.is_contour(block)) return;
     const double length = length_of(path(block).path);
@@ -225,7 +225,7 @@ LeftOut LoopRelease::left_out(const PathPlace& from, const PathPlace& to) const 
     add(block, block == from.block ? from.along : 0, std::numeric_limits<double>::infinity());
   if (to.block < end_of_path() && to.along > 0)
     add(to.block, to.block == from.block ? from.along : 0, to.along);
-  // Of an arc that is left in the middle, the block before it stays.
+  // If a transition arc is left in its middle, the block before it stays.
   std::size_t first = from.block;
   while (first + 1 < to.block && !path_.is_contour(first)) ++first;
   stretch.first = path_.source_of(number_of(first));
@@ -241,7 +241,7 @@ bool LoopRelease::holds_a_whole(const PathPlace& from, const PathPlace& to,
   if (is_parted_by_rapid(first, last + 1)) return true;
   if (!stretch.is_long()) return false;
   if (path_.changes_depth(from.block, end)) return true;
-  // A notch between two long arcs goes round as little as the bore does between them (D-39).
+  // A notch between two long arcs may hold nearly all blocks, but its walls turn little (D-39).
   return holds_a_lap(obstacles_.walls(), first, last, stretch) &&
          (!obstacles_.walls().rings.empty() || std::abs(turn_of(from, to)) >= most_of_a_turn);
 }
@@ -286,7 +286,7 @@ double LoopRelease::length_of_walls() const {
 bool LoopRelease::check_left_out() {
   if (largest_masked_share_ >= 1 || path_.empty()) return true;
   LeftOut longest = longest_left_out_;
-  // Seldom wanted: mostly nothing is left out.
+  // Computed only on demand: usually nothing is left out.
   std::optional<double> known_length;
   const auto of_walls = [&] {
     if (!known_length) known_length = length_of_walls();
@@ -313,8 +313,8 @@ bool LoopRelease::check_left_out() {
   if (longest.length == 0) return true;
   longest.of_walls = of_walls();
   is_most_left_out_ = left_out_in_all > 0.5 * longest.of_walls;
-  // Of several contours linked by rapid motion the walls are unknown, and so is what share of them
-  // a stretch is.
+  // The walls of several contours linked by rapid motion are unknown, and so is the share of a
+  // stretch in them.
   const bool is_parted =
       longest.in_all > 0 && is_parted_by_rapid(path_.begin_of_contour(), path_.end_of_contour());
   if (is_parted || whole_part)

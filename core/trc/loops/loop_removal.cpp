@@ -12,7 +12,7 @@
 namespace trc {
 namespace {
 
-// The line REVERSE puts between the two sides of a corner (D-22): it is near to both by intent.
+// The line that REVERSE puts between the two sides of a corner (D-22) is near to both by intent.
 bool crosses_contour(const PathBlock& block) {
   return block.role == Role::inserted && block.at_start.shift * block.at_end.shift < 0;
 }
@@ -71,7 +71,7 @@ bool LoopRemoval::end_selection() {
   linear_.end_at(walk_.at().start);
   static_cast<void>(settle(walked_.end()));
   if (!release_.check_left_out()) return false;
-  // Nothing is near anything any more.
+  // Neighbours are not looked for any more.
   obstacles_.clear();
   walked_.drop_boxes();
   return true;
@@ -86,15 +86,15 @@ bool LoopRemoval::release_some(PathBlocks& out) {
   release_entry(out);
   release_.release_portion(out);
   if (!walked_.empty()) {
-    // What stands in place of an arc begins where the block before it ends, and what is left out
-    // behind a block may begin on it.
+    // Lines in place of an arc begin where the block before it ends, and a stretch that is left out
+    // after a block may begin on that block.
     const std::size_t next = release_.next();
     held_.path.forget_path_before(next - std::min<std::size_t>(next - held_.path.begin(), 1));
     return true;
   }
   release_.leave_out_rest(walk_.at().start, out);
   forget_selection();
-  // Some of it may come to lie behind the next selection.
+  // Some of these blocks may come to lie after the next selection.
   behind_.taken.swap(behind_.blocks);
   for (PathBlockPtr& block : behind_.taken)
     if (!feed(std::move(block), out)) return false;
@@ -125,7 +125,7 @@ void LoopRemoval::find_walls() {
   Walls walls = trc::find_walls(view, lead_settings_, held_.largest_radius);
   if (walls.are_plain()) return;
   obstacles_.set_walls(std::move(walls));
-  // What has been walked in a window, with leads for walls, is walked again.
+  // In a window the path has been walked with leads as walls: it is walked again.
   walk_.start_over();
 }
 
@@ -138,7 +138,7 @@ bool LoopRemoval::hold(PathBlock& block) {
   held_.largest_radius = std::max(
       {held_.largest_radius, std::abs(block.at_start.shift), std::abs(block.at_end.shift)});
   held_.has_linear = held_.has_linear || LinearTransitions::are_asked_for(block.mode());
-  // What stands in place of an arc makes the block behind it longer by that.
+  // Lines in place of an arc make the block after it longer by up to this many radii.
   const double stretch = held_.has_linear ? block.mode().options.stretch_factor : 0;
   held_.farthest_reach = std::max(held_.farthest_reach, held_.largest_radius * (1 + stretch));
   held_.path.append(block);
@@ -146,8 +146,8 @@ bool LoopRemoval::hold(PathBlock& block) {
   if (block.role == Role::contour) {
     note_contour_block(bounding_box(block.programmed.path), Certificate::block_of(block));
   } else {
-    // Round a tip whose blocks overlap it turns by more than half a turn, and they turn the other
-    // way: nothing is certified about that.
+    // Round a tip whose blocks overlap, the arc turns by more than half a turn and the blocks turn
+    // the other way: the certificate does not cover this.
     const auto* arc = std::get_if<Arc>(&block.tool_path);
     const bool goes_far_round = arc != nullptr && std::abs(arc->sweep) > std::numbers::pi;
     held_.gap = held_.gap || block.unreachable || goes_far_round;
@@ -192,12 +192,12 @@ std::size_t LoopRemoval::settle(std::size_t due) {
   return due;
 }
 
-// Drops what no window reaches any more.
+// Drops blocks that no window reaches any more.
 void LoopRemoval::forget() {
   walked_.drop_boxes_before(walked_.begin());
   if (release_.next() >= end_of_path()) return;
   const std::size_t number = held_.path.number_of(release_.next());
-  // Some more than the window, now and then.
+  // Some more than the window, so that dropping is rare.
   const std::size_t some = std::min<std::size_t>(window_ / 8, 64);
   if (number <= held_.path.begin_of_contour() + window_ + 1 + some) return;
   const std::size_t keep = number - window_ - 1;

@@ -58,8 +58,8 @@ bool LoopWalk::is_waiting() const {
          !has_had_its_window(at_.block);
 }
 
-// A new contour block may come near to what has been walked without it: from there
-// the path is walked again.
+// A new contour block may come near to pieces that have been walked without it: from the
+// first of these the path is walked again.
 [[gnu::noinline]] void LoopWalk::reconsider(std::size_t number, const Box& area,
                                             double farthest_reach) {
   const std::size_t chain = obstacles_.chain_before(number);
@@ -70,7 +70,7 @@ bool LoopWalk::is_waiting() const {
   const Segment obstacle = contour(number).programmed;
   std::size_t earliest = walked_.end();
   double along = 0;
-  // What lies behind the earliest one need not be asked.
+  // Pieces after the earliest one need not be asked.
   BoxTree::Range skipped{first_of_chain_, walked_.end()};
   const auto compare = [&](std::size_t index) {
     if (index >= earliest) return;
@@ -93,8 +93,8 @@ void LoopWalk::walk_again_from(std::size_t piece, const Onset& onset) {
   const bool was_exact = piece >= exact_from_;
   drop_pieces(piece);
   tolerated_ = {};
-  // Before its end it ran into nothing else. A loop may begin a little behind the onset it is left
-  // for.
+  // Before its end the piece ran into nothing else. A loop may begin slightly after the onset that
+  // it is left out for.
   waiting_with_.reset();
   if (was_exact && onset.along < at_.to - 2 * slack_of_places(tolerances_)) waiting_with_ = onset;
 }
@@ -122,7 +122,7 @@ bool LoopWalk::go_on() {
   if (!walking_ && !set_out()) return false;
   while (walking_ && at_.block < end_of_path() && is_known(at_.block, 1)) {
     checkpoint_.pass();
-    // Before the end of the contour new neighbours come with every block.
+    // Until the contour ends, every block brings new neighbours.
     const std::size_t clear = ended_ ? obstacles_.clear_until(at_.block) : at_.block;
     if (at_.block < clear) {
       advance_to(clear);
@@ -154,10 +154,10 @@ bool LoopWalk::set_out() {
   return !at_start || at_start->along > 0 || counts_as_none(*at_start) || refuse(*at_start);
 }
 
-// To the end of the block and on to the next one.
+// Walks to the end of the block and on to the next one.
 void LoopWalk::advance() {
   const Segment segment = path(at_.block).path;
-  // The corner behind a loop gets a circle of its own, for the whole turn.
+  // The corner after a loop gets its own circle, for the whole turn.
   if (at_.behind_loop && has_no_radius(segment)) {
     ++at_.block;
     return;
@@ -192,7 +192,7 @@ void LoopWalk::keep_cut() {
 }
 
 LoopWalk::Step LoopWalk::leave(const Onset& onset) {
-  // The transition behind the obstacle comes with the next block.
+  // The transition after the obstacle comes with the next block.
   const bool complete = ended_ || onset.obstacle + 1 < end_of_contour();
   if (!complete && !is_known(at_.block, window_)) {
     if (!is_tolerated()) waiting_with_ = onset;
@@ -203,19 +203,19 @@ LoopWalk::Step LoopWalk::leave(const Onset& onset) {
   auto exit = exits_.find(at_, onset, Nearness::exact);
   if (exit && is_seam(*exit)) exit.reset();
   if (exit && violates_soon(here, exit->continues, onset.obstacle)) {
-    // Between the exit and the onset a block that is yet to come may be in the way.
+    // Between the exit and the onset a block that has not come yet may be in the way.
     const bool behind = exit->piece < walked_.end();
     if (behind && !is_known(walked_.kept(exit->piece).block, window_)) return Step::wait;
     jump(*exit);
     return Step::done;
   }
-  // A block that is yet to come may lead away before, or be in the way of the loop.
+  // A block that has not come yet may lead away earlier, or be in the way of the loop.
   if (!is_known(at_.block, window_)) return Step::wait;
   pass(onset, exit);
   return Step::done;
 }
 
-// It violates.
+// The path violates here.
 LoopWalk::Step LoopWalk::leave_at_once(const Onset& onset) {
   if (!is_known(at_.block, window_)) return Step::wait;
   const auto exit = exits_.find(at_, onset, Nearness::passable);
@@ -261,7 +261,7 @@ bool LoopWalk::leave_for_last_pass() {
                           (at_.block == exit.continues.block && at_.from < exit.continues.along);
     const bool is_there = exit.piece >= walked_.begin() && exit.piece < walked_.end() &&
                           walked_.kept(exit.piece).block == block;
-    // What has had its window may have been settled.
+    // A block that has had its window may have been settled.
     if (!holds_it || !is_there || (window_ > 0 && has_had_its_window(block))) continue;
     const PathPiece piece = walked_[exit.piece];
     if (exit.leaves < piece.from || exit.leaves > piece.to) continue;
@@ -284,7 +284,7 @@ bool LoopWalk::counts_as_none(const Onset& violation) {
   return true;
 }
 
-// A block travelled backwards is part of a loop, however shallow that is.
+// A block travelled backwards is part of a loop, however shallow the loop is.
 bool LoopWalk::leave_backwards() {
   const bool is_whole = at_.from == 0 && !at_.behind_loop && at_.block > 0;
   if (!is_whole || !runs_backwards(at_.block)) return false;
@@ -316,10 +316,11 @@ bool LoopWalk::runs_backwards(std::size_t block) const {
   return way.dot(tangent_at_start(programmed)) < -tolerances_.on_contour;
 }
 
-// What it does later is judged when the walk comes there, without what goes anyway (D-44).
+// Later violations are judged when the walk reaches them, without loops that go anyway (D-44).
 bool LoopWalk::violates_soon(const PathPlace& from, const PathPlace& to,
                              std::size_t obstacle) const {
-  // The deeper the sooner: where a line runs into another one by a thousandth, it does by then.
+  // The deeper a violation, the sooner it comes: a line that runs into another one by a thousandth
+  // violates within this length.
   double rest =
       4 * std::sqrt(tolerances_.passable) * std::max(path_.radius_of_tool(from.block), 1.0);
   for (std::size_t block = from.block; block <= to.block && rest > 0; ++block) {
@@ -328,7 +329,7 @@ bool LoopWalk::violates_soon(const PathPlace& from, const PathPlace& to,
     const double begin = block == from.block ? from.along : 0;
     const double all = block == to.block ? std::min(to.along, length) : length;
     const double end = std::min(all, begin + rest);
-    // Mostly it is what the loop begins at: one of the neighbours there, which need not be found.
+    // Usually the obstacle at the onset is the cause: its neighbours need not be found then.
     const double limit = obstacles_.reach(block, Nearness::passable);
     if (block == from.block && begin < end && limit > 0 &&
         PathPart(segment, begin, end)
@@ -358,8 +359,8 @@ void LoopWalk::jump(const LoopExit& exit) {
     point = start_of(segment);
     next.along = 0;
   }
-  // What rounding leaves of a block is not worth one, but the approach and the retract
-  // know the first and the last point.
+  // A rest within rounding is not worth a block, but the approach and the retract use the
+  // first and the last point.
   const bool outermost = at_.block == 0 || next.block >= end_of_path();
   if (exit.leaves - at_.from > slack || outermost) {
     at_.to = exit.leaves;

@@ -10,11 +10,11 @@
 namespace trc {
 namespace {
 
-// Up to so many blocks are compared with one another.
+// Up to this many neighbours are compared without finding the nearest one first.
 constexpr std::size_t few = 4;
 
-// Of distances from boxes, for all that may be so near to the point. Floats put a coordinate off by
-// up to 1.2e-7 of itself, and a square of a distance by less than 4e-6.
+// The limit of squared distances from boxes that misses nothing within `distance` of the point.
+// Floats put a coordinate off by up to 1.2e-7 of itself, and a squared distance by less than 4e-6.
 float squared_with_slack(double distance, const Point& point) {
   const double farthest = distance + 2e-7 * point.lpNorm<1>();
   return rounded_up((1 + 4e-6) * farthest * farthest);
@@ -80,7 +80,7 @@ void Obstacles::find_neighbours(std::size_t block, const Box& area, double limit
   const BoxTree::Range skipped = certified(block);
   const std::size_t own = path_.number_of(block);
   neighbours_.clear();
-  // All that can be seen is certified.
+  // All blocks in the window are certified.
   if (window_ > 0 && skipped.first + window_ <= std::max(own, path_.begin_of_contour() + window_) &&
       skipped.last + 1 >= std::min(own + window_ + 1, end_of_contour()))
     return;
@@ -140,7 +140,7 @@ bool Obstacles::are_many(const Box& area, const PathPart& part, double limit) co
 
 std::optional<std::size_t> Obstacles::nearest_to(const PathPart& part, double limit) const {
   checkpoint_.pass_many(neighbours_.size());
-  // Boxes tell which ones it can be: none that are farther off than what is in the nearest box.
+  // Boxes narrow the choice: a box farther off than the block in the nearest box is ruled out.
   const FourBoxes::Course course = part.course(limit);
   float least_squared = squared_with_slack(limit, part.middle());
   std::optional<std::size_t> in_nearest_box;
@@ -190,8 +190,8 @@ std::optional<Obstacles::Onset> Obstacles::onset(std::size_t block, double from,
     part = part.until(*entry);
     return true;
   };
-  // What is nearest halfway is run into before that: with less and less of the block at stake
-  // most of the others are out of question.
+  // The path runs into the block nearest to its middle before the middle: the shorter part that is
+  // left rules out most of the others.
   bool many = are_many(area, limit);
   while (many && part.half_length() > 0) {
     const std::optional<std::size_t> nearest = nearest_to(part, limit);
@@ -215,7 +215,7 @@ bool Obstacles::comes_nearer(std::size_t block, double from, double to, Nearness
   return !neighbours_.empty() && neighbours_come_nearer(block, PathPart(segment, from, to), limit);
 }
 
-// The far end of an arc of half a turn and more may be in the way of what leads along its tangent.
+// The far end of an arc of half a turn or more may be in the way of a motion along its tangent.
 bool Obstacles::own_arc_is_nearer(std::size_t number, const PathPart& part, double limit) const {
   const Segment own = programmed(number);
   const auto* arc = std::get_if<Arc>(&own);
@@ -261,7 +261,7 @@ const std::vector<std::size_t>& Obstacles::at(std::size_t block, const Point& pl
   const auto consider_four = [&](const NearFour& four) {
     four.for_each([&](std::size_t number, std::size_t /*place*/) { consider(number); });
   };
-  // What is certified was not queried.
+  // Certified blocks were left out of the query.
   const auto [first, last] = group_query_.skipped;
   constexpr std::size_t short_chain = 16;
   if (!is_in_group(block) || last > first + short_chain) {
@@ -279,8 +279,8 @@ const std::vector<std::size_t>& Obstacles::at(std::size_t block, const Point& pl
   return numbers_;
 }
 
-// They lead on sooner: behind an inside corner the tool does not fit into, the path goes on along
-// the begin of the contour, which is a lead, not a whole way round later.
+// First visits lead on sooner: after an inside corner that the tool does not fit into, the path
+// goes on along the beginning of the contour, which is a lead, not a whole round later.
 void Obstacles::put_first_visits_in_front(std::size_t block, const Point& place,
                                           double limit) const {
   if (walls_.blocks_of_round == 0) return;
@@ -306,10 +306,10 @@ bool Obstacles::is_in_group(std::size_t block) const {
          (own.first <= group_query_.skipped.first && group_query_.skipped.last <= own.last);
 }
 
-// Asks for many blocks at once: they have nearly the same neighbours, and mostly none.
+// Queries many blocks at once: they have nearly the same neighbours, and usually none.
 void Obstacles::query_group(std::size_t first) {
-  // Where the walk leaves some of them out, fewer are worth it: the more there is near them, the
-  // more.
+  // If the walk leaves blocks out, smaller groups are better, and the more so the more neighbours
+  // they have.
   constexpr std::size_t smallest_group = 4;
   constexpr std::size_t largest_group = 32;
   const bool worth_it =
@@ -346,8 +346,8 @@ void Obstacles::look_closer() {
   }
 }
 
-// Chains that begin later end later: what the first one and the last one have in common is in the
-// chains of all blocks between.
+// Chains that begin later end later: the part that the chains of the first and the last block share
+// is in the chains of all blocks between.
 BoxTree::Range Obstacles::certified_for_all(std::size_t first, std::size_t end) const {
   const std::size_t first_number = path_.number_of(first);
   // The last block may be a transition.

@@ -10,7 +10,7 @@
 namespace trc {
 namespace {
 
-// An end of the contour, and the tool that touches it there.
+// An end of the contour, and the centre of the tool that touches it there.
 struct End {
   const char* name;
   Point of_contour;
@@ -26,11 +26,11 @@ bool has_room(const Point& center, double radius, const HeldPath& path, const Ob
   return true;
 }
 
-// Of a tool that touches the contour at this end, where that is smaller than the tool; each smaller
-// one lies inside it.
+// The largest radius of a tool that touches the contour at this end and has room. Empty if `radius`
+// has room. Each smaller tool lies inside a larger one.
 std::optional<double> largest_radius_at(const End& end, double radius, const HeldPath& path,
                                         const Obstacles& obstacles, const Tolerances& tolerances) {
-  constexpr double exact_to = 1e-4;  // mm, of a radius that is told to a micrometre
+  constexpr double exact_to = 1e-4;  // mm; the radius is reported to a micrometre
   const Vector outward = end.of_path - end.of_contour;
   const bool touches = std::abs(outward.norm() - radius) <= tolerances.on_contour;
   if (!touches || has_room(end.of_path, radius, path, obstacles, tolerances)) return {};

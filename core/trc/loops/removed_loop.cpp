@@ -22,7 +22,7 @@ DroppedBlocks::OtherAxes DroppedBlocks::other_axes_behind(const PathBlock& block
   return other_axes_at(block.programmed.normal, block.programmed.tracking, &AxisTravel::to);
 }
 
-// Where its passive blocks leave them.
+// The other axes after the passive blocks of the block.
 DroppedBlocks::OtherAxes DroppedBlocks::other_axes_after(const PathBlock& block) {
   const PassiveBlock& last = block.passive.back();
   return other_axes_at(last.normal, last.tracking, &AxisTravel::to);
@@ -54,7 +54,7 @@ void DroppedBlocks::move_behind(const PathBlock& block) {
   const MotionBlock& programmed = block.programmed;
   const OtherAxes target = other_axes_behind(block);
   TrackingTravel tracking = programmed.tracking;
-  // Before an axis is programmed for the first time all stand at 0, and are not mentioned.
+  // Until a tracking axis is programmed for the first time, all are at 0 and are not listed.
   other_axes_.tracking.resize(tracking.size());
   for (std::size_t axis = 0; axis < tracking.size(); ++axis)
     tracking[axis] = {other_axes_.tracking[axis], target.tracking[axis]};

@@ -29,7 +29,7 @@ bool Seam::is_between(const PathPlace& from, const PathPlace& to, const Point& p
                         length_of(path_.block(to.block).path) - to.along);
 }
 
-// What goes about the tool is longer than its radius.
+// A contour that goes round the tool is longer than its radius.
 bool Seam::encloses_room(std::size_t first, std::size_t end, double rest) const {
   double length = rest;
   for (std::size_t number = first; number < end; ++number)

@@ -16,8 +16,8 @@ namespace {
 
 bool is_contour(const PathBlock& block) { return block.role == Role::contour; }
 
-// Approach and retract are not monitored (D-11), and neither is the line REVERSE puts between the
-// two sides of a corner (D-22).
+// Approach and retract are not monitored (D-11), and neither is the line that REVERSE puts between
+// the two sides of a corner (D-22).
 bool is_monitored(const PathBlock& block) {
   // A smaller tool of wear mode runs towards the part, away from the programmed centre path.
   if (block.mode().below_nominal) return false;
@@ -39,7 +39,7 @@ struct Violation {
 }  // namespace
 
 bool Bottlenecks::feed(PathBlockPtr block, PathBlocks& out) {
-  // The approach waits too: the tool must not enter what it cannot get through.
+  // The approach waits too: the tool must not enter a passage that it cannot get through.
   const bool begins = block->role == Role::approach || block->perpendicular_entry;
   const bool belongs = begins || is_contour(*block) || block->role == Role::inserted ||
                        block->role == Role::side_change;
@@ -72,7 +72,7 @@ void Bottlenecks::hold(PathBlockPtr block) {
 }
 
 bool Bottlenecks::end_selection(PathBlocks& out) {
-  // Where nothing is searched, every block comes by here.
+  // Every block comes here, even if nothing is searched.
   if (held_.empty() && contour_.empty()) return true;
   find_walls();
   if (!examine(Input::ended, out)) return false;
@@ -119,7 +119,7 @@ bool Bottlenecks::examine(Input input, PathBlocks& out) {
   std::size_t examined = 0;
   const std::size_t end = contour_base_ + contour_.size();
   while (examined < held_.size() && (input == Input::ended || numbers_[examined] + window_ < end)) {
-    // What lies about the block at a distance is looked at by its boxes alone.
+    // Blocks at a distance are examined only by their boxes.
     checkpoint_.pass_many(contour_.size());
     if (!check(*held_[examined], numbers_[examined])) return false;
     ++examined;
@@ -132,7 +132,7 @@ bool Bottlenecks::examine(Input input, PathBlocks& out) {
   return true;
 }
 
-// Drops what no window reaches any more; not one by one, to keep it cheap.
+// Drops blocks that no window reaches any more; not one by one, to keep it cheap.
 void Bottlenecks::forget() {
   if (numbers_.empty() || numbers_.front() <= contour_base_ + 2 * window_ + 64) return;
   const std::size_t gone = numbers_.front() - window_ - contour_base_;

@@ -17,7 +17,7 @@ namespace {
 
 bool is_contour(const PathBlock& block) { return block.role == Role::contour; }
 
-// The radius of the equidistant, by which an angle becomes a length; 1 for lines.
+// The radius of the equidistant, which turns an angle into a length; 1 for lines.
 double radius_at(const PathBlock& block, double shift) {
   const auto* arc = std::get_if<Arc>(&block.programmed.path);
   return arc != nullptr ? parallel_radius(*arc, shift) : 1;
@@ -37,9 +37,9 @@ OffsetCurve start_curve(const PathBlock& block) {
                       block.at_start.shift);
 }
 
-// Both equidistants lie on one line or on one circle and are travelled the same way: walls beside a
-// notch. The first one then goes on to where the second one begins. How far on a circle, rad,
-// cannot be told from how far back: whichever is nearer.
+// Both equidistants lie on one line or on one circle and have the same direction: walls beside a
+// notch. The first one then goes on to where the second one begins. On a circle, the way forwards
+// and the way backwards (rad) cannot be told apart: the shorter one counts.
 std::optional<PathBlock::Rejoin> join_in_line(const OffsetCurve& before, const OffsetCurve& after,
                                               double same_point) {
   const Point& point = after.anchor;
@@ -62,9 +62,9 @@ std::optional<PathBlock::Rejoin> join_in_line(const OffsetCurve& before, const O
       .cut_before = back > std::numbers::pi ? back - 2 * std::numbers::pi : back};
 }
 
-// Two lines are in line but for the rounding of their ends, which tells the more, the shorter they
-// are and the farther from one another (D-44). The first one goes on to about where the second one
-// begins, and a line leads over.
+// Two lines are in line but for the rounding of their ends, whose effect grows with the distance of
+// the lines and falls with their lengths (D-44). The first one keeps its end, and a line leads over
+// to where the second one begins.
 std::optional<PathBlock::Rejoin> join_nearly_in_line(const PathBlock& before,
                                                      const PathBlock& after, double resolution) {
   if (is_arc(before.programmed.path) || is_arc(after.programmed.path)) return std::nullopt;
@@ -94,7 +94,7 @@ bool ContourMasking::feed(PathBlockPtr block, PathBlocks& out) {
   }
   if (!resolve(block->at_start.active ? block.get() : nullptr, out)) return false;
   if (masking && block->at_end.active) {
-    // The first block has a start of its own: an approach, or what came before G141.
+    // The first block has its own start: from an approach, or from a block before G141.
     held_.push_back(std::move(block));
     kept_ = {Kept{.index = 0}};
   } else {
@@ -125,7 +125,7 @@ bool ContourMasking::resolve(const PathBlock* after, PathBlocks& out) {
 }
 
 bool ContourMasking::release(PathBlocks& out) {
-  // So many masked blocks that the window does not see the end of them.
+  // The window does not see the end of the masked blocks.
   if (kept_.size() == 1) return refuse_to_mask(base_, base_ + held_.size() - 1);
   const std::size_t next = kept_[1].index;
   report_masked(base_, next);
@@ -153,8 +153,8 @@ bool ContourMasking::keep(std::size_t index) {
       kept_.push_back({.index = index, .cut_at_start = meeting->cut_after});
       return true;
     }
-    // Of two that do not meet, or only where there is nothing of either, the one with less to cut
-    // gives way.
+    // If two blocks do not meet, or only beyond the end of the second one, the shorter one is
+    // masked.
     const bool gap = !meeting || (!adjacent && left_of_block(block, meeting->cut_after, 0) < 0);
     if (gap && !begins_contour && equidistant_length(block) < equidistant_length(before)) {
       block.masked = true;
@@ -164,7 +164,7 @@ bool ContourMasking::keep(std::size_t index) {
   }
 }
 
-// The last block must survive its end: nothing lies behind it to join anew.
+// The last block must survive its end: no block after it could be joined anew.
 bool ContourMasking::close(const PathBlock* after) {
   PathBlock& last = *held_.back();
   const std::size_t last_index = base_ + held_.size() - 1;
@@ -174,7 +174,7 @@ bool ContourMasking::close(const PathBlock* after) {
     const Corner corner = corner_between(last, *after, tolerances_);
     const JointResult result = joint_between(last, *after, corner, tolerances_);
     const auto* joined = std::get_if<JoinedBlocks>(&result);
-    // What cannot be joined is refused by Transitions, with its reason.
+    // Transitions refuses blocks that cannot be joined, with the reason.
     if (joined != nullptr) cut_at_end = joined->joint.cut_before;
   }
   return survives(kept_.back(), cut_at_end) || refuse_to_mask(last_index, last_index);
@@ -196,7 +196,7 @@ std::optional<ContourMasking::Meeting> ContourMasking::meet(std::size_t before,
 }
 
 // In line, or the nearest meeting of the two equidistants; at an outside corner of two lines
-// the crossing of their extensions, as far as STRETCH_FACTOR lets them (D-153).
+// the crossing of their extensions, as far as STRETCH_FACTOR allows (D-153).
 std::optional<PathBlock::Rejoin> ContourMasking::join_anew(std::size_t before_index,
                                                            std::size_t after_index) const {
   const PathBlock& before = held(before_index);
@@ -262,8 +262,8 @@ bool ContourMasking::mask_last_kept(std::size_t joining) {
   return true;
 }
 
-// The block at fault is the one that asks for the smallest tool (D-146); the first or last one,
-// which could not be masked, is mostly sound.
+// The block at fault is the one that needs the smallest tool (D-146); the first or last one, which
+// could not be masked, is usually sound.
 bool ContourMasking::refuse_to_mask(std::size_t first, std::size_t last) {
   std::size_t worst = last;
   std::optional<double> largest_radius;

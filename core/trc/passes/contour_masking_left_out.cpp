@@ -7,7 +7,7 @@
 #include "core/trc/walls/closing.h"
 #include "core/trc/walls/sided_walls.h"
 
-// What ContourMasking tells of the blocks it leaves out, and when they are too many (D-39).
+// How ContourMasking reports the blocks it leaves out, and refuses too many of them (D-39).
 
 namespace trc {
 
@@ -72,7 +72,7 @@ void ContourMasking::report_masked(std::size_t first, std::size_t end) {
 
 bool ContourMasking::holds_a_whole(std::size_t first, std::size_t end,
                                    const LeftOut& stretch) const {
-  // The lap of a small post is shorter than what is long.
+  // The lap of a small post is shorter than a stretch that counts as long.
   if (holds_a_lap(walls_, number_of(first), number_of(end - 1), stretch)) return true;
   if (!stretch.is_long()) return false;
   const auto moves = [](const PassiveBlock& block) { return block.normal.moves(); };

@@ -27,7 +27,7 @@ bool ContourViolations::check_line(const PathBlock& block) {
          report_reversed(block, travelled.dot(block.tangent_at_end));
 }
 
-// Also where the offsets do not meet (D-147).
+// Also called if the offsets do not meet (D-147).
 bool ContourViolations::report_reversed(const PathBlock& block, double along) {
   Diagnostic violation = diagnostic(Code::line_reversed, block.programmed.source);
   violation.values = {{"programmed_length", length_of(block.programmed.path)},

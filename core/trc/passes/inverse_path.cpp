@@ -30,11 +30,11 @@ Segment moved_back(const Arc& arc, double shift, double same_point) {
 std::optional<Segment> inverse_path(const PathBlock& block, double same_point) {
   const bool transition = block.role == Role::inserted && block.origin == Origin::transition;
   if (block.role != Role::contour && !transition) return std::nullopt;
-  // The circle GEN_CIR_BLOCK_IN_CORNER inserts stands where two stretches part.
+  // The circle that GEN_CIR_BLOCK_IN_CORNER inserts is a point where two stretches part.
   if (const auto* arc = std::get_if<Arc>(&block.tool_path);
       arc != nullptr && arc->start == arc->center)
     return std::nullopt;
-  // While the radius changes the tool path is no parallel of the contour.
+  // While the radius changes, the tool path is not parallel to the contour.
   if (block.at_start != block.at_end) return block.programmed.path;
   return std::visit(
       [&](const auto& path) { return moved_back(path, block.at_end.shift, same_point); },

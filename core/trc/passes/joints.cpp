@@ -26,9 +26,9 @@ JointResult on_path(const std::optional<Joint>& joint, Role role, const Corner& 
                       .place = corner.programmed};
 }
 
-// The corner with a way in place of its first block, of its second one for a retract, that comes
-// from `far`, or goes there, along a tangent of the circle about it. Nothing from within the
-// circle.
+// The corner with a way in place of its first block, or of its second one for a retract. The way
+// comes from `far`, or leads there, along a tangent of the circle about the corner. Empty if `far`
+// is inside the circle.
 std::optional<Corner> corner_touched_from(const Point& far, const Corner& corner, Role role) {
   const bool leaves = role == Role::retract;
   const Vector way = leaves ? far - corner.programmed : corner.programmed - far;
@@ -45,7 +45,7 @@ std::optional<Corner> corner_touched_from(const Point& far, const Corner& corner
 }
 
 // KONT, at an outside corner. The way turns further than the programmed one: the tool may go more
-// than half round the corner, which no line does.
+// than half round the corner, which lines cannot do.
 JointResult round_by_tangent(const Point& far, const Corner& corner, const TrcMode& mode, Role role,
                              const Tolerances& tolerances) {
   const auto touched = corner_touched_from(far, corner, role);
@@ -65,7 +65,7 @@ JointResult round_by_tangent(const Point& far, const Corner& corner, const TrcMo
 
 JointResult approach(const PathBlock& before, const PathBlock& after, const Corner& corner,
                      const Tolerances& tolerances) {
-  // Of the selection block; the transition is that of the block behind the corner (D-149).
+  // The mode of the selection block; the block after the corner decides the transition (D-149).
   const TrcMode& mode = before.mode();
   if (mode.tangential) {
     auto path = selection::tangential_entry(start_of(before.programmed.path), corner.after.anchor,

@@ -15,7 +15,7 @@ namespace {
 
 bool is_contour(const PathBlock& block) { return block.role == Role::contour; }
 
-// What a corner asks of a block. Under SUPPRESS_TRC (D-155) the tool is as wide as ever here.
+// The data that a corner needs of a block. SUPPRESS_TRC (D-155) does not change the tool here.
 PathBlock outline_of(const PathBlock& block) {
   PathBlock outline;
   outline.programmed.path = block.programmed.path;
@@ -66,7 +66,7 @@ Segment moved(const Segment& segment, const Point& start, const Point& end, doub
   return Line{.start = start, .end = end};
 }
 
-// Two blocks that meet in a corner, and those before and behind them.
+// Two blocks that meet in a corner, and the blocks before and after them.
 struct Notch {
   const PathBlock* before = nullptr;
   PathBlock first{};
@@ -160,7 +160,7 @@ void KerfMasking::raise_notch(const PathBlock* next) {
   if (transition_angle(corner, tolerances_) > widest + tolerances_.tangent) return;
   if (notch.can_be_entered(tolerances_.on_contour, tolerances_)) return;
 
-  // On the bisector, at most up to where the notch is none.
+  // The bottom is raised along the bisector, at most until no notch is left.
   const Point bottom = end_of(first.programmed.path);
   const Vector up = (notch.second.tangent_at_start - notch.first.tangent_at_end).normalized();
   const Vector from_start = bottom - start_of(first.programmed.path);

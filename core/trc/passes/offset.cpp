@@ -45,7 +45,7 @@ bool Offset::keeps_circle(PathBlock& block, double shift) {
 bool Offset::report_not_smaller(const PathBlock& block, const Arc& arc, double shift) {
   const double radius = parallel_radius(arc, shift);
   Diagnostic violation = diagnostic(Code::tool_not_smaller_than_arc, block.programmed.source);
-  // In wear mode the part is told of, not the programmed centre path.
+  // In wear mode the message is about the part, not about the programmed centre path.
   const TrcMode& mode = block.mode();
   const bool inside = (arc.sweep > 0) == (shift > 0);
   violation.values = {

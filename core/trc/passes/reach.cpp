@@ -9,7 +9,7 @@
 namespace trc {
 namespace {
 
-// What a corner asks of a block, for another radius (D-145).
+// The data that a corner needs of a block, with another radius (D-145).
 PathBlock with_radius(const PathBlock& block, double radius) {
   PathBlock changed;
   changed.programmed.path = block.programmed.path;
@@ -23,7 +23,7 @@ PathBlock with_radius(const PathBlock& block, double radius) {
   return changed;
 }
 
-// What the corner takes off its two blocks; empty where they do not meet.
+// The corner with its cuts of the two blocks; empty if they do not meet.
 std::optional<Joint> cuts_between(const PathBlock& before, const PathBlock& after,
                                   const Tolerances& tolerances) {
   const auto result =
@@ -50,7 +50,7 @@ bool is_reached(const PathBlock& before, const PathBlock& block, const PathBlock
 
 double largest_radius_for(const PathBlock& before, const PathBlock& block, const PathBlock& after,
                           const Tolerances& tolerances) {
-  constexpr double micrometre = 1e-3;  // mm, to which the radius is told
+  constexpr double micrometre = 1e-3;  // mm; the resolution of the reported radius
   double high = std::abs(block.at_end.shift);
   if (is_reached(before, block, after, high, tolerances)) return high;
   double low = 0;

@@ -28,8 +28,8 @@ bool goes_on_with_contour(const TrcMode& before, const TrcMode* after) {
   return continues(before, after) && after->side == before.side;
 }
 
-// Rule 3.0: only under G236 may the approach be an arc. Under G238 it is refused where the whole
-// contour is known.
+// Rule 3.0: only under G236 may the approach be an arc. Under G238 it is refused later, when the
+// whole contour is known.
 bool is_circle_for_line(const PathBlock& block, const TrcMode* next) {
   if (block.role != Role::approach || !is_arc(block.programmed.path)) return false;
   const TrcMode& mode = block.mode();
@@ -177,7 +177,7 @@ bool RelevantBlocks::continue_selection(PathBlock& block) {
   return true;
 }
 
-// What lies beyond the window is not looked for: said once a selection (D-10).
+// Blocks beyond the window are not searched: reported once per selection (D-10).
 void RelevantBlocks::count_for_window(const PathBlock& block) {
   const std::size_t window = setup_.limits.look_ahead_blocks;
   if (++contour_blocks_ <= window) return;
@@ -186,7 +186,7 @@ void RelevantBlocks::count_for_window(const PathBlock& block) {
   diagnostics_.report(std::move(warning));
 }
 
-// A retract may be an arc under G236 alone, or become one by G05 (D-01).
+// A retract may be an arc only under G236, or become one by G05 (D-01).
 bool RelevantBlocks::end_selection(PathBlock& block) {
   if (!last_.active) return true;
   const TrcMode& mode = block.mode();
@@ -206,8 +206,8 @@ void RelevantBlocks::keep_refused_approach(const MotionBlock& next) {
   refused_way_ = {.blocks = {approach, next}, .shift = held_->at_end.shift};
 }
 
-// Under G238 the tool is not at the end of the last block: where it leaves is for the whole
-// contour to say (D-152).
+// Under G238 the tool is not at the end of the last block: the whole contour decides where it
+// leaves (D-152).
 void RelevantBlocks::keep_refused_retract(const PathBlock& retract) {
   if (last_mode_->selection == Selection::inside_corner ||
       end_of(last_path_) != start_of(retract.programmed.path))
@@ -219,7 +219,7 @@ void RelevantBlocks::keep_refused_retract(const PathBlock& retract) {
       .leaves = true, .blocks = {last, retract.programmed}, .shift = retract.at_start.shift};
 }
 
-// Whether the motion goes straight back there, so that both equidistants end in one point.
+// Whether the motion goes straight back, so that both equidistants end in one point.
 bool RelevantBlocks::reverses(const PathBlock& block) const {
   return turns_back(tangent_at_end(last_path_), tangent_at_start(block.programmed.path),
                     setup_.tolerances);

@@ -81,7 +81,7 @@ double Reporting::feed_factor(const PathBlock& block) {
     }
   } else if (const auto* circle = std::get_if<Arc>(&block.programmed.path);
              circle != nullptr && block.role == Role::contour) {
-    // In wear mode the tool touches the part, which lies beside what was programmed.
+    // In wear mode the tool touches the part, which lies beside the programmed path.
     const bool left = mode.side == Side::left;
     const bool inside = (circle->sweep > 0) == left;
     at_contour = mode.part_radius(radius_of(*circle), inside != mode.below_nominal);

@@ -16,8 +16,8 @@ double resolution_for(const TrcMode& mode, double input_resolution) {
   return std::min(input_resolution, 0.01 * std::abs(mode.tool_radius));
 }
 
-// How far a corner may lie beside what joins its neighbours, mm: a coordinate is off by up to half
-// of the resolution, two of them by its diagonal.
+// How far a corner may lie beside the line between its neighbours, mm: a coordinate is off by up to
+// half of the resolution, two of them by its diagonal.
 double most_aside(const TrcMode& mode, double input_resolution) {
   return 1.5 * resolution_for(mode, input_resolution);
 }
@@ -32,15 +32,15 @@ double distance_to(const Point& point, const Line& line) {
   return (point - line.start - along * way).norm();
 }
 
-// What else a block does belongs to its own place: it would be done elsewhere.
+// Other motion of a block belongs to its own place: in a joined line it would happen elsewhere.
 bool only_moves_in_plane(const MotionBlock& motion) {
   return !motion.normal.moves() && motion.tracking.empty();
 }
 
-// mm². A coordinate that is off turns two lines of the length l so that R·tan(β/2) is more than
+// mm². A rounded coordinate turns two lines of the length l so far that R·tan(β/2) is more than
 // half of l.
 double squared_length_of_short(const TrcMode& mode, double input_resolution) {
-  // Only what leaves no loops in keeps to every digit of a contour.
+  // Only loop removal keeps to every digit of a contour.
   if (mode.removes_loops()) {
     const double most = most_aside(mode, input_resolution);
     return most * most;
@@ -48,7 +48,7 @@ double squared_length_of_short(const TrcMode& mode, double input_resolution) {
   return 2.5 * std::abs(mode.tool_radius) * resolution_for(mode, input_resolution);
 }
 
-// What corners may take of lines that are joined: each block of them keeps something.
+// The share of joined lines that corners may take: each of the joined blocks keeps something.
 constexpr double most_of_joined = 0.97;
 
 // mm that corners may take of a line that stays as it is: below 0.1 µm nothing is damaged (D-14).
@@ -140,7 +140,7 @@ double RoundedInput::taken_at_start(std::size_t chord) const {
   std::optional<Vector> before = before_;
   if (chord > 0) before = tangent_of(line_of(chords_[chord - 1]));
   const Vector direction = tangent_of(line_of(chords_[chord]));
-  // What turns by more was meant.
+  // A larger turn was intended.
   return before && before->dot(direction) > 0 ? taken_between(*before, direction) : 0;
 }
 
@@ -159,11 +159,11 @@ bool RoundedInput::is_used_up(std::size_t chord, const std::optional<Vector>& be
          (chords_[chord].count > 1 ? most_of_joined * length : room_of_single(length, tolerances_));
 }
 
-// Between its ends: a tool that goes no farther than to a point has no room at an end that points
-// elsewhere.
+// Loop removal keeps the contour exact between its ends. At an end that points elsewhere a tool
+// that goes only to that point has no room.
 bool RoundedInput::is_exact() const { return held_.back()->mode().removes_loops(); }
 
-// Whether the corners between stay near enough to the line that takes the place of both.
+// Whether the corners within the chord stay near enough to the line that replaces its blocks.
 bool RoundedInput::may_be_one(const Chord& chord) const {
   if (chord.count > most_held) return false;
   const Line line = line_of(chord);
@@ -231,7 +231,7 @@ bool RoundedInput::are_all_free() const {
   return true;
 }
 
-// Where nothing helps the corner is what it is.
+// If nothing helps, the corner stays as it is.
 void RoundedInput::smooth() {
   while (chords_.size() >= 2 &&
          is_in_the_way(line_of(chords_[chords_.size() - 2]), line_of(chords_.back())) &&
@@ -290,8 +290,8 @@ void RoundedInput::release_first(const std::optional<Vector>& behind_all, PathBl
   for (Chord& rest : chords_) rest.first -= chord.count;
 }
 
-// Each of the first `count` blocks keeps something, whichever way it went, and those at the ends
-// what the corners there take.
+// Each of the first `count` blocks keeps some length, whichever way it went, and the blocks at the
+// ends keep the length that their corners take.
 void RoundedInput::lay_onto(const Line& line, std::size_t count,
                             const std::optional<Vector>& behind) {
   const auto [direction, length] = directed(vector_of(line));
@@ -315,8 +315,8 @@ void RoundedInput::lay_onto(const Line& line, std::size_t count,
   }
 }
 
-// A line leaves when what has come behind it is long enough for all that rounding may do: under
-// REMOVE_MASKED_BLOCKS the line before the last one may yet become one with it.
+// A line leaves when the lines after it are long enough for all effects of rounding. Under
+// REMOVE_MASKED_BLOCKS only the line before the last one may still be joined with it.
 void RoundedInput::release_some(PathBlocks& out) {
   const TrcMode& mode = held_.back()->mode();
   const double enough = 150 * std::abs(mode.tool_radius) * resolution_for(mode, input_resolution_);

@@ -45,7 +45,7 @@ void open(PathBlock& block, const Point& start, double cut, const Tolerances& to
   if (!block.at_end.active) complete(block, end_of(block.programmed.path), tolerances);
 }
 
-// Where the block and its passive blocks leave the other axes.
+// Puts the other axes of `inserted` where the block and its passive blocks leave them.
 void stand_behind(const PathBlock& block, MotionBlock& inserted) {
   const PassiveBlock* last = block.passive.empty() ? nullptr : &block.passive.back();
   inserted.normal = standing(last != nullptr ? last->normal.to : block.programmed.normal.to);
@@ -54,7 +54,7 @@ void stand_behind(const PathBlock& block, MotionBlock& inserted) {
     inserted.tracking.push_back(standing(axis.to));
 }
 
-// Behind its passive blocks, if the block has any.
+// A block to insert after `before` and its passive blocks.
 PathBlockPtr insertion_behind(const PathBlock& before, const PathBlock& after) {
   auto inserted = std::make_unique_for_overwrite<PathBlock>();
   inserted->role = Role::inserted;
@@ -117,7 +117,7 @@ bool Transitions::may_be_tied(const PathBlock& block) const {
     return false;
   if (length_of(block.programmed.path) > longest_in_bow_tie(largest_bow_tie_for(block)))
     return false;
-  // Which the short way leaves to this pass: a corner that is none ties nothing.
+  // The short way leaves such blocks to this pass. Without an inside corner there is no bow tie.
   const Corner corner = corner_between(*held_, block, tolerances_);
   return corner.sine_of_turn() * corner.shift > 0 &&
          kind_of(corner, tolerances_) != CornerKind::tangential;
@@ -176,7 +176,7 @@ void Transitions::enter(PathBlock& block, PathBlocks& out) const {
   }
   open(block, block.offset_start, 0, tolerances_);
   PathBlockPtr across = insertion_behind(block, block);
-  // Where the axes are before the block, whatever its passive blocks do behind it.
+  // The axes are where they were before the block, whatever its passive blocks do after it.
   MotionBlock& motion = across->programmed;
   motion.normal = standing(block.programmed.normal.from);
   motion.tracking = block.programmed.tracking;
@@ -201,7 +201,7 @@ void Transitions::leave(const Point* next_start, PathBlocks& out) {
   out.back()->passive = std::move(passive);
 }
 
-// The block is complete.
+// The held block must be complete.
 void Transitions::put_out_held(PathBlocks& out) {
   if (held_->at_start != held_->at_end)
     if (PathBlockPtr first = take_first_half(*held_, tolerances_)) out.push_back(std::move(first));
@@ -298,8 +298,7 @@ void Transitions::measure_room(const PathBlock& after) {
   block.largest_radius = largest_radius_for(before, block, after, tolerances_);
 }
 
-// Wear mode, behind a block of it: a smaller tool turns about the corner of the centre path, where
-// it could go deeper.
+// In wear mode, a smaller tool turns about the corner of the centre path, where it could go deeper.
 bool Transitions::tell_depth(const PathBlock& before, const PathBlock& after, const Joint& joint) {
   if (!is_contour(before) || !is_contour(after) || !after.mode().below_nominal ||
       joint.inserted().empty())
@@ -307,8 +306,8 @@ bool Transitions::tell_depth(const PathBlock& before, const PathBlock& after, co
   const Point& corner = start_of(after.programmed.path);
   const Vector across = left_of(tangent_at_end(before.programmed.path)) +
                         left_of(tangent_at_start(after.programmed.path));
-  // mm of the sum of two unit vectors: below that the path goes back, which is no corner one could
-  // speak of.
+  // Length of the sum of two unit vectors: below it the path reverses, and no corner could be cut
+  // deeper.
   constexpr double reverses = 1e-2;
   if (across.norm() < reverses) return true;
   const double shift = std::abs(after.at_start.shift);
@@ -354,7 +353,7 @@ void Transitions::keep_refused_way(const Corner& corner, const PathBlock& after)
                   .blocks = {before.programmed, after.programmed},
                   .shift = corner.shift,
                   .cut_at_start = leaves ? before.cut_at_start : 0};
-  // The arc of G05 asks for another direction, not for a length.
+  // The arc of G05 needs another direction, not a length.
   if (block.mode().tangential) return;
   const selection::AroundCorner around = selection::around_corner(block.mode());
   const auto needed = [&](const Segment& path, const Vector& tangent) {
@@ -369,7 +368,7 @@ void Transitions::keep_refused_way(const Corner& corner, const PathBlock& after)
 bool Transitions::refuse(const JointRefusal& refusal, const Corner& corner,
                          const PathBlock& after) {
   const PathBlock& block = refusal.of_after ? after : *held_;
-  // KONT asks for a place outside of the circle about the corner, not for a length.
+  // KONT needs a place outside the circle about the corner, not a length.
   const Selection selection = refusal.of_after ? block.mode().deselection : block.mode().selection;
   const bool is_of_way =
       (refusal.code == Code::selection_block_too_short && selection != Selection::indirect) ||

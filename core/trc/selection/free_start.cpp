@@ -11,7 +11,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr int directions = 48;
-constexpr double spread = 1.2;  // of one ring to the next
+constexpr double spread = 1.2;  // ratio of one ring to the next
 constexpr int halvings = 16;
 
 }  // namespace

@@ -25,7 +25,7 @@ Corner closing_corner(const PathBlock& last, const PathBlock& first, const Toler
   return corner;
 }
 
-// Where path and contour begin and end; none: their equidistants do not meet.
+// Where path and contour begin and end; empty if their equidistants do not meet.
 std::optional<Joint> closing_joint(const PathBlock& last, const PathBlock& first,
                                    const Tolerances& tolerances) {
   const Corner corner = closing_corner(last, first, tolerances);
@@ -70,7 +70,7 @@ bool InsideCorner::drain(PathBlocks& out) { return held_.empty() || close(nullpt
 
 bool InsideCorner::close(PathBlock* retract, PathBlocks& out) {
   PathBlock& approach = *held_.front();
-  // The program has ended behind the approach.
+  // The program has ended after the approach.
   if (held_.size() == 1) return refuse(Code::contour_not_closed, approach);
   PathBlock& first = *held_[1];
   PathBlock& last = *held_.back();
@@ -100,7 +100,7 @@ bool InsideCorner::check_contour(const PathBlock& approach, const PathBlock& fir
       {{"angle", transition_angle(start, tolerances_) * degrees}, {"largest_angle", 180}});
 }
 
-// The selection block by its number, as controls do; one without a number by its line.
+// Names the selection block by its number, as controls do, or by its line if it has none.
 std::vector<DiagnosticValue> InsideCorner::named(const Source& selection_block) {
   if (selection_block.number != Source::no_number)
     return {{"selection_block", static_cast<double>(selection_block.number)}};
@@ -109,7 +109,7 @@ std::vector<DiagnosticValue> InsideCorner::named(const Source& selection_block) 
   return values;
 }
 
-// The tool stands free of the contour where it starts, and comes in between the
+// Whether the tool is clear of the contour at its start, and comes in between the
 // last and the first block only.
 bool InsideCorner::check_start(const PathBlock& approach) {
   const Point& start = start_of(approach.programmed.path);
@@ -150,7 +150,7 @@ bool InsideCorner::give_points(PathBlock& approach, const PathBlock& first, Path
 void InsideCorner::keep_refused_way() {
   const PathBlock& first = *held_[1];
   const PathBlock& last = *held_.back();
-  // A circular approach is refused whatever the contour is.
+  // A circular approach is refused before the contour is checked.
   const double gap = (end_of(last.programmed.path) - start_of(first.programmed.path)).norm();
   if (gap > tolerances_.same_point || is_full_circle(last.programmed.path, tolerances_.same_point))
     return;

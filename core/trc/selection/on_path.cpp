@@ -9,8 +9,8 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 // The point of the programmed block at the distance of the tool radius from the
-// corner, nearest to it along the block: on the way in before, on the way out
-// behind the corner.
+// corner, nearest to it along the block: before the corner on the way in, after it
+// on the way out.
 struct Departure {
   Point point = Point::Zero();
   double cut = 0;
@@ -53,7 +53,7 @@ AroundCorner possible(AroundCorner wanted, double angle, const Tolerances& toler
   return angle <= pi + tolerances.tangent ? wanted : AroundCorner::arc;
 }
 
-// The block with nothing of it missing: all of the circle, or a line as long as coordinates reach.
+// The block without limits: the whole circle, or a line as long as coordinates reach.
 Segment unlimited(const Segment& block, const Tolerances& tolerances) {
   if (const auto* arc = std::get_if<Arc>(&block)) {
     Arc circle = *arc;

@@ -8,13 +8,13 @@
 namespace trc::selection {
 namespace {
 
-// A stretch of the line, as a share of it counted from its start.
+// A stretch of the line, as a share of it.
 struct Part {
   double share = 0;
   double feed = 0;
 };
 
-// How much of the line one mm of the option takes; 0 when it cannot be told.
+// The share of the line that one mm of the option takes; 0 if it cannot be determined.
 double share_of_one_mm(const SplitOption& split, const PathBlock& block) {
   const Line& line = std::get<Line>(block.tool_path);
   const Vector way = line.end - line.start;
@@ -82,7 +82,7 @@ bool Split::feed(PathBlockPtr block, PathBlocks& out) {
     out.push_back(std::move(block));
     return true;
   }
-  // The borders along the line, with the feed of the stretch behind each.
+  // The stretches along the line, from its start.
   std::array<Part, 3> stretches{};
   double taken = 0;
   for (std::size_t i = 0; i < count; ++i) taken += parts[i].share;

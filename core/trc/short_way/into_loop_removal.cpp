@@ -61,11 +61,11 @@ void IntoLoopRemoval::hold_inserted(const Joint& joint, HeldPath::Reach reach, c
   }
 }
 
-// What is reported belongs to the block that was taken last: the stretch ends with it.
+// A report belongs to the block that was taken last: the run ends with that block.
 void IntoLoopRemoval::put_out_leaving(std::vector<CompensatedBlock>& out) {
   if (goes_on_ && !leaving_.empty()) goes_on_ = leave_selection_(leaving_, out);
   leaving_.clear();
-  // What is told of a line follows that line.
+  // The diagnostics of a line follow that line.
   goes_on_ = goes_on_ && diagnostics_.pending().empty();
 }
 

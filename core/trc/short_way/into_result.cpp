@@ -32,7 +32,7 @@ bool IntoResult::put_out(const Path& path, const AtCorner& at, const Joint& join
   const TrcMode& mode = *programmed.mode;
   reporting_.summary().programmed_length += at.before.length;
   const auto inserted = joint.inserted();
-  // Before its tracking axes go with the block.
+  // Before put_out() moves the tracking axes out of the block.
   if (!inserted.empty()) insert_behind(programmed, *at.after.programmed, inserted_);
   reporting_.put_out(programmed, mode, Origin::programmed, path, out);
   for (const auto& segment : inserted) {

@@ -4,8 +4,8 @@ namespace trc {
 namespace {
 
 // Whether the short way knows all the options that are on. Each one is named: a new one does not
-// compile until it is decided what it means here. Those marked so change nothing between two blocks
-// in the middle of a contour, or are asked for where they do.
+// compile until its meaning here is decided. Options with a remark change nothing between two
+// blocks in the middle of a contour, or are asked for where they do.
 bool knows(const TrcOptions& options, Loops loops) {
   [[maybe_unused]] const auto& [conv_cir_to_lin, kerf_masking, reverse /* at a change of side */,
                                 ignore_cont_damage, remove_masked_blocks /* loops */,
@@ -29,7 +29,7 @@ bool is_plain(const TrcMode& mode, Loops loops) {
                                 masking, feed_adaptation, tangfeed_minimum /* of feed_adaptation */,
                                 options] = mode;
   const bool adapts = masking == Masking::on || feed_adaptation != FeedAdaptation::off;
-  // Transitions tells how deep a smaller tool of wear mode reaches.
+  // Transitions reports how deep a smaller tool of wear mode reaches.
   return knows(options, loops) && (loops == Loops::removed || !adapts) && !below_nominal;
 }
 

@@ -107,14 +107,14 @@ void ShortWay::offset(MotionBlock& programmed, ShortStep& step, Corner& begin, C
   step.tangent_at_start = first.tangent;
 }
 
-// The rules between contour blocks (rule 4.2) as joint_between() has them for such blocks. In one
-// piece: what is done from here on takes less than to call it step by step.
+// The rules between contour blocks (rule 4.2), as in joint_between(). Inlined in one piece: the
+// steps take less time than their calls.
 TRC_FLATTEN bool ShortWay::join(const AtCorner& at, std::vector<CompensatedBlock>& out) {
   const Corner& corner = at.corner;
   if (loops_ == Loops::kept && corner.after.circular &&
       vanishes(corner.after.circle.radius, tolerances_))
     return false;
-  // Which kind of corner that is takes more than the corner.
+  // The corner alone does not tell a tip from a slit.
   if (may_reverse(corner)) return false;
   switch (kind_of(corner, tolerances_)) {
     case CornerKind::tangential:
@@ -134,7 +134,7 @@ bool ShortWay::join_inside(const AtCorner& at, std::vector<CompensatedBlock>& ou
     const auto meeting = inside_joint(corner, tolerances_);
     return meeting && leave(at, Joint(*meeting), Reach::reachable, out);
   }
-  // Whether it is a bow tie depends on the block behind.
+  // The block after the short one decides whether this is a bow tie.
   const double largest = largest_bow_tie(tolerances_.input_resolution, std::abs(shift_));
   if (after.length <= longest_in_bow_tie(largest)) return false;
   const bool vanished = before.unreachable || after.unreachable;

@@ -18,7 +18,7 @@
 namespace trc {
 namespace {
 
-// Whether what closes the contour in the other point are leads that begin and end there, or cross.
+// Whether `inner` lies within `outer`: then leads begin and end, or cross, in the outer point.
 bool lies_within(const Closing& inner, const Closing& outer, double same_place) {
   const auto is_before = [&](const ContourPlace& a, const ContourPlace& b) {
     return a.number != b.number ? a.number < b.number : a.along < b.along - same_place;
@@ -28,7 +28,7 @@ bool lies_within(const Closing& inner, const Closing& outer, double same_place) 
 
 using Meetings = std::pmr::vector<EndsMeeting>;
 
-// Among those that may close the contour.
+// Searches among the meetings that may close the contour.
 template <class MayClose>
 std::optional<Closing> search_inward(const ContourView& contour, const Meetings& meetings,
                                      double tolerance, double tool_radius, Overruns overruns,
@@ -53,8 +53,8 @@ std::optional<Closing> closing_of_some(const ContourView& contour, std::size_t f
                                        std::size_t end, double closing_tolerance,
                                        double tool_radius);
 
-// Of the same lap at several depths, where what leads from one to the next is longer than a lap:
-// which of the two is the lap, the last one tells, which has nothing behind it.
+// For the same lap at several depths, with links longer than the lap: the last lap, which no link
+// follows, shows which of the two is the lap.
 std::optional<Closing> closing_of_repeated(const ContourView& contour, double closing_tolerance,
                                            double tool_radius) {
   const auto repeated = repeated_laps(contour);
@@ -110,7 +110,7 @@ std::optional<Closing> closing_of_all(const ContourView& contour, double closing
   return closing;
 }
 
-// That of some blocks of a contour, from `first` on and before `end`.
+// The closing of some blocks of a contour, from `first` on and before `end`.
 std::optional<Closing> closing_of_some(const ContourView& contour, std::size_t first,
                                        std::size_t end, double closing_tolerance,
                                        double tool_radius) {

@@ -10,7 +10,7 @@ namespace {
 
 // Whether two blocks go on from each other without a corner.
 bool is_smooth(const Segment& before, const Segment& behind) {
-  constexpr double slight = 0.02;  // of a turn a corner begins there, as a sine
+  constexpr double slight = 0.02;  // sine of the turn at which a corner begins
   const Vector in = tangent_at_end(before);
   const Vector out = tangent_at_start(behind);
   return in.dot(out) > 0 && std::abs(cross(in, out)) < slight;
@@ -20,7 +20,7 @@ bool is_smooth(const Segment& before, const Segment& behind) {
 
 bool is_lead_across_walls(const ContourView& contour, const EndsMeeting& meeting, double tolerance,
                           double tool_radius) {
-  constexpr double slight = 0.03;  // along each other, but for rounding: the sine of the crossing
+  constexpr double slight = 0.03;  // sine below which both run along each other, but for rounding
   constexpr std::size_t most_blocks = 2;
   const auto& [in, along_in] = meeting.first;
   const auto& [out, along_out] = meeting.second;

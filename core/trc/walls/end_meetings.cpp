@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t first_few = 5;
 constexpr double reach_in_radii = 10;
-// A block among the first ones or the last ones.
+// One of the first or the last blocks.
 struct End {
   std::size_t number = 0;
   Segment path{};
@@ -46,7 +46,7 @@ Ends last_blocks(const ContourView& contour, double reach, std::pmr::memory_reso
   return blocks;
 }
 
-// The first blocks by their places.
+// The first blocks, found by place.
 class NearEnds {
  public:
   explicit NearEnds(const Ends& ends) : ends_(ends) {
@@ -55,7 +55,7 @@ class NearEnds {
     for (const End& block : ends) tree_->append(bounding_box(block.path));
   }
 
-  // Calls visit(index) with every one that comes as near to the place as `reach`, mm.
+  // Calls visit(index) for each block within `reach` mm of the place.
   template <class Visit>
   void for_each_near(const Box& place, double reach, const Visit& visit) const {
     if (tree_) return tree_->for_each_near(place, reach, visit);
@@ -64,7 +64,7 @@ class NearEnds {
   }
 
  private:
-  // Here asking all of them is cheaper than a tree, and takes nothing from the heap.
+  // Up to this number, asking all is cheaper than a tree, and takes nothing from the heap.
   static constexpr std::size_t few = 24;
 
   const Ends& ends_;
@@ -100,7 +100,7 @@ std::pmr::vector<EndsMeeting> meetings_of_ends(const ContourView& contour, doubl
       contour.pass();
       const bool few = are_few_outside(contour, begin.number, end.number);
       if (begin.number > end.number || (!few && begin.before + end.before > most)) return;
-      // Between two lines that follow each other there is nothing.
+      // Two lines that follow each other have nothing between them.
       if (begin.number + 1 >= end.number && !is_arc(begin.path) && !is_arc(end.path)) return;
       contacts.clear();
       find_contacts(begin.path, end.path, closing_tolerance, contacts);

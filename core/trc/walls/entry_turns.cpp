@@ -16,7 +16,7 @@ namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
 
-// A chord of a circle turns by no more than that: with less than eight a turn it is a polygon.
+// The largest turn of a chord of a circle: with fewer than eight chords a turn it is a polygon.
 constexpr double longest_chord = turn / 8 + 0.01;
 
 struct Circle {
@@ -32,7 +32,7 @@ Segment backwards(const Segment& segment) {
 
 enum class ContourEnd : std::uint8_t { begin, end };
 
-// The blocks of a contour from one of its ends on, each the way the tool comes by from there.
+// The blocks of a contour from one of its ends on, each directed away from that end.
 class FromEnd {
  public:
   FromEnd(const ContourView& contour, ContourEnd end)
@@ -46,10 +46,10 @@ class FromEnd {
     const std::size_t last = contour_.count - 1;
     return is_end_ ? backwards(contour_.segment(last - index)) : contour_.segment(index);
   }
-  // rad; positive where it turns to the side of the tool.
+  // rad; positive for a turn to the side of the tool.
   [[nodiscard]] double to_tool(double left_turn) const { return left_ ? left_turn : -left_turn; }
-  // How far the block goes round the circle, the tool inside, as arc or as chord; nothing: it is
-  // not on it.
+  // The angle by which the block, an arc or a chord, goes round the circle with the tool inside.
+  // Empty if the block is not on the circle.
   [[nodiscard]] std::optional<double> turn_on(const Circle& circle, const Segment& block,
                                               double tolerance) const {
     const Vector from = start_of(block) - circle.center;
@@ -64,7 +64,7 @@ class FromEnd {
     if (!is_on || angle <= 0 || (arc == nullptr && angle > longest_chord)) return std::nullopt;
     return angle;
   }
-  // The circle that the first block is on: an arc, or a chord if others go on round the tool.
+  // The circle of the first block: of an arc, or of a chord if others go on round the tool.
   [[nodiscard]] std::optional<Circle> first_circle() const {
     const Segment first = block(0);
     if (const auto* arc = std::get_if<Arc>(&first)) return Circle{arc->center, radius_of(*arc)};
@@ -72,7 +72,7 @@ class FromEnd {
   }
 
  private:
-  // Through where they begin, and are a third of a turn and two thirds on.
+  // Through the points where the chords begin, and have turned by one and two thirds of a turn.
   [[nodiscard]] std::optional<Circle> circle_of_chords() const {
     std::array<Point, 3> on{start_of(block(0))};
     std::size_t found = 1;
@@ -103,7 +103,7 @@ class FromEnd {
   bool left_;
 };
 
-// Whole turns on one circle from an end of the contour on: how many blocks they are.
+// Whole turns on one circle from an end of the contour on, and the number of their blocks.
 struct Turns {
   Circle circle{};
   std::size_t blocks = 0;
@@ -126,7 +126,7 @@ Turns whole_turns(const FromEnd& ends, double tolerance) {
   return turns;
 }
 
-// The circle of such turns comes so near to what closes there that the tool cannot pass between.
+// Whether the circle comes so near to the closed contour that the tool cannot pass between.
 bool is_beside(const ContourView& contour, const Circle& turns, const Closing& closing,
                double tool_radius) {
   for (std::size_t number = closing.first.number; number <= closing.second.number; ++number) {
@@ -137,8 +137,8 @@ bool is_beside(const ContourView& contour, const Circle& turns, const Closing& c
   return false;
 }
 
-// A bore may be roughed in turns that leave less than the tool takes to its finishing lap: most of
-// what closes there goes round with them.
+// A bore may be roughed in turns that leave less than the tool radius to its finishing lap: then
+// most of the closed contour goes round with the turns.
 bool are_roughing(const ContourView& contour, const Circle& turns, const Closing& closing,
                   double tolerance, double tool_radius) {
   const FromEnd blocks(contour, ContourEnd::begin);

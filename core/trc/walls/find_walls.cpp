@@ -16,7 +16,7 @@
 namespace trc {
 namespace {
 
-// Whether a block goes along the first few walls again, as exactly as both were programmed.
+// Whether a block goes along the first few walls again, within the precision of the program.
 bool is_overrun(const ContourView& contour, std::size_t number, std::size_t first_wall) {
   constexpr std::size_t few = 5;
   const Segment block = contour.segment(number);
@@ -26,7 +26,7 @@ bool is_overrun(const ContourView& contour, std::size_t number, std::size_t firs
   return false;
 }
 
-// Of as many leads as the settings say.
+// The closing between as many leads as the settings say.
 Closing closing_between(const ContourView& contour, const LeadSettings& settings) {
   const std::size_t first = settings.blocks_in;
   const std::size_t last = contour.count - settings.blocks_out - 1;
@@ -57,7 +57,7 @@ std::optional<Closing> closing_of(const ContourView& contour, const LeadSettings
   return closing_between(contour, settings);
 }
 
-// Puts together what is a lead of one contour.
+// Collects the leads of one contour.
 class Leads {
  public:
   Leads(const ContourView& contour, std::pmr::memory_resource* memory)
@@ -69,7 +69,7 @@ class Leads {
 
   void add_before(const ContourPlace& end) { add({0, 0}, end); }
   void add_behind(const ContourPlace& begin) { add(begin, {contour_.count, 0}); }
-  // All between two places.
+  // Adds all blocks between two places.
   void add(const ContourPlace& begin, const ContourPlace& end) {
     std::size_t first = begin.number;
     if (begin.along > same_place_) {
@@ -86,7 +86,7 @@ class Leads {
     }
     if (first < behind) ranges_.push_back({first, behind});
   }
-  // A lap ends within a block: what of it is before that is no wall for the next one (D-100).
+  // A lap ends within a block: the part before its end is no wall for the next lap (D-100).
   void add_end_of_lap(const ContourPlace& end) { limit({.number = end.number, .from = end.along}); }
   void mark(std::size_t number, ContourRole role) {
     if (role == ContourRole::lead) ranges_.push_back({number, number + 1});
@@ -142,14 +142,14 @@ class Leads {
   std::pmr::vector<std::size_t> walls_;  // marked
 };
 
-// The block that goes on from there.
+// The block that goes on from the place.
 std::size_t block_from(const ContourView& contour, const ContourPlace& place) {
   const bool is_at_end =
       place.along >= length_of(contour.segment(place.number)) - contour.tolerances.same_place;
   return place.number + (is_at_end ? 1 : 0);
 }
 
-// `near`: up to so much of a block, mm, is the end of the lap before or the begin of the next one.
+// `near`: up to this length, mm, a part of a block is the end of a lap or the start of the next.
 void add_rings(const ContourView& contour, const Laps& laps, double near, Leads& leads,
                Walls& walls) {
   const std::span<const Visit> visits = laps.visits();
@@ -165,14 +165,14 @@ void add_rings(const ContourView& contour, const Laps& laps, double near, Leads&
   }
 }
 
-// Where a block comes by where the contour closes, and how long it is.
+// The direction of a block where the contour closes, and its length.
 struct Direction {
   Vector tangent = Vector::Zero();
   double length = 0;
 };
 
-// Of the walls that meet there and of the leads in and out, at most six. What is shorter than the
-// resolution of the input tells nothing of where the contour closes.
+// For the walls that meet there and the leads in and out, six at most. A stretch shorter than the
+// resolution of the input does not tell where the contour closes.
 std::pmr::vector<Direction> directions_at(const ContourView& contour, const Closing& closing,
                                           double input_resolution,
                                           std::pmr::memory_resource* memory) {
@@ -193,7 +193,7 @@ std::pmr::vector<Direction> directions_at(const ContourView& contour, const Clos
   return directions;
 }
 
-// The lap that finishes what others have roughed may have leads of its own: then it does not close
+// The lap that finishes what others have roughed may have its own leads: then it does not close
 // where they do.
 void add_leads_of_last_lap(const ContourView& contour, const Laps& laps, double closing_tolerance,
                            double tool_radius, Leads& leads) {
@@ -213,8 +213,8 @@ void add_leads_of_last_lap(const ContourView& contour, const Laps& laps, double 
   leads.add({first + closing->second.number, closing->second.along}, end);
 }
 
-// How much nearer to one end of the contour than the tool the other one leads, mm, as they meet, or
-// their leads do, in a slight kink; what is more than rounding makes is none of that (D-44).
+// How much nearer than the tool radius one end of the contour leads to the other, mm, because both,
+// or their leads, meet in a slight kink. A kink too large for rounding does not count (D-44).
 double kink_in(const ContourView& contour, const Closing& closing, double tool_radius,
                double input_resolution, std::pmr::memory_resource* memory) {
   const auto kink_between = [&](const Direction& one, const Direction& other) {
@@ -222,7 +222,7 @@ double kink_in(const ContourView& contour, const Closing& closing, double tool_r
     if (cosine <= 0) return 0.0;
     const double sine = cross(one.tangent, other.tangent);
     const double nearer = tool_radius * sine * sine / (1 + cosine);
-    // By so much rounding of their ends turns blocks so short.
+    // Rounding of their ends turns blocks of these lengths by up to this sine.
     const double by_rounding = 2 * input_resolution * (1 / one.length + 1 / other.length);
     const double most =
         std::abs(sine) <= by_rounding ? contour.tolerances.on_top : input_resolution;
@@ -236,8 +236,8 @@ double kink_in(const ContourView& contour, const Closing& closing, double tool_r
   return kink;
 }
 
-// Walls that end beside a lead that goes along them are as near to it as the one it meets, by how
-// finely both are programmed.
+// Walls that end beside a lead along them are as near to it as the wall it meets, within the
+// precision of the program.
 void reach_along_leads(const ContourView& contour, const Closing& closing, double input_resolution,
                        Walls& walls) {
   // Whether an end of a wall is beside a lead; notes how far it is from it.
@@ -263,8 +263,8 @@ void reach_along_leads(const ContourView& contour, const Closing& closing, doubl
       --walls.tail.first;
 }
 
-// Of an overrun where it begins: what leads from one lap to the next need not come by where it
-// ends.
+// The beginning of an overrun, if there is one: a link from one lap to the next need not pass the
+// end of the overrun.
 Closing where_laps_meet(Closing closing) {
   if (!closing.overrun) return closing;
   closing.first = closing.overrun->first;
@@ -273,12 +273,12 @@ Closing where_laps_meet(Closing closing) {
   return closing;
 }
 
-// Of a bow tie nothing is a wall but the tip the tool goes round: what is beyond the crossing goes.
-// Where both corners are outside, the path keeps clear of all of it.
+// The only wall of a bow tie is the tip that the tool goes round: the parts beyond the crossing go.
+// If both corners are outside, the path keeps clear of all of it.
 void untie(const ContourView& contour, std::size_t number, const BowTie& tie, Walls& walls) {
   for (const std::size_t one : {number - 1, number, number + 1})
     if (walls.is_lead(one) || walls.part_of(one)) return;
-  // Of the short block: as much as has a direction.
+  // The shortest part of the short block that has a direction.
   const double length = length_of(contour.segment(number));
   const double tip = std::min(contour.tolerances.same_place, length);
   std::array<Walls::Part, 2> parts{
@@ -322,7 +322,7 @@ Walls find_walls(const ContourView& contour, const LeadSettings& settings, doubl
     if (closing->has_turns_in) walls.turns_in = {0, closing->first.number + 1};
     if (closing->has_turns_out) walls.turns_out = {closing->second.number, contour.count};
     walls.touch_of_turns = std::min(contour.tolerances.on_top, settings.closing_tolerance);
-    // What comes by once goes over nothing of its own.
+    // A single lap goes over no other one.
     if (!closing->is_alone || closing->overrun) {
       const double tolerance = settings.closing_tolerance;
       const Laps laps(contour, where_laps_meet(*closing), tolerance, scratch.memory());
@@ -343,7 +343,7 @@ Walls find_walls(const ContourView& contour, const LeadSettings& settings, doubl
       leads.mark(number, contour.role(number));
     }
   leads.give_to(walls);
-  // Where a lead meets the contour, rounding has it cut in by next to nothing (D-44).
+  // Where a lead meets the contour, rounding lets it cut in by next to nothing (D-44).
   if (walls.touch > 0 || !walls.leads.empty())
     walls.touch = std::max({walls.touch, contour.tolerances.on_contour, settings.input_resolution});
   if (contour.shift != 0)

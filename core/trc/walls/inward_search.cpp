@@ -13,9 +13,9 @@
 namespace trc {
 namespace {
 
-// Where the end of the contour comes onto its begin, if it goes on along it up to `closing`: from
-// there on both are as long. That is where a block begins: a lead along the contour crosses it
-// beside that by its rounding.
+// Where the end of the contour comes onto its beginning and goes on along it up to `closing`: from
+// there on both have the same length. Only ends of blocks count: rounding makes a lead along the
+// contour cross it beside them.
 std::optional<Closing::Overrun> overrun_to(const ContourView& contour, const EndsMeeting& closing,
                                            std::span<const EndsMeeting> candidates,
                                            double tolerance) {
@@ -51,13 +51,13 @@ class InwardSearch {
     const double later = next.before - best_->before;
     const double earlier = next.behind - best_->behind;
     if (std::abs(later) <= same_place_ && std::abs(earlier) <= same_place_) return note(next);
-    // What is before the one and behind the other is a loop of the leads, or a whole lap.
+    // The stretch before one meeting and after the other is a loop of the leads, or a whole lap.
     const double between = later + earlier;
     if (between > tolerance_ && between >= 0.5 * longest_ring()) return;
     if (earlier < 0) {
-      // The end goes on along the begin: an overrun, or both part in an acute angle.
+      // The end goes on along the beginning: an overrun, or both part in an acute angle.
       if (next.gap > std::max(best_->gap, contour_.tolerances.on_top)) return;
-      // Where leads between laps begin in one point, the laps close inside of that.
+      // If leads between laps begin in one point, the laps close inside of it.
       const bool is_lap =
           overruns_ == Overruns::along_the_last_lap && -earlier >= 0.5 * longest_ring();
       if (is_lap) return take(next);
@@ -92,7 +92,7 @@ class InwardSearch {
   }
 
  private:
-  // How far passes on top of each other are apart at most, mm.
+  // The largest distance of passes on top of each other, mm.
   [[nodiscard]] double most_on_top() const {
     return std::min(contour_.tolerances.on_top, tolerance_);
   }
@@ -100,7 +100,7 @@ class InwardSearch {
     return place.along <= same_place_ ||
            place.along >= length_of(contour_.segment(place.number)) - same_place_;
   }
-  // In the middle of a last block, and of a first one or where the contour begins.
+  // Whether it lies in the middle of a last block, and in that of a first one or at the beginning.
   [[nodiscard]] bool is_crossing(const EndsMeeting& candidate) const {
     const ContourPlace& first = candidate.first;
     const bool is_begin = first.number == 0 && first.along <= same_place_;
@@ -109,8 +109,8 @@ class InwardSearch {
   [[nodiscard]] bool is_junction(const EndsMeeting& candidate) const {
     return is_block_end(candidate.first) && is_block_end(candidate.second);
   }
-  // Whether the contour goes round a part of its own between the best one and the next, in which it
-  // only touches itself. Leads go round nothing, or round what lies on the side of the tool (D-57).
+  // Whether the contour goes round a part of its own between the best meeting and the next, where
+  // it only touches itself. Leads go round nothing, or round the side of the tool (D-57).
   [[nodiscard]] bool goes_round_a_part(const EndsMeeting& next) const {
     if (contour_.tool_side == Side::off || !is_junction(*best_)) return false;
     Scratch scratch;
@@ -126,8 +126,8 @@ class InwardSearch {
     lap.append(contour_, visits[0].place, visits[1].place);
     return !lap.has_on(contour_.tool_side, start_of(contour_.segment(0)));
   }
-  // From the best one to the next, begin and end are in one place all the way: a lead that leaves
-  // through the first walls meets them again too. Of several laps the end lies on the last one.
+  // Whether beginning and end stay together all the way from the best meeting to the next: a lead
+  // that leaves through the first walls meets them again, too. The end is on the last of all laps.
   [[nodiscard]] bool runs_along(const EndsMeeting& next) {
     const double on = best_->behind - next.behind;
     if (overruns_ == Overruns::along_the_last_lap) {
@@ -136,7 +136,7 @@ class InwardSearch {
                            behind_by(overrun_.front().second, way), on, 2 * tolerance_);
     }
     const double later = next.before - best_->before;
-    // Of that way, where begin and end part in an acute angle and an overrun ends on the begin.
+    // Share of the way, if both part in an acute angle and an overrun ends on the beginning.
     const double share = is_crossing(*best_) || !is_block_end(next.second) ? 0 : 0.02;
     const double most = most_on_top() + share * later;
     return stay_together(best_->first, later, best_->second, on, most);
@@ -149,7 +149,7 @@ class InwardSearch {
       go_on(end, on, share);
       return (point_at(begin) - point_at(end)).norm() <= most;
     };
-    // From one end of a block to the next one, on whichever way it is, as shares of the way.
+    // From one end of a block to the next one on either way, as shares of the way.
     double left = 1;
     while (left > 0) {
       contour_.pass();
@@ -163,7 +163,7 @@ class InwardSearch {
   [[nodiscard]] double left_of(const ContourPlace& place) const {
     return std::max(length_of(contour_.segment(place.number)) - place.along, 0.0);
   }
-  // Of a way that goes on from there.
+  // The share of a way from the place on that lies within its block.
   [[nodiscard]] double share_to_block_end(const ContourPlace& place, double way) const {
     const bool ends_there = way <= same_place_ || place.number + 1 == contour_.count;
     return ends_there ? 1 : left_of(place) / way;
@@ -175,7 +175,7 @@ class InwardSearch {
     else
       place.along += share * way;
   }
-  // Where the last lap comes by where the overrun begins.
+  // Where the last lap passes the beginning of the overrun.
   [[nodiscard]] const ContourPlace& begin_of_last_lap() {
     if (last_lap_) return *last_lap_;
     const EndsMeeting best = std::exchange(*best_, overrun_.front());
@@ -207,7 +207,7 @@ class InwardSearch {
     longest_ring_.reset();
     last_lap_.reset();
   }
-  // On the same stretch as the one before.
+  // Adds a meeting to the stretch of the one before.
   void note(const EndsMeeting& next) {
     gap_ = std::max(gap_, next.gap);
     joins_ = std::min(joins_, next.second.number);
@@ -226,8 +226,8 @@ class InwardSearch {
     const auto begin = std::find_if(overrun_.rbegin(), overrun_.rend(), begins_there);
     if (begin != overrun_.rend()) overrun_.erase(begin.base(), overrun_.end());
   }
-  // The end may cross the first lap where the last one, with round corners, does not come any more:
-  // the contour closes where it still goes round as often as where the overrun begins.
+  // The end may cross the first lap where the last one, with round corners, does not pass any more:
+  // the contour closes where as many laps pass as at the beginning of the overrun.
   void stay_with_all_laps() {
     const auto laps_at = [&](const EndsMeeting& candidate) {
       best_ = candidate;
@@ -242,10 +242,10 @@ class InwardSearch {
         overrun_.begin() + 1, overrun_.end(),
         [&](const EndsMeeting& candidate) { return laps_at(candidate) >= laps; });
     best_ = *std::prev(behind);
-    // The end lies on the last lap as exactly as that was told.
+    // The end lies on the last lap within the tolerance of this test.
     gap_ = std::max(gap_, contour_.tolerances.on_top) + most_on_top();
   }
-  // A lap may touch its own begin (D-136).
+  // A lap may touch its own beginning (D-136).
   [[nodiscard]] Closing closing() const {
     const bool overruns = best_->before > overrun_.front().before + tolerance_;
     return {.first = best_->first,
@@ -266,7 +266,7 @@ class InwardSearch {
   Overruns overruns_;
   std::pmr::memory_resource* memory_;
   std::optional<EndsMeeting> best_{};
-  std::pmr::vector<EndsMeeting> overrun_;  // the stretch up to the best one
+  std::pmr::vector<EndsMeeting> overrun_;  // meetings of the stretch up to the best one
   double gap_ = 0;
   std::size_t joins_ = 0;
   std::optional<double> longest_ring_{};

@@ -11,7 +11,7 @@ namespace trc {
 namespace {
 
 constexpr std::size_t most_lead_blocks = 8;
-// So many places tell whether a ring goes over another one.
+// Number of places that decide whether a ring goes over another one.
 constexpr int probes = 8;
 
 }  // namespace
@@ -120,7 +120,7 @@ bool Laps::finishes(std::size_t ring, std::size_t earlier) const {
   outline_of(ring, finished);
   outline_of(earlier, roughed);
   if ((finished.area() > 0) != (roughed.area() > 0)) return false;
-  // Where they meet neither is behind the other one: there they are as near as the visit.
+  // Where the laps meet, neither is behind the other one: there they are as near as a visit.
   const auto lies_on = [&](Side side, const Outline& outline, std::size_t probed,
                            std::size_t other) {
     Visit from = visits_[probed - 1];

@@ -5,21 +5,20 @@
 namespace trc {
 namespace {
 
-// One by one: a list of them would be made of copies.
+// One by one: an initializer list would copy the values.
 void give_values(const LeftOut& stretch, Diagnostic& found) {
   constexpr std::size_t most = 9;  // two places of three each, and three lengths
   found.values.reserve(most);
   append_place(found.values, "first", stretch.first);
   append_place(found.values, "last", stretch.last);
   found.values.push_back({"tool_radius", stretch.tool_radius});
-  // Leads and blocks without a length bound no wall; rounding of the sum may leave so much.
+  // Leads and blocks without a length are no walls; rounding may leave this much of the sum.
   constexpr double nothing = 1e-9;  // mm
   if (stretch.length > nothing) found.values.push_back({"left_out_length", stretch.length});
   if (stretch.of_walls > 0) found.values.push_back({"wall_length", stretch.of_walls});
 }
 
-// The rings but for those that lead from one of them to the next; the last one may begin with a
-// lead of its own.
+// The number of rings without those that link two laps; the last ring may begin with its own lead.
 std::size_t laps_of(const Walls& walls) {
   std::size_t laps = walls.rings.size() + 1;
   for (std::size_t ring = 0; ring + 1 < walls.rings.size(); ++ring)
@@ -43,7 +42,7 @@ void LeftOut::add(const LeftOut& other) {
 bool holds_a_lap(const Walls& walls, std::size_t first, std::size_t last, const LeftOut& stretch) {
   const double lap = stretch.of_walls / static_cast<double>(laps_of(walls));
   if (!walls.rings.empty() && stretch.length > 0.9 * lap) return true;
-  // Of few blocks nearly all may lie in one notch; laps that are not told are one long contour.
+  // Of a few blocks nearly all may lie in one notch; laps that are not found are one long contour.
   return walls.goes_round(first, last) && stretch.length > 0.1 * lap;
 }
 

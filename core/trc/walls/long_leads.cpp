@@ -14,17 +14,17 @@
 namespace trc {
 namespace {
 
-// With what an overrun goes over.
+// Including the blocks of an overrun.
 constexpr std::size_t most_lead_blocks = 4;
-// Of a contour of so few blocks any number may be leads: they are chords of arcs.
+// In a contour with no more blocks than this, any number may be leads: chords of arcs.
 constexpr std::size_t few_blocks = 400;
-// Cosine of the turn between a line and what it goes straight on into, 1 degree.
+// Cosine of the largest turn of a line that goes straight on, 1 degree.
 constexpr double straight_on = 0.99984;
-// Up to here two directions are one, rad: 1 degree.
+// Directions within this angle are the same, rad: 1 degree.
 constexpr double same_direction = std::numbers::pi / 180;
 
 // A lead beside the contour is an arc, or a line that goes straight on into it or out of it: as a
-// wall that would have the contour behind it.
+// wall such a line would have the contour behind it.
 bool leads_into(const Segment& lead, const Segment& contour) {
   return is_arc(lead) || tangent_at_end(lead).dot(tangent_at_start(contour)) > straight_on;
 }
@@ -32,7 +32,7 @@ bool leads_out_of(const Segment& contour, const Segment& lead) {
   return is_arc(lead) || tangent_at_end(contour).dot(tangent_at_start(lead)) > straight_on;
 }
 
-// Whether a lead begins where the contour closes, at once or behind an overrun of blocks that end
+// Whether a lead begins where the contour closes, at once or after an overrun of blocks that end
 // where the first ones do.
 bool is_left_by_lead(const ContourView& contour, const EndsMeeting& closing, double tolerance) {
   std::size_t wall = closing.first.number;
@@ -45,7 +45,7 @@ bool is_left_by_lead(const ContourView& contour, const EndsMeeting& closing, dou
   return false;
 }
 
-// What comes to where the contour closes and goes on from there; nothing: it begins or ends there.
+// The directions into the closing and out of it; empty if the contour begins or ends there.
 std::optional<Vector> into(const ContourView& contour, const ContourPlace& place) {
   if (place.along > contour.tolerances.same_place)
     return tangent_along(contour.segment(place.number), place.along);
@@ -61,8 +61,8 @@ std::optional<Vector> out_of(const ContourView& contour, const ContourPlace& pla
 }
 
 // Whether the way in and the way out cross where the contour closes, as leads in the space of the
-// tool do: as walls each would bar the tool from the other end of the ring. Where one is missing
-// the other one bars it within half a turn, in which the tool lies there.
+// tool do: as walls, each would bar the tool from the other end of the ring. If one is missing, the
+// other one bars the tool within the half turn that the tool needs there.
 bool cross_as_leads(const ContourView& contour, const EndsMeeting& closing) {
   constexpr double turn = 2 * std::numbers::pi;
   const auto along = out_of(contour, closing.first);
@@ -70,7 +70,7 @@ bool cross_as_leads(const ContourView& contour, const EndsMeeting& closing) {
   const auto in = into(contour, closing.first);
   const auto out = out_of(contour, closing.second);
   if (!along || !back || (!in && !out)) return false;
-  // Through the space of the tool, from the begin of the ring on.
+  // Angles through the space of the tool, from the beginning of the ring on.
   const double sign = contour.tool_side == Side::left ? 1 : -1;
   const auto angle_to = [&](const Vector& other) {
     const double angle = sign * std::atan2(cross(*along, other), along->dot(other));
@@ -86,7 +86,7 @@ bool cross_as_leads(const ContourView& contour, const EndsMeeting& closing) {
   return to_out < to_in;
 }
 
-// mm. Where it is more than `enough`, it need not be all.
+// mm; above `enough` it need not be the whole length.
 double length_between(const ContourView& contour, const EndsMeeting& closing, double enough) {
   double length = closing.second.along - closing.first.along;
   for (std::size_t number = closing.first.number;
@@ -124,7 +124,7 @@ bool is_between_long_leads(const ContourView& contour, const EndsMeeting& closin
   const bool is_plain = go_straight_or_round(contour, closing, tolerance);
   if (!is_plain && !cross_as_leads(contour, closing)) return false;
   const double shortest = std::max(10 * tolerance, is_plain ? 0 : tool_radius / 2);
-  // All of it tells whether it is slender.
+  // The whole length decides whether the ring is slender.
   constexpr double all = std::numeric_limits<double>::infinity();
   const double length = length_between(contour, closing, is_plain ? shortest : all);
   if (length <= shortest) return false;
@@ -133,7 +133,7 @@ bool is_between_long_leads(const ContourView& contour, const EndsMeeting& closin
   ring.append(contour, closing.first, closing.second);
   const bool tool_is_outside = (ring.area() > 0) != (contour.tool_side == Side::left);
   if (!is_plain && (!tool_is_outside || ring.is_slender(length))) return false;
-  // Where one is missing, the contour begins or ends on the ring itself.
+  // If a lead is missing, the contour begins or ends on the ring itself.
   const bool has_in = into(contour, closing.first).has_value();
   const bool has_out = out_of(contour, closing.second).has_value();
   const Point begin = start_of(contour.segment(0));

@@ -14,7 +14,7 @@ void Outline::append(const ContourView& contour, const ContourPlace& from, const
   for (std::size_t number = from.number; number <= to.number && number < contour.count; ++number) {
     contour.pass();
     const Segment segment = contour.segment(number);
-    // Most are lines from end to end.
+    // Most blocks are whole lines.
     const auto* line = std::get_if<Line>(&segment);
     if (line != nullptr && number != from.number && number != to.number) {
       if ((line->end - line->start).squaredNorm() > 0) add(line->start);

@@ -31,8 +31,8 @@ bool repeats(const ContourView& contour, std::size_t blocks) {
 }  // namespace
 
 std::optional<RepeatedLaps> repeated_laps(const ContourView& contour) {
-  // A contour that comes by its first block more often than that without repeating itself is none
-  // of those.
+  // If the first block comes again this often without the contour repeating itself, the search
+  // ends.
   constexpr int most_tries = 8;
   if (contour.count < 2) return std::nullopt;
   const Segment first = contour.segment(0);

@@ -15,7 +15,7 @@ Visits visits_of(const ContourView& contour, const Closing& closing, double tole
   Visits visits(memory);
   double way = 0;
   const double near = tolerance + closing.gap;
-  // Blocks that meet there are one visit, and so are short ones around it.
+  // Blocks that meet in the point are one visit, and so are short ones around it.
   const auto note = [&](std::size_t number, double along) {
     const bool is_same = !visits.empty() && way + along - visits.back().way <= 4 * near;
     if (!is_same) visits.push_back({.place = {number, along}, .way = way + along});
@@ -31,7 +31,7 @@ Visits visits_of(const ContourView& contour, const Closing& closing, double tole
     if (number >= first.number && may_be_near && distance(point, segment) <= near) {
       const double along = nearest_along(segment, point);
       if (number > first.number || along > first.along) note(number, along);
-      // A circle comes by with both of its ends.
+      // A closed circle visits the point with both of its ends.
       if (along < length && (end_of(segment) - point).norm() <= near) note(number, length);
     }
     way += length;

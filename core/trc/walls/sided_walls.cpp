@@ -46,7 +46,7 @@ Segment SidedWalls::wall(std::size_t number, const Segment& programmed) const {
 
 namespace {
 
-// The contour must outlive it.
+// The contour must outlive the view.
 ContourView side_of(const ContourView& contour, const std::vector<std::size_t>& changes,
                     std::size_t side) {
   const std::size_t begin = side > 0 ? changes[side - 1] : 0;

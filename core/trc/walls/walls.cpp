@@ -29,7 +29,7 @@ bool Walls::goes_round(std::size_t from, std::size_t to) const {
     const std::size_t lap = blocks_of_round > 0 ? blocks_of_round : tail.first + 1 - begin;
     return from < head.end && to >= tail.first && to - from + 1 >= lap;
   }
-  // The last lap counts as the one before it, which what leads from one to the next is not.
+  // The last lap has as many blocks as the lap before it; rings that link laps do not count.
   std::size_t ring = std::min(ring_of(from), rings.size() - 1);
   while (ring > 0 && is_lead(rings[ring - 1])) --ring;
   return to - from + 1 >= rings[ring] - (ring > 0 ? rings[ring - 1] : begin);
@@ -44,7 +44,7 @@ double Walls::touch_between(std::size_t number, std::size_t path) const {
   if (is_of_turns && (head.holds(number) || tail.holds(number)))
     most = std::max(most, touch_of_turns);
   if (rings.empty()) return most;
-  // Of several laps the end lies on the begin of the last one, which may be within the tail.
+  // With several laps, the end lies on the beginning of the last one, which may be in the tail.
   const auto begin_of = [&](std::size_t ring) {
     if (ring == 0) return head;
     const std::size_t first = rings[ring - 1];
@@ -53,7 +53,7 @@ double Walls::touch_between(std::size_t number, std::size_t path) const {
   if (meet(begin_of(rings.size()), tail) || meet(tail, tail)) most = std::max(most, touch);
   const std::size_t ring = ring_of(path);
   const std::size_t of_wall = ring_of(number);
-  // Each lap before ends on its begin too, by an overrun of its own.
+  // Each earlier lap ends on its beginning too, by its own overrun.
   const auto end_of = [&](std::size_t lap) {
     return Range{rings[lap] - std::min(rings[lap], 3 + blocks_of_overrun), rings[lap]};
   };

@@ -10,9 +10,9 @@
 namespace trc::server::http {
 namespace {
 
-// Coordinates in text are rounded.
+// Text has rounded coordinates; mm.
 constexpr double same_end = 2e-3;
-// Motions too short to be written, or written in parts, between two that are.
+// The most motions between two matches that are too short to be written or are written in parts.
 constexpr std::size_t farthest = 16;
 
 bool is_same(const LineEnd& a, const LineEnd& b) {

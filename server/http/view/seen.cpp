@@ -27,7 +27,7 @@ void add_seen(Elements& elements, Element element, const Movement& movement, Pla
     return elements.add(element, shape);
   }
   std::vector<Segment> seen = project(plane, shape, normal, shown);
-  // Straight at the viewer: a way without length in the plane.
+  // The motion runs straight towards the viewer: it has no length in the shown plane.
   if (seen.empty() && (normal.moves() || start_of(shape) != end_of(shape))) {
     const Point here = to_plane(shown, from_plane(plane, start_of(shape), normal.from));
     seen.emplace_back(Line{.start = here, .end = here});

@@ -57,7 +57,7 @@ void ViewStore::remove(const std::string& id) {
 }
 
 bool ViewStore::give_up_one() {
-  // Freeing a large one takes its time: not under the lock.
+  // Freeing a large view takes time, so it happens after the lock is released.
   std::shared_ptr<View> given_up;
   const std::lock_guard lock(mutex_);
   const auto oldest = std::min_element(

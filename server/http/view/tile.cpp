@@ -24,7 +24,7 @@ struct DrawnSegment {
 };
 static_assert(sizeof(DrawnSegment) == 36);
 
-// Directions from a point such that a straight line there passes every point left out so far.
+// The directions from a point in which a straight line passes every omitted point.
 class Sleeve {
  public:
   void begin() {
@@ -32,13 +32,13 @@ class Sleeve {
     farthest_ = 0;
   }
 
-  // Whether the way may go on straight to `to` from the begin. If so it is remembered.
+  // Whether the line may go on straight from its start to `to`. If so, `to` is remembered.
   bool admits(const Vector& to, double tolerance) {
     const double distance = to.norm();
     if (distance <= tolerance) return farthest_ <= tolerance;
-    // Going back would be lost.
+    // A line to here would not show the way back.
     if (distance + tolerance < farthest_) return false;
-    // What passes the point within the tolerance; lengths do not matter.
+    // Directions that pass `to` within the tolerance; lengths do not matter.
     const double along = std::sqrt(distance * distance - tolerance * tolerance);
     const Vector aside(-tolerance * to.y(), tolerance * to.x());
     const Vector low = along * to - aside;
@@ -57,7 +57,7 @@ class Sleeve {
 
  private:
   bool open_ = true;
-  Vector low_ = Vector::Zero();  // clockwise of all directions that are left
+  Vector low_ = Vector::Zero();  // clockwise limit of the remaining directions
   Vector high_ = Vector::Zero();
   double farthest_ = 0;
 };
@@ -66,7 +66,7 @@ Point place_on(const Arc& arc, double share) {
   return share < 1 ? verify::place_at(arc, share).point : arc.end;
 }
 
-// Where an arc meets the lines along the sides of a box, as shares of it.
+// Where an arc meets the lines through the sides of a box, as shares of the arc.
 std::vector<double> shares_on_sides(const Arc& arc, const Point& low, const Point& high) {
   constexpr double turn = 2 * std::numbers::pi;
   const double radius = radius_of(arc);
@@ -102,13 +102,13 @@ class Drawing {
         most_segments_(most_segments),
         dot_cells_(static_cast<std::size_t>(std::clamp(square.side / (4 * tolerance), 8.0, 256.0))),
         dots_(dot_cells_ * dot_cells_) {
-    // Strokes have a width: what lies beside the square may reach into it.
+    // Strokes have a width: a motion beside the square may reach into it.
     const double margin = square.side / 128;
     low_ = square.low - Vector(margin, margin);
     high_ = square.low + Vector(square.side + margin, square.side + margin);
   }
 
-  // False when there are too many segments.
+  // False if there are too many segments.
   bool draw(const Elements& elements, std::uint32_t flags);
   [[nodiscard]] const std::vector<DrawnSegment>& segments() const { return segments_; }
 
@@ -147,13 +147,13 @@ class Drawing {
   std::vector<DrawnSegment> segments_;
 
   bool down_ = false;
-  Point begin_ = Point::Zero();  // of the segment that is being drawn
+  Point begin_ = Point::Zero();  // of the segment being drawn
   Point at_ = Point::Zero();
   Pen pen_;
-  Pen next_pen_;  // of what begins behind the stroke
+  Pen next_pen_;  // for the motion after the stroke
   bool begun_by_dot_ = false;
   Sleeve sleeve_;
-  // One dot for each cell.
+  // At most one dot per cell.
   std::size_t dot_cells_;
   std::vector<bool> dots_;
 };
@@ -175,7 +175,7 @@ void Drawing::draw_group(const Elements& elements, std::size_t group, std::uint3
   const Elements::Group& of = elements.groups()[group];
   const std::size_t first = group * Elements::group_size;
   const std::size_t end = std::min(first + Elements::group_size, elements.size());
-  // A group within a dot is its last point.
+  // A group the size of a dot is drawn as its last point.
   if (down_ && !of.has_special && of.box.size().maxCoeff() <= tolerance_ / 2) {
     next_pen_ = pen_of(elements, end - 1, flags);
     return go_to(elements[end - 1].end);
@@ -202,16 +202,16 @@ void Drawing::draw_element(const Elements& elements, std::size_t index, std::uin
   if (!sees(box)) return lift();
   const Pen pen = pen_of(elements, index, flags);
   const bool small = box.size().maxCoeff() <= 2 * tolerance_;
-  // A circle that is too small to be one leads nowhere.
+  // A circle too small to show is a dot.
   const bool is_closed = element.arc >= 0 && element.start == element.end;
   const bool is_dot = small && (element.is_special() || is_closed);
   if (is_dot) draw_dot(element.start, pen);
-  // Something small keeps the pen of the stroke it is part of, unless that is of another kind and
-  // can be seen.
+  // A small element keeps the pen of the stroke it is part of, unless it is of another kind and can
+  // be seen.
   const bool joined = down_ && at_ == element.start;
   const bool is_other = !is_dot && !begun_by_dot_ && pen.style != pen_.style &&
                         (at_ - begin_).norm() > 2 * tolerance_;
-  // What can be pointed at for itself is drawn for itself.
+  // An element that can be pointed at is drawn as a segment of its own.
   if (!joined || is_other || (!small && (pen.style != pen_.style || begin_ != at_))) {
     lift();
     begin_at(element.start);
@@ -231,7 +231,7 @@ void Drawing::draw_element(const Elements& elements, std::size_t index, std::uin
   begin_at(element.end);
 }
 
-// Chords of something small, which are joined where that cannot be seen.
+// Draws a small arc as chords, which are joined where nobody can see it.
 void Drawing::draw_chords(const Arc& arc) {
   constexpr double most_chords = 20'000;
   const double radius = radius_of(arc);
@@ -244,9 +244,9 @@ void Drawing::draw_chords(const Arc& arc) {
   go_to(arc.end);
 }
 
-// An arc stays one, as far as it can be seen: at any scale it is round.
+// Keeps an arc as an arc where it is visible, so that it is round at any scale.
 void Drawing::draw_arc(const Arc& arc, const verify::Bounds& box, const Pen& pen) {
-  // What was begun for it.
+  // The stroke begun for this arc is not needed.
   down_ = false;
   if ((box.low - low_).minCoeff() >= 0 && (high_ - box.high).minCoeff() >= 0)
     return add(arc, 0, 1, pen);
@@ -262,8 +262,8 @@ void Drawing::draw_arc(const Arc& arc, const verify::Bounds& box, const Pen& pen
   }
 }
 
-// A part of an arc, in pieces that stay near to their chords: what is drawn for each of them is
-// hardly larger than what is seen of it, and its ends and its sweep tell its centre.
+// Draws a part of an arc in pieces that stay near their chords: each piece is hardly larger than
+// its visible part, and its ends and its sweep determine its centre.
 void Drawing::add(const Arc& arc, double from, double to, const Pen& pen) {
   const double radius = radius_of(arc);
   const double rise = std::min(16 * tolerance_, radius);
@@ -312,7 +312,7 @@ void Drawing::begin_at(const Point& at) {
   sleeve_.begin();
 }
 
-// The part of a segment that can be seen: a long one would lose its place in numbers of 32 bits.
+// Draws the visible part of a segment: a long one would lose precision in numbers of 32 bits.
 void Drawing::add(const Point& from, const Point& to, const Pen& pen) {
   const Vector way = to - from;
   double first = 0;
@@ -366,7 +366,7 @@ std::string tile_of(const Elements& contour, const Elements& path, Plane plane,
   for (double tolerance = limits.tolerance;; tolerance *= 2) {
     Drawing drawing(square, plane, tolerance, limits.most_segments);
     const bool fits = drawing.draw(contour, 0) && drawing.draw(path, path_flag);
-    // Beyond that everything in the square is one dot.
+    // Beyond this tolerance everything in the square is one dot.
     if (fits || tolerance > square.side) return bytes_of(drawing.segments(), tolerance);
   }
 }

@@ -22,8 +22,8 @@
 namespace trc::server::http {
 namespace {
 
-// A tile is shown about that large, in pixels: from 0.7 to 1.4 times. What is left out of it is
-// less than half a pixel then.
+// The size of a tile on the screen in pixels, from 0.7 to 1.4 times this. The omitted detail is
+// then less than half a pixel.
 constexpr double tile_pixels = 512;
 
 LineEnd end_in(Plane plane, const Segment& path, const AxisTravel& normal, const Source& source) {
@@ -60,8 +60,8 @@ v1::View View::said_by_now() const {
   return said;
 }
 
-// What the answers lacked because the path was not measured for them; the rest of the summary
-// holds.
+// Adds the results that the answers lacked because the path had not been measured. The rest of the
+// summary holds.
 void View::measure(const ProgramSession& session, const std::vector<Diagnostic>& found) {
   const std::lock_guard lock(mutex_);
   v1::PathSummary& path = *measured_.mutable_summary()->mutable_path();
@@ -157,7 +157,7 @@ std::string View::compensated_text(Verify verify, const std::function<void()>& i
 
 void View::make_output(const std::function<void()>& interrupt) {
   struct TooLong {};
-  // Some contours cost the square of their blocks.
+  // The time of measuring can grow with the square of the number of blocks.
   constexpr std::chrono::seconds most_measuring{60};
   const auto began = std::chrono::steady_clock::now();
   std::string text;
@@ -171,7 +171,7 @@ void View::make_output(const std::function<void()>& interrupt) {
     text = compensated_text(Verify::off, interrupt);
   }
 
-  // Both make the same motions; the text as it is read says where its lines end.
+  // Text and path have the same motions; reading the text tells where its lines end.
   ContourReader reader(parts_.settings.path.session);
   std::vector<LineEnd> reached;
   const auto reach = [&](const std::vector<Block>& blocks) {

@@ -45,7 +45,7 @@ ViewBuilder::ViewBuilder(ViewedProgram program, Memory& memory, std::function<bo
 }
 
 bool ViewBuilder::account() {
-  // What a line in the compensated text will take.
+  // Estimate for a line of the compensated text.
   constexpr std::size_t output_bytes = 64;
   const std::size_t bytes = contour_->bytes() + path_.bytes() + output_bytes * path_.size() +
                             replaced_.capacity() * sizeof(std::uint32_t);
@@ -66,7 +66,7 @@ void ViewBuilder::find_lines(std::uint64_t count) {
   }
 }
 
-// What comes behind the block that has stopped the compensation is programmed all the same.
+// The contour goes on after the block that stopped the compensation, so it is read from the text.
 void ViewBuilder::read_contour() {
   contour_ = std::make_unique<ViewContour>(settings_.path.session, plane_);
   ContourReader reader(settings_.path.session);
@@ -108,7 +108,7 @@ void ViewBuilder::take_path(std::span<const CompensatedBlock> blocks) {
   }
 }
 
-// The line of a retract is programmed without compensation: it has the tool of the block before.
+// The line of a retract is programmed without compensation: it has the tool of the previous block.
 float ViewBuilder::tool_radius_of(const CompensatedBlock& block) {
   if (block.origin == Origin::uncompensated) return 0;
   const float radius = radii_[block.source.index - first_radius_];
@@ -122,7 +122,7 @@ void ViewBuilder::add(const v1::Diagnostic& diagnostic) {
     for (const auto& [name, value] : diagnostic.values()) note.values.push_back({name, value});
     masked_.push_back(std::move(note));
   }
-  // An error comes last, and is what matters.
+  // The error comes last and matters most.
   const bool is_full = said_.diagnostics_size() >= most_diagnostics;
   if (is_full && diagnostic.severity() != v1::Diagnostic::ERROR)
     return said_.set_diagnostics_left_out(said_.diagnostics_left_out() + 1);
@@ -169,7 +169,7 @@ void ViewBuilder::describe(const ViewContour::Whole& contour) {
     all.add(own.low);
     all.add(own.high);
   }
-  // A path without extent still has a square to lie in.
+  // A path without extent still needs a square.
   const double side = std::max(all.size().maxCoeff(), 1.0) * 1.25;
   const Point middle = all.low + all.size() / 2;
   set(*said_.mutable_low(), all.low);

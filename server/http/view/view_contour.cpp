@@ -12,7 +12,7 @@
 namespace trc::server::http {
 namespace {
 
-// Blocks of a selection. Of a longer one leads are hardly seen, and all it has would be held twice.
+// Leads of a longer selection are hardly visible, and all its blocks would be stored twice.
 constexpr std::size_t longest_with_leads = 1U << 16U;
 
 bool moves(const MotionBlock& motion) {
@@ -20,12 +20,12 @@ bool moves(const MotionBlock& motion) {
          start_of(motion.path) != end_of(motion.path);
 }
 
-// What the first motions say, as they are read.
+// Collects plane and unit from the first motions as they are read.
 class Look {
  public:
   explicit Look(ContourReader& reader) : reader_(reader) {}
 
-  // True once all is known.
+  // True once plane and unit are known.
   bool take(const std::vector<Block>& blocks) {
     return std::ranges::any_of(blocks, [this](const Block& block) {
       const auto* motion = std::get_if<MotionBlock>(&block);
@@ -99,7 +99,7 @@ void ViewContour::add(const Block& block) {
   const auto* given = std::get_if<MotionBlock>(&block);
   if (given == nullptr || given->mode == nullptr) return;
   const MotionBlock& motion = *given;
-  // What leads to a contour, or from one side of it to the other, is not part of it.
+  // A motion that leads to a contour, or from one side of it to the other, is not part of it.
   const bool active = motion.mode->active();
   const Side side = active ? motion.mode->side : Side::off;
   const bool is_contour = active && std::exchange(side_, side) == side;

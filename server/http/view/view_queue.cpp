@@ -5,9 +5,9 @@
 namespace trc::server::http {
 namespace {
 
-// Some megabytes.
+// A few megabytes.
 constexpr std::size_t most_blocks = 32'768;
-// Of one piece that is kept: what a whole selection took is given back to the system.
+// For one spare piece: the memory of a whole selection goes back to the system.
 constexpr std::size_t most_spare_blocks = 4096;
 constexpr std::size_t most_spares = 64;
 
