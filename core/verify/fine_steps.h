@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "core/geometry/flat_arc.h"
 #include "core/verify/measured_path.h"
 
 namespace trc::verify {
@@ -37,9 +38,10 @@ class FineSteps {
   // Lines that rounding has bent so that a corner takes more than there is of them may be joined
   // within that distance.
   [[nodiscard]] bool is_one(const ProgrammedPiece& block, double required) const {
-    if (block.piece.is_arc() || !held_.rule_of(block).joins_fine_steps) return false;
-    const double longest = 2.5 * required * rounding(required);  // mm²
-    return (block.piece.end - block.piece.start).squaredNorm() <= longest;
+    if (!held_.rule_of(block).joins_fine_steps) return false;
+    const double longest = 5 * required * rounding(required);  // mm²
+    const double chord = (block.piece.end - block.piece.start).norm();
+    return chord * chord <= longest && is_flat_arc(chord, block.piece.sweep, input_resolution_);
   }
 
   const MeasuredPath& held_;

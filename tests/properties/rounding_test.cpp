@@ -433,6 +433,39 @@ TEST(Rounding, OfFineStepsMakesNoCorners) {  // D-44
   }
 }
 
+// Those half circles again, in arcs in place of chords.
+Contour in_arcs(const FineSteps& steps, const Contour& chords) {
+  Contour contour = chords;
+  for (Segment& block : contour.blocks) {
+    const Line line = std::get<Line>(block);
+    if (length_of(line) > 1) continue;  // a straight edge
+    const Vector half = 0.5 * (line.end - line.start);
+    const double depth = std::sqrt(steps.radius * steps.radius - half.squaredNorm());
+    const Point center = line.start + half + depth * left_of(half.normalized());
+    block = Arc{.start = line.start,
+                .end = line.end,
+                .center = center,
+                .sweep = 2 * std::asin(half.norm() / steps.radius)};
+  }
+  return contour;
+}
+
+TEST(Rounding, OfFineArcsMakesNoCorners) {  // D-44
+  for (std::uint64_t seed = 60'000'000; seed < 60'000'000 + contours_of_a_kind(); ++seed) {
+    Random random(seed);
+    const FineSteps made = with_fine_steps(random);
+    const Job& job = made.job;
+    SCOPED_TRACE("seed " + std::to_string(seed) + ", " + text_of(job.mode) + ", " +
+                 std::to_string(job.corners.size()) + " corners");
+    for (const double unit : {0.0, 1e-3, 1e-4}) {
+      const Outcome outcome = compensated(in_arcs(made, contour_of(job, unit)), job.mode);
+      ASSERT_FALSE(outcome.stopped)
+          << "rounded to " << unit << ": " << message_of(*outcome.error());
+      EXPECT_LE(made.off_by(path_of(outcome)), 3e-3);
+    }
+  }
+}
+
 // A round pocket in exact steps, hardly larger than the tool: its corners leave next to nothing of
 // the lines, and all of them stay.
 TEST(Rounding, ThatIsNoneChangesNothingOfFineSteps) {  // D-44

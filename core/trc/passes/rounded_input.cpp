@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "core/base/tolerances.h"
+#include "core/geometry/flat_arc.h"
 
 namespace trc {
 namespace {
@@ -37,23 +38,30 @@ bool only_moves_in_plane(const MotionBlock& motion) {
   return !motion.normal.moves() && motion.tracking.empty();
 }
 
-// mm². A rounded coordinate turns two lines of the length l so far that R·tan(β/2) is more than
-// half of l.
+// mm². Rounded coordinates turn lines of the length l so that the corners at both ends take up to
+// 1.41·R·resolution/l of them. In a curve of 1.4·R a line has 0.28·l left for that.
 double squared_length_of_short(const TrcMode& mode, double input_resolution) {
   // Only loop removal keeps to every digit of a contour.
   if (mode.removes_loops()) {
     const double most = most_aside(mode, input_resolution);
     return most * most;
   }
-  return 2.5 * std::abs(mode.tool_radius) * resolution_for(mode, input_resolution);
+  return 5 * std::abs(mode.tool_radius) * resolution_for(mode, input_resolution);
+}
+
+// The length of the path beside an arc, in its own length: inside a curve it is shorter. At least a
+// tenth, as with a tool that hardly fits.
+double room_beside(const Arc& arc, double length, const TrcMode& mode) {
+  const double shift = mode.side == Side::left ? mode.tool_radius : -mode.tool_radius;
+  return length > 0 ? std::clamp(1 - shift * arc.sweep / length, 0.1, 1.0) : 1;
 }
 
 // The share of joined lines that corners may take: each of the joined blocks keeps something.
 constexpr double most_of_joined = 0.97;
 
-// mm that corners may take of a line that stays as it is: below 0.1 µm nothing is damaged (D-14).
-double room_of_single(double length, const Tolerances& tolerances) {
-  return length + 0.9 * tolerances.on_contour;
+// mm that corners may take of a block that stays as it is: below 0.1 µm nothing is damaged (D-14).
+double room_of_single(double room, const Tolerances& tolerances) {
+  return room + 0.9 * tolerances.on_contour;
 }
 
 // With G239 the program has gone on from the end of the compensated path, which therefore must not
@@ -66,15 +74,20 @@ bool begins_in_end_of_path(const PathBlock* next) {
 }  // namespace
 
 bool RoundedInput::is_short(const MotionBlock& motion, double input_resolution) {
-  const auto* line = std::get_if<Line>(&motion.path);
-  if (line == nullptr) return false;
   const TrcMode& mode = *motion.mode;
   if (!mode.active() || mode.options.suppress_trc || !only_moves_in_plane(motion)) return false;
-  return vector_of(*line).squaredNorm() <= squared_length_of_short(mode, input_resolution);
+  const double longest = squared_length_of_short(mode, input_resolution);
+  const auto* arc = std::get_if<Arc>(&motion.path);
+  if (arc == nullptr) return vector_of(std::get<Line>(motion.path)).squaredNorm() <= longest;
+  if (mode.removes_loops()) return false;
+  const double chord = (arc->end - arc->start).norm();
+  return is_flat_arc(chord, arc->sweep, input_resolution) &&
+         2 * chord * chord * room_beside(*arc, chord, mode) <= longest;
 }
 
-bool RoundedInput::is_contour_line(const PathBlock& block) {
-  return block.role == Role::contour && std::holds_alternative<Line>(block.programmed.path) &&
+bool RoundedInput::is_contour_line(const PathBlock& block) const {
+  return block.role == Role::contour &&
+         (!is_arc(block.programmed.path) || is_short(block.programmed, input_resolution_)) &&
          block.at_start == block.at_end && block.at_end.shift != 0 && !block.perpendicular_exit &&
          !block.path_given && only_moves_in_plane(block.programmed);
 }
@@ -93,8 +106,10 @@ bool RoundedInput::feed(PathBlockPtr block, PathBlocks& out) {
   if (!is_contour_line(*block) || (held_.empty() && !goes_on)) {
     before_.reset();
     behind_contour_ = block->role == Role::contour && block->at_end.active;
-    if (behind_contour_) before_ = tangent_at_end(block->programmed.path);
-    room_before_ = INFINITY;
+    if (behind_contour_) {
+      before_ = trc::course_of(block->programmed.path, block->at_end.shift);
+      before_->room = INFINITY;
+    }
     out.push_back(std::move(block));
     return true;
   }
@@ -122,11 +137,10 @@ Line RoundedInput::line_of(const Chord& chord) const {
           .end = end_of(held_[chord.first + chord.count - 1]->programmed.path)};
 }
 
-double RoundedInput::taken_between(const Vector& before, const Vector& after) const {
+ChordCourse RoundedInput::course_of(const Chord& chord) const {
   const double shift = held_.back()->at_end.shift;
-  const double cosine = before.dot(after);
-  if (cosine < 0) return cross(before, after) * shift > 0 ? std::abs(shift) : 0;
-  return std::max(shift * cross(before, after) / (1 + cosine), 0.0);  // R·tan(β/2)
+  if (chord.count > 1 || chord.straight) return trc::course_of(line_of(chord), shift);
+  return trc::course_of(held_[chord.first]->programmed.path, shift);
 }
 
 bool RoundedInput::is_in_the_way(const Line& before, const Line& after) const {
@@ -136,27 +150,32 @@ bool RoundedInput::is_in_the_way(const Line& before, const Line& after) const {
          tangent_of(before).dot(tangent_of(after)) < cosine_of_slight_turn;
 }
 
-double RoundedInput::taken_at_start(std::size_t chord) const {
-  std::optional<Vector> before = before_;
-  if (chord > 0) before = tangent_of(line_of(chords_[chord - 1]));
-  const Vector direction = tangent_of(line_of(chords_[chord]));
-  // A larger turn was intended.
-  return before && before->dot(direction) > 0 ? taken_between(*before, direction) : 0;
+ChordCut RoundedInput::cut_at_start(std::size_t chord) const {
+  std::optional<ChordCourse> before = before_;
+  if (chord > 0) before = course_of(chords_[chord - 1]);
+  if (!before) return {};
+  return cut_by_rounding(*before, course_of(chords_[chord]), held_.back()->at_end.shift);
 }
 
-bool RoundedInput::is_used_up(std::size_t chord, const std::optional<Vector>& behind) const {
+double RoundedInput::room_of(const Chord& chord, const ChordCourse& course) const {
   // Short lines that have been joined are longer.
-  const double longest = 16 * squared_length_of_short(held_.back()->mode(), input_resolution_);
-  const auto [direction, length] = directed(vector_of(line_of(chords_[chord])));
-  if (length * length > longest) return false;
-  double taken = taken_at_start(chord);
-  if (chord == 0 && taken > room_before_) return true;
+  const double longest = 8 * squared_length_of_short(held_.back()->mode(), input_resolution_);
+  if (vector_of(line_of(chord)).squaredNorm() > longest) return INFINITY;
+  return chord.count > 1 ? most_of_joined * course.room : room_of_single(course.room, tolerances_);
+}
+
+bool RoundedInput::is_used_up(std::size_t chord, const std::optional<ChordCourse>& behind) const {
+  const ChordCourse course = course_of(chords_[chord]);
+  const double room = room_of(chords_[chord], course);
+  if (room == INFINITY) return false;
+  const ChordCut start = cut_at_start(chord);
+  if (chord == 0 && before_ && start.before > before_->room) return true;
+  double cut = start.after;
   if (chord + 1 < chords_.size())
-    taken += taken_at_start(chord + 1);
-  else if (behind && direction.dot(*behind) > 0)
-    taken += taken_between(direction, *behind);
-  return taken >
-         (chords_[chord].count > 1 ? most_of_joined * length : room_of_single(length, tolerances_));
+    cut += cut_at_start(chord + 1).before;
+  else if (behind)
+    cut += cut_by_rounding(course, *behind, held_.back()->at_end.shift).before;
+  return cut > room;
 }
 
 // Loop removal keeps the contour exact between its ends. At an end that points elsewhere a tool
@@ -224,6 +243,38 @@ bool RoundedInput::make_even() {
   return false;
 }
 
+bool RoundedInput::has_arcs() const {
+  return std::ranges::any_of(chords_, [this](const Chord& chord) {
+    return chord.count == 1 && !chord.straight && is_arc(held_[chord.first]->programmed.path);
+  });
+}
+
+// Joins as little as possible. `behind`: what the last chord has to leave something beside.
+bool RoundedInput::divide_anew(const std::optional<ChordCourse>& behind) {
+  constexpr std::size_t most_joined = 8;
+  std::vector<ChordChoice> choices;
+  const auto offer = [&](const Chord& chord, double cost) {
+    ChordCourse course = course_of(chord);
+    course.room = room_of(chord, course);
+    choices.push_back({.chord = chord, .course = course, .cost = cost});
+  };
+  for (std::size_t end = 1; end <= held_.size(); ++end) {
+    const bool is_an_arc = is_arc(held_[end - 1]->programmed.path);
+    offer({.first = end - 1}, 1);
+    // An arc rather stays than it becomes a line, and rather does than two are joined.
+    if (is_an_arc) offer({.first = end - 1, .straight = true}, 1.5);
+    for (std::size_t count = 2; count <= std::min(most_joined, end); ++count) {
+      const Chord chord{.first = end - count, .count = count};
+      if (may_be_one(chord)) offer(chord, static_cast<double>(count * count));
+    }
+  }
+  std::vector<Chord> chords =
+      cheapest_division(choices, held_.size(), before_, behind, held_.back()->at_end.shift);
+  if (chords.empty()) return false;
+  chords_ = std::move(chords);
+  return true;
+}
+
 bool RoundedInput::are_all_free() const {
   for (std::size_t chord = 0; chord < chords_.size(); ++chord)
     if (!may_be_one(chords_[chord]) || (chord + 1 < chords_.size() && is_used_up(chord, {})))
@@ -240,12 +291,18 @@ void RoundedInput::smooth() {
   if (is_exact()) return;
   while (chords_.size() >= 2 && is_used_up(chords_.size() - 2, {})) {
     const std::size_t full = chords_.size() - 2;
+    if (has_arcs()) {
+      if (divide_anew({})) return;
+      for (Chord& chord : chords_) chord.straight = true;
+      continue;
+    }
     if (join_with_line_before(full)) continue;
-    if (move_corner_behind(full) || make_even() || !join(full)) return;
+    if (move_corner_behind(full) || make_even() || divide_anew({}) || !join(full)) return;
   }
 }
 
-void RoundedInput::smooth_last_before(const Vector& behind) {
+void RoundedInput::smooth_last_before(const ChordCourse& behind) {
+  if (has_arcs() && is_used_up(chords_.size() - 1, behind)) divide_anew(behind);
   while (chords_.size() >= 2 && is_used_up(chords_.size() - 1, behind) &&
          join(chords_.size() - 2)) {
   }
@@ -254,7 +311,7 @@ void RoundedInput::smooth_last_before(const Vector& behind) {
 void RoundedInput::end_before(const PathBlock* next, PathBlocks& out) {
   if (held_.empty()) return;
   if (next != nullptr && next->role == Role::contour) {
-    const Vector behind = tangent_at_start(next->programmed.path);
+    const ChordCourse behind = trc::course_of(next->programmed.path, next->at_start.shift);
     if (!is_exact() && next->at_start == held_.back()->at_end) smooth_last_before(behind);
     return release_all(behind, out);
   }
@@ -267,22 +324,25 @@ void RoundedInput::end_before(const PathBlock* next, PathBlocks& out) {
   release_all(std::nullopt, out);
 }
 
-void RoundedInput::release_all(const std::optional<Vector>& behind, PathBlocks& out) {
+void RoundedInput::release_all(const std::optional<ChordCourse>& behind, PathBlocks& out) {
   while (!chords_.empty()) release_first(behind, out);
   before_.reset();
 }
 
-void RoundedInput::release_first(const std::optional<Vector>& behind_all, PathBlocks& out) {
+void RoundedInput::release_first(const std::optional<ChordCourse>& behind_all, PathBlocks& out) {
   const Chord chord = chords_.front();
-  const Line line = line_of(chord);
-  const Vector direction = tangent_of(line);
-  std::optional<Vector> behind = behind_all;
-  if (chords_.size() > 1) behind = tangent_of(line_of(chords_[1]));
-  const double taken = chord.count > 1 ? 0 : taken_at_start(0);
-  if (chord.count > 1) lay_onto(line, chord.count, behind);
-  const Segment& last = held_[chord.count - 1]->programmed.path;
-  room_before_ = room_of_single(length_of(last), tolerances_) - taken;
-  before_ = direction;
+  ChordCourse course = course_of(chord);
+  std::optional<ChordCourse> behind = behind_all;
+  if (chords_.size() > 1) behind = course_of(chords_[1]);
+  if (chord.count > 1) {
+    lay_onto(line_of(chord), chord.count, behind);
+    const Segment& last = held_[chord.count - 1]->programmed.path;
+    course.room = room_of_single(length_of(last), tolerances_);
+  } else {
+    course.room = room_of_single(course.room, tolerances_) - cut_at_start(0).after;
+    if (chord.straight) held_.front()->programmed.path = line_of(chord);
+  }
+  before_ = course;
   const auto end = held_.begin() + static_cast<std::ptrdiff_t>(chord.count);
   std::move(held_.begin(), end, std::back_inserter(out));
   held_.erase(held_.begin(), end);
@@ -293,10 +353,12 @@ void RoundedInput::release_first(const std::optional<Vector>& behind_all, PathBl
 // Each of the first `count` blocks keeps some length, whichever way it went, and the blocks at the
 // ends keep the length that their corners take.
 void RoundedInput::lay_onto(const Line& line, std::size_t count,
-                            const std::optional<Vector>& behind) {
+                            const std::optional<ChordCourse>& behind) {
   const auto [direction, length] = directed(vector_of(line));
-  double at_start = before_ ? taken_between(*before_, direction) : 0;
-  double at_end = behind ? taken_between(direction, *behind) : 0;
+  const double shift = held_.back()->at_end.shift;
+  const ChordCourse course = trc::course_of(line, shift);
+  double at_start = before_ ? cut_between(*before_, course, shift).after : 0;
+  double at_end = behind ? cut_between(course, *behind, shift).before : 0;
   const double room = std::min(1.05, 0.98 * length / (at_start + at_end));
   at_start *= room;
   at_end *= room;
@@ -305,12 +367,12 @@ void RoundedInput::lay_onto(const Line& line, std::size_t count,
   double along = at_start;
   Point start = line.start;
   for (std::size_t i = 0; i < count; ++i) {
-    Line& path = std::get<Line>(held_[i]->programmed.path);
-    const double wanted = (path.end - line.start).dot(direction);
+    Segment& path = held_[i]->programmed.path;
+    const double wanted = (end_of(path) - line.start).dot(direction);
     const double left = at_end + least * static_cast<double>(count - 1 - i);
     along = std::min(std::max(wanted, along + least), length - left);
     const Point end = i + 1 < count ? Point(line.start + along * direction) : line.end;
-    path = {.start = start, .end = end};
+    path = Line{.start = start, .end = end};
     start = end;
   }
 }

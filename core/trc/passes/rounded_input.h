@@ -1,11 +1,11 @@
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
 
 #include "core/base/tolerances.h"
+#include "core/trc/passes/chords.h"
 #include "core/trc/path_block.h"
 
 namespace trc {
@@ -17,7 +17,7 @@ namespace trc {
 // a tool that is large beside them they take more than a whole line, and are removed where that
 // moves the contour by next to nothing. Each line stays a block, as long as the corners at the ends
 // need it. Lines that also move other axes, or have another feed, stay as they are: their effect
-// belongs to its place.
+// belongs to its place. Flat arcs are taken for lines where corners would leave nothing of them.
 //
 //   A ------------ B       B–C is 1 µm long, and turns: both blocks lie on A–C then.
 //                  C
@@ -44,34 +44,24 @@ class RoundedInput {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(held_, chords_, before_, room_before_, behind_contour_, begins_);
+    archive(held_, chords_, before_, behind_contour_, begins_);
   }
 
  private:
   static constexpr std::size_t most_held = 64;
 
-  // Consecutive held lines, taken as one.
-  struct Chord {
-    std::size_t first = 0;  // among the held
-    std::size_t count = 1;
-
-    template <class Archive>
-    void serialize(Archive& archive) {
-      archive(first, count);
-    }
-  };
-
-  static bool is_contour_line(const PathBlock& block);
+  [[nodiscard]] bool is_contour_line(const PathBlock& block) const;
   [[nodiscard]] bool continues(const PathBlock& block) const;
   [[nodiscard]] Line line_of(const Chord& chord) const;
-  // The cut from both blocks, mm, where the tool is inside the corner between them.
-  [[nodiscard]] double taken_between(const Vector& before, const Vector& after) const;
+  [[nodiscard]] ChordCourse course_of(const Chord& chord) const;
+  [[nodiscard]] bool has_arcs() const;
   [[nodiscard]] bool is_in_the_way(const Line& before, const Line& after) const;
-  // The cut from a chord by the corner at its start, mm.
-  [[nodiscard]] double taken_at_start(std::size_t chord) const;
-  // Whether the corners at both ends leave nothing of a chord. `behind`: tangent of what follows
-  // the last one.
-  [[nodiscard]] bool is_used_up(std::size_t chord, const std::optional<Vector>& behind) const;
+  // mm that corners may take of a chord; without end if rounding does not matter there.
+  [[nodiscard]] double room_of(const Chord& chord, const ChordCourse& course) const;
+  // By the corner at the start of a chord.
+  [[nodiscard]] ChordCut cut_at_start(std::size_t chord) const;
+  // Whether the corners at both ends leave nothing of a chord. `behind`: what follows the last one.
+  [[nodiscard]] bool is_used_up(std::size_t chord, const std::optional<ChordCourse>& behind) const;
   [[nodiscard]] bool is_exact() const;
   [[nodiscard]] bool may_be_one(const Chord& chord) const;
   // Joins a chord and the one after it, where that is allowed.
@@ -80,15 +70,16 @@ class RoundedInput {
   bool move_corner_behind(std::size_t chord);
   // Joins chords so that all have the same number of lines.
   bool make_even();
+  bool divide_anew(const std::optional<ChordCourse>& behind);
   [[nodiscard]] bool are_all_free() const;
   void smooth();
-  void smooth_last_before(const Vector& behind);
+  void smooth_last_before(const ChordCourse& behind);
   // `next`: the block that follows, if any.
   void end_before(const PathBlock* next, PathBlocks& out);
-  // `behind`: tangent of the contour block that follows.
-  void release_all(const std::optional<Vector>& behind, PathBlocks& out);
-  void release_first(const std::optional<Vector>& behind_all, PathBlocks& out);
-  void lay_onto(const Line& line, std::size_t count, const std::optional<Vector>& behind);
+  // `behind`: the contour block that follows.
+  void release_all(const std::optional<ChordCourse>& behind, PathBlocks& out);
+  void release_first(const std::optional<ChordCourse>& behind_all, PathBlocks& out);
+  void lay_onto(const Line& line, std::size_t count, const std::optional<ChordCourse>& behind);
   void release_some(PathBlocks& out);
 
   double input_resolution_;
@@ -96,10 +87,10 @@ class RoundedInput {
   PathBlocks held_;
   std::vector<Chord> chords_;
   std::vector<Chord> before_even_;
-  std::optional<Vector> before_;   // tangent at the end of the contour block before the held ones
-  double room_before_ = INFINITY;  // mm that the corner there may take of that block
-  bool behind_contour_ = false;    // what was fed last
-  bool begins_ = false;            // the held line is short, and the first of its contour
+  std::optional<ChordCourse>
+      before_;                   // of the contour block before the held ones; its room is left
+  bool behind_contour_ = false;  // what was fed last
+  bool begins_ = false;          // the held line is short, and the first of its contour
 };
 
 }  // namespace trc
