@@ -1,7 +1,7 @@
 # Fails when a folder includes what it must not know. Run: cmake -D ROOT=<source tree> -P layers.cmake
 #
-#   base <- geometry <- nc/text <- nc/state <- nc/dialect <- nc/program <- trc <- nc/writer <- nc/convert
-#   nc/convert <- verify <- session <- survey <- wire <- server, client
+#   base <- messages <- geometry <- nc/text <- nc/state <- nc/dialect <- nc/program <- trc <- nc/writer
+#   nc/writer <- nc/convert <- verify <- session <- survey <- wire <- server, client
 #
 # Quoted includes name a file from the top of the source tree. What a folder may include is one
 # regular expression for these and one for the headers in angle brackets, the standard library's
@@ -34,6 +34,8 @@ endfunction()
 set(known "core/base/.*")
 # Memory goes back to the system by its pages.
 layer(core/base "${known}" "cereal/.*|sys/mman\\.h|unistd\\.h")
+string(APPEND known "|core/messages/.*")
+layer(core/messages "${known}" "")
 foreach(folder geometry nc/text nc/state nc/dialect nc/program)
   string(APPEND known "|core/${folder}/.*")
   layer(core/${folder} "${known}" "Eigen/.*")

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <variant>
 
+#include "core/messages/diagnostic_text.h"
 #include "proto/wire/compensated_block.h"
 
 namespace trc::c {

@@ -17,6 +17,7 @@
 #include "client/c/block_in.h"
 #include "client/c/structure.h"
 #include "core/base/version.h"
+#include "core/messages/diagnostic_text.h"
 #include "core/session/program_session.h"
 #include "proto/wire/block.h"
 #include "proto/wire/json.h"

@@ -10,8 +10,9 @@
 #include "client/cli/program_options.h"
 #include "client/cli/speech.h"
 #include "core/base/diagnostic.h"
-#include "core/base/explanation.h"
-#include "core/base/german_explanation.h"
+#include "core/messages/diagnostic_text.h"
+#include "core/messages/explanation.h"
+#include "core/messages/german_explanation.h"
 #include "core/nc/text/characters.h"
 
 namespace trc::cli {

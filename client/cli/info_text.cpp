@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "client/cli/info_words.h"
-#include "core/base/german.h"
 #include "core/base/text_width.h"
+#include "core/messages/german.h"
 #include "core/nc/dialect/dialect.h"
 #include "core/nc/text/number_format.h"
 #include "proto/wire/german_settings.h"

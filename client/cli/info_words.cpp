@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "core/base/german.h"
-#include "core/base/sentences.h"
+#include "core/messages/german_detail.h"
+#include "core/messages/sentences.h"
 
 namespace trc::cli {
 namespace {

@@ -12,6 +12,7 @@
 #include "client/cli/reporter.h"
 #include "client/cli/speech.h"
 #include "core/geometry/segment.h"
+#include "core/messages/diagnostic_text.h"
 #include "core/nc/dialect/dialect.h"
 
 namespace trc::cli {

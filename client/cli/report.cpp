@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/utf8.h"
+#include "core/messages/diagnostic_text.h"
 #include "core/nc/text/characters.h"
 
 namespace trc::cli {

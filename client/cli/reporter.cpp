@@ -9,8 +9,9 @@
 #include <string_view>
 #include <utility>
 
-#include "core/base/explanation.h"
 #include "core/base/number_text.h"
+#include "core/messages/diagnostic_text.h"
+#include "core/messages/explanation.h"
 #include "core/nc/dialect/dialect.h"
 #include "core/nc/text/characters.h"
 #include "proto/wire/setup.h"

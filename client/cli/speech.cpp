@@ -3,7 +3,7 @@
 #include <array>
 #include <iostream>
 
-#include "core/base/sentences.h"
+#include "core/messages/sentences.h"
 #include "proto/wire/setting_sentences.h"
 #include "server/rpc/status.h"
 

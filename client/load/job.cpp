@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/messages/diagnostic_text.h"
 #include "core/session/path_session.h"
 #include "core/session/program_session.h"
 #include "proto/wire/block.h"

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "core/base/sentences.h"
+#include "core/messages/sentences.h"
 
 namespace trc::cli::load {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "client/plot/words.h"
 #include "core/base/entry_help.h"
+#include "core/messages/diagnostic_text.h"
 
 namespace trc::plot {
 namespace {

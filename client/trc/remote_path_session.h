@@ -7,6 +7,7 @@
 
 #include "client/trc/connection.h"
 #include "client/trc/failure.h"
+#include "core/messages/diagnostic_text.h"  // for who reads the diagnostics in the answers
 #include "core/session/answers.h"
 #include "proto/wire/block.h"
 #include "proto/wire/path_item.h"

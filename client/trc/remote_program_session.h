@@ -9,6 +9,7 @@
 
 #include "client/trc/connection.h"
 #include "client/trc/failure.h"
+#include "core/messages/diagnostic_text.h"  // for who reads the diagnostics in the answers
 #include "core/session/answers.h"
 #include "proto/wire/path_item.h"
 #include "trc/v1/setup.pb.h"

@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "core/base/utf8.h"
 
@@ -348,6 +352,43 @@ Diagnostic diagnostic(Code code, const Source& source, std::string detail) {
           .severity = row_of(code).severity,
           .source = source,
           .detail = is_utf8(detail) ? std::move(detail) : as_utf8(detail)};
+}
+
+void append_place(std::vector<DiagnosticValue>& values, const std::string& name,
+                  const Source& source) {
+  values.push_back({name + "_index", static_cast<double>(source.index)});
+  if (source.line > 0) values.push_back({name + "_line", static_cast<double>(source.line)});
+  if (source.number != Source::no_number)
+    values.push_back({name + "_number", static_cast<double>(source.number)});
+}
+
+RelatedPlace take_place(std::span<const DiagnosticValue>& values) {
+  const std::string_view index = values.front().name;
+  const std::string name(index.substr(0, index.rfind('_')));
+  RelatedPlace place{.name = name,
+                     .source = {.index = static_cast<std::uint64_t>(values.front().value)}};
+  values = values.subspan(1);
+  if (!values.empty() && values.front().name == name + "_line") {
+    place.source.line = static_cast<std::uint32_t>(values.front().value);
+    values = values.subspan(1);
+  }
+  if (!values.empty() && values.front().name == name + "_number") {
+    place.source.number = static_cast<std::int64_t>(values.front().value);
+    values = values.subspan(1);
+  }
+  return place;
+}
+
+std::vector<RelatedPlace> related_places(const Diagnostic& diagnostic) {
+  std::vector<RelatedPlace> places;
+  std::span<const DiagnosticValue> values(diagnostic.values);
+  while (!values.empty()) {
+    if (values.front().name.ends_with("_index"))
+      places.push_back(take_place(values));
+    else
+      values = values.subspan(1);
+  }
+  return places;
 }
 
 }  // namespace trc

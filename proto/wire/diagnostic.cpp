@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/entry_help.h"
+#include "core/messages/diagnostic_text.h"
 #include "proto/wire/enums.h"
 
 namespace trc::wire {

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "core/base/sentences.h"
+#include "core/messages/sentences.h"
 
 namespace trc::wire {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/base/sentences.h"
+#include "core/messages/sentences.h"
 #include "proto/wire/setting_sentences.h"
 #include "server/rpc/status.h"
 

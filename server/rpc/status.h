@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/base/diagnostic.h"
-#include "core/base/sentences.h"
+#include "core/messages/sentences.h"
 #include "proto/wire/field_fault.h"
 #include "proto/wire/unknown_fields.h"
 

@@ -2,6 +2,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/messages/diagnostic_text.h"
 #include "core/session/program_session.h"
 #include "core/trc/compensator.h"
 #include "core/trc/loops/loop_removal.h"

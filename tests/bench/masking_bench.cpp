@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/base/pages.h"
+#include "core/messages/diagnostic_text.h"
 #include "core/session/verified_compensator.h"
 #include "tests/bench/workloads.h"
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/messages/diagnostic_text.h"
 #include "core/nc/dialect/dialect.h"
 #include "core/session/program_session.h"
 #include "tests/fuzz/claims.h"

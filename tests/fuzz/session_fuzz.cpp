@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/base/archive.h"
+#include "core/messages/diagnostic_text.h"
 #include "core/session/path_session.h"
 #include "tests/fuzz/claims.h"
 #include "tests/fuzz/fuzzed_path.h"

@@ -28,6 +28,8 @@ expect(accepted proto/wire/block.h "\"trc/v1/block.pb.h\"")
 expect(accepted client/cli/compensate.cpp "\"server/in_process.h\"")
 
 expect(refused core/base/source.h "\"core/geometry/segment.h\"")
+expect(refused core/base/diagnostic.h "\"core/messages/german.h\"")
+expect(refused core/messages/german.h "\"core/geometry/segment.h\"")
 expect(refused core/geometry/segment.h "\"core/nc/state/block.h\"")
 expect(refused core/nc/state/block.h "\"core/trc/pass.h\"")
 expect(refused core/trc/pass.h "\"core/session/path_session.h\"")

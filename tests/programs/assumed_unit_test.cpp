@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/messages/diagnostic_text.h"
 #include "tests/programs/computing.h"
 
 // Lengths in front of the first unit word count in a unit that only the setup may say (D-167).

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/messages/diagnostic_text.h"
 #include "core/nc/program/program_reader.h"
 
 // Claims that hold for programs that compute in any dialect.

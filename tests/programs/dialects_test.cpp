@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "core/base/archive.h"
-#include "core/base/help_by_reason.h"
 #include "core/base/length_unit.h"
+#include "core/messages/help_by_reason.h"
 #include "core/nc/convert/conversion.h"
 #include "core/nc/dialect/dialect.h"
 #include "core/nc/dialect/pass_words.h"

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "core/messages/diagnostic_text.h"
 #include "tests/programs/computing.h"
 
 // Texts of Fanuc with several programs: what stands behind an O, where the main program is, and

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/messages/diagnostic_text.h"
 #include "tests/programs/computing.h"
 
 // What is refused says why in words of its own, at the word that is meant, with a remedy that

@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "core/messages/diagnostic_text.h"
 #include "tests/programs/computing.h"
 
 // Archives of Sinumerik: several programs in one text, each behind its header.

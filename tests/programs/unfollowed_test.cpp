@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/messages/diagnostic_text.h"
 #include "tests/programs/computing.h"
 
 // Under scaling, polar coordinates, transformations and the like no contour is compensated. Each

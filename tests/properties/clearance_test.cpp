@@ -6,6 +6,7 @@
 #include <sstream>
 #include <vector>
 
+#include "core/messages/diagnostic_text.h"
 #include "tests/support/run.h"
 #include "tests/support/slow_clearance.h"
 

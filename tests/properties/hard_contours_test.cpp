@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/messages/diagnostic_text.h"
 #include "core/trc/corner/bow_tie.h"
 #include "core/verify/clearance.h"
 #include "tests/support/long_run.h"

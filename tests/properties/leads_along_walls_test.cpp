@@ -12,6 +12,7 @@
 
 #include "core/geometry/along.h"
 #include "core/geometry/distance.h"
+#include "core/messages/diagnostic_text.h"
 #include "tests/support/program_run.h"
 #include "tests/support/random.h"
 #include "tests/support/run.h"

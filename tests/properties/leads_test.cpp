@@ -15,6 +15,7 @@
 
 #include "core/geometry/along.h"
 #include "core/geometry/distance.h"
+#include "core/messages/diagnostic_text.h"
 #include "tests/support/cam_programs.h"
 #include "tests/support/long_run.h"
 #include "tests/support/program_run.h"

@@ -12,6 +12,7 @@
 #include <tuple>
 #include <vector>
 
+#include "core/messages/diagnostic_text.h"
 #include "tests/support/big_contours.h"
 #include "tests/support/buffer_judge.h"
 #include "tests/support/run.h"

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/messages/diagnostic_text.h"
 #include "tests/support/long_run.h"
 #include "tests/support/run.h"
 #include "tests/support/slow_masking.h"

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/messages/diagnostic_text.h"
 #include "core/nc/state/circle.h"
 #include "core/session/program_session.h"
 #include "core/verify/nearest.h"

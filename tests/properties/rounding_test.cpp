@@ -11,6 +11,7 @@
 
 #include "core/geometry/along.h"
 #include "core/geometry/distance.h"
+#include "core/messages/diagnostic_text.h"
 #include "tests/support/long_run.h"
 #include "tests/support/run.h"
 #include "tests/support/slow_clearance.h"

@@ -5,6 +5,7 @@
 #include <sstream>
 #include <string>
 
+#include "core/messages/diagnostic_text.h"
 #include "tests/support/program_run.h"
 #include "tests/support/run.h"
 

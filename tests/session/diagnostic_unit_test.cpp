@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/messages/diagnostic_text.h"
 #include "tests/support/program_run.h"
 
 namespace trc::support {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "core/messages/diagnostic_text.h"
 #include "tests/support/program_run.h"
 
 namespace trc::support {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iostream>
 
+#include "core/messages/diagnostic_text.h"
 #include "tests/support/slow_clearance.h"
 #include "tests/support/slow_shapes.h"
 

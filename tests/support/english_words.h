@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/base/diagnostic.h"
+#include "core/messages/diagnostic_text.h"
 
 namespace trc::support {
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/messages/diagnostic_text.h"
 #include "core/trc/result/listing.h"
 #include "tests/support/english_words.h"
 

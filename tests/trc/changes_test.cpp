@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/messages/diagnostic_text.h"
 #include "tests/support/run.h"
 #include "tests/support/slow_clearance.h"
 

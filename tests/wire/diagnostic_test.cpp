@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "core/base/entry_help.h"
+#include "core/messages/diagnostic_text.h"
 #include "proto/wire/path_item.h"
 
 namespace trc::wire {

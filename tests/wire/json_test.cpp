@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "core/base/sentences.h"
+#include "core/messages/sentences.h"
 #include "proto/wire/setting_sentences.h"
 #include "trc/v1/trc_service.pb.h"
 

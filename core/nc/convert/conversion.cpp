@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/messages/diagnostic_text.h"
 #include "core/nc/convert/converted_comments.h"
 #include "core/nc/convert/plain_words.h"
 #include "core/nc/dialect/dialect.h"

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "core/messages/diagnostic_text.h"
 #include "core/nc/dialect/block_words.h"
 #include "core/nc/dialect/reading.h"
 

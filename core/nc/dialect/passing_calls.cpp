@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/messages/diagnostic_text.h"
 #include "core/nc/dialect/block_words.h"
 #include "core/nc/dialect/pass_words.h"
 #include "core/nc/dialect/reading.h"

@@ -5,6 +5,7 @@
 #include <functional>
 #include <utility>
 
+#include "core/messages/diagnostic_text.h"
 #include "core/nc/state/in_range.h"
 
 namespace trc {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/messages/diagnostic_text.h"
 #include "core/nc/text/characters.h"
 
 namespace trc {

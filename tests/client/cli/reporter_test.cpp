@@ -8,7 +8,8 @@
 #include <string>
 #include <utility>
 
-#include "core/base/help_by_reason.h"
+#include "core/messages/diagnostic_text.h"
+#include "core/messages/help_by_reason.h"
 #include "core/nc/dialect/dialect.h"
 
 namespace trc::cli {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "client/load/sample_program.h"
+#include "core/messages/diagnostic_text.h"
 #include "core/session/program_session.h"
 #include "core/verify/clearance.h"
 

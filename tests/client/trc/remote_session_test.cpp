@@ -14,6 +14,7 @@
 #include "client/trc/remote_path_session.h"
 #include "client/trc/remote_program_session.h"
 #include "client/trc/survey.h"
+#include "core/messages/diagnostic_text.h"
 #include "core/session/program_session.h"
 #include "proto/wire/compensated_block.h"
 #include "server/in_process.h"

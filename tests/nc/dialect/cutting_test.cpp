@@ -3,6 +3,7 @@
 #include <random>
 #include <string>
 
+#include "core/messages/diagnostic_text.h"
 #include "tests/nc/dialect/reading.h"
 
 namespace trc::testing {

@@ -2,6 +2,7 @@
 
 #include <ostream>
 
+#include "core/messages/diagnostic_text.h"
 #include "tests/nc/dialect/reading.h"
 
 namespace trc::testing {

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/messages/diagnostic_text.h"
 #include "tests/nc/dialect/reading.h"
 
 // Compares two readings of a program: by the reader of plain lines and, with a comment behind each

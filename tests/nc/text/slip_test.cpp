@@ -5,6 +5,7 @@
 #include <ostream>
 #include <string>
 
+#include "core/messages/diagnostic_text.h"
 #include "tests/nc/dialect/reading.h"
 
 namespace trc::testing {

@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include "core/messages/diagnostic_text.h"
 #include "google/rpc/error_details.pb.h"
 #include "google/rpc/status.pb.h"
 

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "core/messages/diagnostic_text.h"
 #include "core/session/program_session.h"
 
 // Where REMOVE_MASKED_BLOCKS finds no way because an end of the contour has no room for the tool,

@@ -1,3 +1,5 @@
+#include "core/messages/diagnostic_text.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -8,11 +10,11 @@
 #include <string_view>
 #include <utility>
 
-#include "core/base/diagnostic.h"
 #include "core/base/entry_help.h"
-#include "core/base/german.h"
-#include "core/base/help_by_reason.h"
 #include "core/base/length_unit.h"
+#include "core/messages/german.h"
+#include "core/messages/german_detail.h"
+#include "core/messages/help_by_reason.h"
 
 namespace trc {
 namespace {
@@ -189,24 +191,6 @@ std::string value_text(const DiagnosticValue& value, const Lengths& lengths, Lan
   return words + written(value.value, std::chars_format::general, 9);
 }
 
-// Removes the values of one append_place() from the front.
-RelatedPlace take_place(std::span<const DiagnosticValue>& values) {
-  const std::string_view index = values.front().name;
-  const std::string name(index.substr(0, index.rfind('_')));
-  RelatedPlace place{.name = name,
-                     .source = {.index = static_cast<std::uint64_t>(values.front().value)}};
-  values = values.subspan(1);
-  if (!values.empty() && values.front().name == name + "_line") {
-    place.source.line = static_cast<std::uint32_t>(values.front().value);
-    values = values.subspan(1);
-  }
-  if (!values.empty() && values.front().name == name + "_number") {
-    place.source.number = static_cast<std::int64_t>(values.front().value);
-    values = values.subspan(1);
-  }
-  return place;
-}
-
 // The words that begin the message about a place too narrow for the tool, and the name of the
 // value they contain.
 struct Narrowness {
@@ -314,26 +298,6 @@ std::string place_of(const Source& source, Language language) {
                           : (german ? "in Satz " : "in block ") + std::to_string(source.index);
   if (source.number != Source::no_number) place += " (N" + std::to_string(source.number) + ")";
   return place;
-}
-
-void append_place(std::vector<DiagnosticValue>& values, const std::string& name,
-                  const Source& source) {
-  values.push_back({name + "_index", static_cast<double>(source.index)});
-  if (source.line > 0) values.push_back({name + "_line", static_cast<double>(source.line)});
-  if (source.number != Source::no_number)
-    values.push_back({name + "_number", static_cast<double>(source.number)});
-}
-
-std::vector<RelatedPlace> related_places(const Diagnostic& diagnostic) {
-  std::vector<RelatedPlace> places;
-  std::span<const DiagnosticValue> values(diagnostic.values);
-  while (!values.empty()) {
-    if (values.front().name.ends_with("_index"))
-      places.push_back(take_place(values));
-    else
-      values = values.subspan(1);
-  }
-  return places;
 }
 
 std::string text_of(const RelatedPlace& related, Language language) {

@@ -1,4 +1,4 @@
-#include "core/base/explanation.h"
+#include "core/messages/explanation.h"
 
 #include <gtest/gtest.h>
 

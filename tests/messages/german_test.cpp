@@ -1,4 +1,4 @@
-#include "core/base/german.h"
+#include "core/messages/german.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,11 @@
 #include <set>
 #include <string>
 
-#include "core/base/explanation.h"
-#include "core/base/german_explanation.h"
-#include "core/base/help_by_reason.h"
+#include "core/messages/diagnostic_text.h"
+#include "core/messages/explanation.h"
+#include "core/messages/german_detail.h"
+#include "core/messages/german_explanation.h"
+#include "core/messages/help_by_reason.h"
 #include "core/nc/dialect/dialect.h"
 
 namespace trc {
@@ -220,28 +222,6 @@ TEST(German, OfEverySlipNamesWhatWasMeant) {
     EXPECT_NE(help_of(found), help_of(found, Language::german));
     EXPECT_EQ(help_of(found).find('{'), std::string::npos);
   }
-}
-
-TEST(Language, IsReadFromATag) {
-  EXPECT_EQ(language_of_tag("de"), Language::german);
-  EXPECT_EQ(language_of_tag("de_DE.UTF-8"), Language::german);
-  EXPECT_EQ(language_of_tag("DE-at"), Language::german);
-  EXPECT_EQ(language_of_tag("en-GB"), Language::english);
-  EXPECT_EQ(language_of_tag("C.UTF-8"), Language::english);
-  EXPECT_EQ(language_of_tag("fr"), std::nullopt);
-  EXPECT_EQ(language_of_tag("den"), std::nullopt);
-  EXPECT_EQ(language_of_tag(""), std::nullopt);
-}
-
-TEST(Language, IsWhatAcceptLanguagePrefers) {
-  EXPECT_EQ(accepted_language("de-DE,de;q=0.9,en;q=0.8"), Language::german);
-  EXPECT_EQ(accepted_language("en-US,en;q=0.9,de;q=0.8"), Language::english);
-  EXPECT_EQ(accepted_language("fr, de;q=0.5"), Language::german);
-  EXPECT_EQ(accepted_language("en;q=0.2, de;q=0.9"), Language::german);
-  EXPECT_EQ(accepted_language("de;q=0"), Language::english);
-  EXPECT_EQ(accepted_language("de;q=x"), Language::english);
-  EXPECT_EQ(accepted_language(""), Language::english);
-  EXPECT_EQ(accepted_language("*"), Language::english);
 }
 
 }  // namespace

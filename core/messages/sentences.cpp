@@ -1,4 +1,4 @@
-#include "core/base/sentences.h"
+#include "core/messages/sentences.h"
 
 #include <optional>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "core/base/german_fragments.h"
+#include "core/messages/german_fragments.h"
 
 #include <algorithm>
 #include <array>

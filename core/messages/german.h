@@ -1,7 +1,6 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <string_view>
 
 #include "core/base/diagnostic.h"
@@ -20,8 +19,5 @@ struct GermanRow {
 // One of each row of the table of codes, in its order.
 [[nodiscard]] std::span<const GermanRow> german_rows();
 [[nodiscard]] const GermanRow& german_row_of(Code code);
-
-// The detail of a diagnostic, where what it says about a word is known in German: "G68, rotation".
-[[nodiscard]] std::string german_detail(std::string_view detail);
 
 }  // namespace trc

@@ -1,4 +1,4 @@
-#include "core/base/german_explanation.h"
+#include "core/messages/german_explanation.h"
 
 #include <algorithm>
 

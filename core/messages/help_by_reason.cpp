@@ -1,4 +1,4 @@
-#include "core/base/help_by_reason.h"
+#include "core/messages/help_by_reason.h"
 
 #include <algorithm>
 #include <array>
