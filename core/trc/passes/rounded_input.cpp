@@ -166,10 +166,10 @@ double RoundedInput::room_of(const Chord& chord, const ChordCourse& course) cons
 
 bool RoundedInput::is_used_up(std::size_t chord, const std::optional<ChordCourse>& behind) const {
   const ChordCourse course = course_of(chords_[chord]);
-  const double room = room_of(chords_[chord], course);
-  if (room == INFINITY) return false;
   const ChordCut start = cut_at_start(chord);
   if (chord == 0 && before_ && start.before > before_->room) return true;
+  const double room = room_of(chords_[chord], course);
+  if (room == INFINITY) return false;
   double cut = start.after;
   if (chord + 1 < chords_.size())
     cut += cut_at_start(chord + 1).before;
