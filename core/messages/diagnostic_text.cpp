@@ -502,7 +502,8 @@ std::string help_of(const Diagnostic& diagnostic, Language language) {
         Code::no_tool_radius,    Code::line_reversed,        Code::arc_wrapped,
         Code::clearance_violated};
     // For these reasons the general help for expressions says little.
-    constexpr std::array<std::string_view, 8> own_reasons{", words behind a statement",
+    constexpr std::array<std::string_view, 9> own_reasons{", words behind a statement",
+                                                          ", a block number behind other words",
                                                           ", set by the program",
                                                           " or a tool offset of Fanuc",
                                                           ", which the program itself changes",

@@ -89,6 +89,7 @@ constexpr auto fragments = std::to_array<Fragment>({
     {"a call of what only the machine has", "der Aufruf von etwas, das nur die Maschine hat"},
     {"a chamfer beside an arc", "eine Fase neben einem Bogen"},
     {"a circle word in a straight motion", "ein Kreiswort in einer Geraden"},
+    {"a circle word without its arc", "ein Kreiswort ohne seinen Bogen"},
     {"a compensation along one axis", "eine Korrektur längs einer Achse"},
     {"a computed spindle", "eine berechnete Spindel"},
     {"a contour of X and Z in the plane X Y", "eine Kontur aus X und Z in der Ebene X Y"},
@@ -224,6 +225,7 @@ constexpr auto fragments = std::to_array<Fragment>({
     {"is not alone with its time", "steht nicht mit seiner Zeit allein"},
     {"known are", "bekannt sind"},
     {"machine coordinates", "Maschinenkoordinaten"},
+    {"coordinates without the tilt of the plane", "Koordinaten ohne die Schwenkung der Ebene"},
     {"modes as they were at M70, which is not there",
      "die Zustände, wie sie bei M70 waren, das nicht da ist"},
     {"modes that may be skipped", "Zustände, die ausgeblendet sein können"},
@@ -267,6 +269,7 @@ constexpr auto fragments = std::to_array<Fragment>({
     {"that is not between the plane of the contour and where the tool comes from or goes to",
      "das nicht zwischen der Ebene der Kontur und der Höhe liegt, aus der das Werkzeug kommt oder "
      "in die es geht"},
+    {"the angle of a rotation", "der Winkel einer Drehung"},
     {"the angle of a motion without one of its coordinates alone",
      "der Winkel einer Bewegung ohne genau eine ihrer Koordinaten"},
     {"the end of a smooth approach", "das Ende eines weichen Anfahrens"},

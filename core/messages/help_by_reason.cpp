@@ -237,6 +237,11 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Die Achsen in einen eigenen Satz schreiben, wo die Funktion sie nicht braucht; was Achsen "
      "bewegt, lässt sich nicht weiterreichen."},
     {"a computed spindle", "Write the speed as a number.", "Die Drehzahl als Zahl schreiben."},
+    {"a circle word without its arc",
+     "TURN= belongs to an arc with its centre, I1= J1= K1= to CIP: take it out, or complete the "
+     "arc.",
+     "TURN= gehört zu einem Bogen mit Mittelpunkt, I1= J1= K1= zu CIP: es streichen oder den Bogen "
+     "vervollständigen."},
     {"a circle word in a straight motion",
      "An arc has G02 or G03. A rounding of the corner has a word of its own: ,R of FANUC, RND= "
      "of SINUMERIK.",
@@ -474,6 +479,8 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Take it out: no arc and no chamfer lies between two motions along the same line.",
      "Streichen: zwischen zwei Bewegungen auf derselben Linie liegt weder Bogen noch Fase."},
     {"a rounding or a chamfer", write_corner, write_corner_in_german},
+    {"the angle of a rotation", "Write it beside ROT or AROT, in front of the contour.",
+     "Ihn neben ROT oder AROT schreiben, vor der Kontur."},
     {"the angle of a motion", "Write the end point of the line with both axes.",
      "Den Endpunkt der Geraden mit beiden Achsen schreiben."},
     {"a variable, while TRC is active", "Write its value in its place.",
@@ -517,11 +524,9 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Jeden Satz in eine eigene Zeile schreiben, Kommentare in ( )."},
     {"write it into a line of its own", "Write it into a line of its own.",
      "Es in eine eigene Zeile schreiben."},
-    {"behind other words",
-     "Write the number in front of its block; a jump or a call by N is not known in "
-     "this dialect.",
-     "Die Nummer vor ihren Satz schreiben; einen Sprung oder Aufruf mit N kennt dieser Dialekt "
-     "nicht."},
+    {"a block number behind other words",
+     "Write the number at the beginning of its block, in front of all other words.",
+     "Die Nummer an den Anfang ihres Satzes schreiben, vor alle anderen Wörter."},
     {"a subprogram", "Write the lines of the subprogram in the place of its call.",
      "Die Zeilen des Unterprogramms an die Stelle seines Aufrufs schreiben."},
     {"macro call", "Write the motion of the macro in the place of its call.",

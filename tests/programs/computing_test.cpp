@@ -24,6 +24,35 @@ TEST(AProgramThatComputes, PassesItsLinesInFrontAsTheyStand) {
             "%\r\nO1 (PART)\r\n/ G0 X1.\r\nG0 X2.\r\nM30\r\n%\r\n");
 }
 
+// Text behind the end (D-143).
+TEST(AProgramThatComputes, KeepsTheTextBehindItsEnd) {
+  const auto flat = [](DialectName dialect, const std::string& text) {
+    return flat_of(text, computing_setup(dialect));
+  };
+  using enum DialectName;
+  const std::string text = "\n(TOOLS)\n(T1 6 MM)\nX1 Y2\n";
+  EXPECT_EQ(flat(fanuc, "#1=2\nG0 X#1\nM30\n" + text + "%\n"), "G0 X2.\nM30\n" + text + "%\n");
+  EXPECT_EQ(flat(linuxcnc, "#1=2\nG0 X#1\nM2\n" + text + "%\n"), "G0 X2\nM2\n" + text + "%\n");
+  EXPECT_EQ(flat(isg, "P1=2\nG0 XP1\nM30\n" + text + "N500 X1\n%\n"),
+            "G0 X2\nM30\n" + text + "N500 X1\n%\n");
+  EXPECT_EQ(flat(sinumerik, "R1=2\nG0 X=R1\nM30\n; TOOLS\nN500 X1\n"),
+            "G0 X=2\nM30\n; TOOLS\nN500 X1\n");
+  // Up to what another value may lead to, or what computes.
+  const std::string head = "#1=2\nIF [#1 EQ 3] GOTO 20\nG0 X#1\n";
+  EXPECT_EQ(flat(fanuc, head + "N10 M30\n(A)\nN11 (B)\nX1\nN20 X3\nM30\n(C)\n"),
+            "G0 X2.\nN10 M30\n(A)\nN11 (B)\n");
+  EXPECT_EQ(flat(fanuc, head + "N20 M30\n(A)\n#2=1\n(B)\n"), "G0 X2.\nN20 M30\n(A)\n");
+  EXPECT_EQ(flat(isg, "P1=2\n$IF P1==2\nM30\n(A)\n$ENDIF\nX1\n"), "M30\n");
+  EXPECT_EQ(flat(sinumerik, "R1=2\nIF R1==2\nM30\n; A\nENDIF\nX1\n"), "M30\n; A\n");
+  EXPECT_EQ(flat(sinumerik, "R1=2\nG0 X=R1\nM30\n; A\nPART: X1\n"), "G0 X=2\nM30\n; A\n");
+  EXPECT_EQ(flat(linuxcnc, "#1=2\nG0 X#1\nM2\n(A)\no1 sub\nX1\no1 endsub\n"), "G0 X2\nM2\n(A)\n");
+  // The end of the program in a call: these lines are behind the call.
+  EXPECT_EQ(flat(fanuc, "M98 P9\n(A)\nX1\nO9\nG0 X2.\nM30\n"), "(O0009)\nG0 X2.\nM30\n");
+  EXPECT_EQ(flat(fanuc, "M98 P9\nM30\n(A)\nO9\nG0 X2.\nM99\n(B)\n"), "(O0009)\nG0 X2.\nM30\n(A)\n");
+  EXPECT_EQ(flat(fanuc, "M98 P9\nM30\n(A)\nO9\nM99\nO7\nG0 X2.\nM99\n"),
+            "(O0009)\nM30\n(A)\nO7\nG0 X2.\nM99\n");
+}
+
 TEST(AProgramThatComputes, IsNoneForAnythingInAComment) {
   const std::string text =
       "O1\nG0 X1. (#1=2 M98 P5)\nG1 X2. F100 ; WHILE [1] DO1\nM30\nM98 P1\n%\n";

@@ -73,6 +73,28 @@ TEST(ContourWords, TurnsWantTheCentreOfTheirArc) {
   EXPECT_EQ(refused("G2 X20 Y40 CR=10 TURN=2\nG1 X50\n"), "turns beside a radius");
 }
 
+// Words of an arc mean nothing where there is none.
+TEST(ContourWords, WordsOfAnArcWantTheirArc) {
+  const std::string reason = "a circle word without its arc";
+  for (const char* const words :
+       {"TURN=2", "TURN=0", "X20 TURN=2", "X20 TURN=0", "I1=5 J1=6", "X20 Y60 I1=10 J1=50"})
+    EXPECT_EQ(refused(std::string(words) + "\nX50\n"), reason) << words;
+  for (const char* const words : {"X20 Y60 CR=10", "CR=10", "X20 Y60 AR=90", "X20 I5", "I5 J5"})
+    EXPECT_EQ(refused(std::string(words) + "\nX50\n"), "a circle word in a straight motion")
+        << words;
+  for (const char* const words : {"TURN=2", "I1=5 J1=6", "X20 Y40 I10 J0 I1=10 J1=50"})
+    EXPECT_EQ(refused("G2 " + std::string(words) + "\nG1 X50\n"), reason) << words;
+  EXPECT_EQ(refused("CIP X20 Y40 I1=10 J1=50\nI1=5 J1=6\nG1 X50\n"), reason);
+  EXPECT_EQ(refused("AR=90\nX50\n"), "AR= with either its end or its centre");
+  EXPECT_EQ(refused("CIP X20 Y40\nG1 X50\n"),
+            "CIP, whose point between names the two axes of the plane");
+  EXPECT_EQ(refused("CT X20 Y60 CR=10\nG1 X50\n"), "CT beside a centre or a radius");
+}
+
+TEST(ContourWords, TheAngleOfARotationWantsItsRotation) {
+  EXPECT_EQ(refused("RPL=30\nX50\n"), "RPL=30, the angle of a rotation");
+}
+
 // It ends all frames, as TRANS alone does.
 TEST(ContourWords, ScaleAloneHasNoPlaceInAContour) {
   EXPECT_EQ(refused("SCALE\nX20 Y60\n"), "SCALE, a frame while TRC is active");

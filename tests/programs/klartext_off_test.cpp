@@ -82,6 +82,28 @@ TEST(KlartextOff, TheTipOfTheToolIsLedAlongNoSide) {
       0);
 }
 
+// M114 of older controls lets RL and RR stop with an error.
+TEST(KlartextOff, ThePlaceOfTurnedAxesIsNoPartOfAContour) {
+  EXPECT_EQ(code_of("M114 B+45\n" + contour), 900003);
+  EXPECT_EQ(code_of("M114 B+45\nM115\nL X-20 Y-20 R0 FMAX\n" + contour), 0);
+  const std::string within = "L X+0 Y+0 RL F300\nL Y+40\n";
+  const std::string begin = "L X-20 Y-20 R0 FMAX\n";
+  for (const std::string function : {"M114", "M130"})
+    EXPECT_EQ(code_of(begin + within + "L X+20 " + function + "\nL X+40\nL Y+80 R0\n"), 900003)
+        << function;
+  // M130: only the control knows where that is.
+  EXPECT_EQ(code_of("L X-20 Y-20 R0 FMAX M130\n" + contour), 900106);
+}
+
+// V of M200 to M204 is a voltage.
+TEST(KlartextOff, WordsOfTheLaserStayBehindTheirFunction) {
+  const std::string text =
+      "BEGIN PGM A MM\nL X-20 Y-20 R0 FMAX\nL X+0 Y+0 RL F300\nL Y+40 M200 "
+      "V5\nL X+40 Y+80\nL X+60 R0\nM30\nEND PGM A MM\n";
+  const ProgramRun ran = to_text(text, computing_setup(DialectName::heidenhain));
+  EXPECT_NE(ran.text.find(" M200 V5\n"), std::string::npos) << ran.report();
+}
+
 // Holes about a pole: only the control knows where the tool stands behind a cycle.
 TEST(KlartextOff, HolesOfACircleAreCopied) {
   const std::string drill = "CYCL DEF 200 DRILLING Q200=2\n";

@@ -235,8 +235,8 @@ TEST(SinumerikCalls, LeaveWhatTheyDoNotKnowToTheReader) {
 }
 
 TEST(SinumerikPrograms, EndWhereTheyReturn) {
-  EXPECT_EQ(flat("R1=1\nG0 X=R1\nN9 RET\nX2\n"), "G0 X=1\nN9 M17\n");
-  EXPECT_EQ(flat("R1=1\nG0 X=R1 M30\nX2\n"), "G0 X=1 M30\n");
+  EXPECT_EQ(flat("R1=1\nG0 X=R1\nN9 RET\nX2\n"), "G0 X=1\nN9 M17\nX2\n");
+  EXPECT_EQ(flat("R1=1\nG0 X=R1 M30\nX2\n"), "G0 X=1 M30\nX2\n");
   EXPECT_EQ(flat("PROC MAIN\nG0 X1\nM17\n"), "G0 X1\nM17\n");
 }
 
@@ -250,7 +250,7 @@ TEST(SinumerikPrograms, KeepTheContoursOfTheirCycles) {
   EXPECT_EQ(flat("CYCLE62(,2,\"E_LAB_A_1\",\"E_LAB_E_1\")\nR1=3\nG0 X=R1\nM30\n" + behind),
             "CYCLE62(,2,\"E_LAB_A_1\",\"E_LAB_E_1\")\nG0 X=3\nM30\n" + behind);
   EXPECT_EQ(flat("R1=3\nCYCLE62(\"1\",1,,)\nG0 X=R1\nM30\nX7\n" + behind + "X8\n"),
-            "CYCLE62(\"1\",1,,)\nG0 X=3\nM30\n" + behind);
+            "CYCLE62(\"1\",1,,)\nG0 X=3\nM30\nX7\n" + behind);
   EXPECT_EQ(flat("R1=3\nCYCLE72(\"E_LAB_A_1:E_LAB_E_1\",100)\nG0 X=R1\nM30\n" + behind),
             "CYCLE72(\"E_LAB_A_1:E_LAB_E_1\",100)\nG0 X=3\nM30\n" + behind);
   const std::string contour = "%_N_KON_SPF\n;$PATH=/_N_WKS_DIR\nG0 X0 Y0\nG1 X100\nM17\n";

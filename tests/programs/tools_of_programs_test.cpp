@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/nc/dialect/pass_words.h"
 #include "tests/programs/computing.h"
 
 // Which tool a contour has where the program writes its radius, computes it, or leaves the change
@@ -347,6 +348,30 @@ TEST(ToolsOfPrograms, StandWhereTheyWereBehindADeclaredCall) {
   EXPECT_EQ(refusal_of(text, setup), std::pair(900106, 4U));
   setup.session.program.pass_words = {"LAMP"};
   EXPECT_EQ(refusal_of(text, setup), std::pair(0, 0U));
+}
+
+// The name of its file may have an extension, in the program and in the declaration.
+TEST(ToolsOfPrograms, StandWhereTheyWereBehindADeclaredFile) {
+  const std::string contour = "G01 G41 X0 Y0 F300\nY40\nG40 X-20\nM30\n";
+  const auto refused = [&](const std::string& call, const std::string& word) {
+    ProgramSessionSetup setup = setup_of(isg);
+    setup.session.program.pass_words = {word};
+    const std::string head = "G17 G71 G90\nG00 X-20 Y0\n";
+    return refusal_of(head + call + "\n" + contour, setup).first;
+  };
+  const std::string call = "L Spindle_OK.up";
+  EXPECT_EQ(refused(call, "SPINDLE_OK.UP"), 0);
+  EXPECT_EQ(refused(call, "SPINDLE_OK"), 0);
+  EXPECT_EQ(refused(call + " (LAMP)", "SPINDLE_OK.UP"), 0);
+  EXPECT_EQ(refused("L \"Spindle_OK.up\"", "SPINDLE_OK.UP"), 0);
+  EXPECT_EQ(refused(call, "SPINDLE_OK.NC"), 900106);
+  EXPECT_EQ(refused("L Spindle_OK", "SPINDLE_OK.UP"), 900106);
+  for (const char* const word : {"SPINDLE_OK.UP", "A.NC", "1000.NC", "DIR/LAMP-ON.NC"}) {
+    EXPECT_EQ(fault_of_pass_word(word, isg), "") << word;
+    EXPECT_NE(fault_of_pass_word(word, DialectName::sinumerik), "") << word;
+  }
+  for (const char* const word : {"X1.5", "X.5", "#HSC.A", "V.P.A=1", ".NC", "A.", "G41.0"})
+    EXPECT_NE(fault_of_pass_word(word, isg), "") << word;
 }
 
 // The control executes such a cycle behind each motion of the contour.

@@ -158,6 +158,8 @@ TEST(Unfollowed, MotionsOfOtherTasksComeOutAsTheyStand) {
            Beside{fanuc, "G1 X-20. Y-20. I0. J0. K0. F100.", "", false},
            Beside{fanuc, "G1 X0. I2. F100.", ""},
            Beside{fanuc, "G1 X0. R2. F100.", "R in a straight motion"},
+           Beside{fanuc, "G10.6 X30.", "G10.6, retract", false},
+           Beside{fanuc, "G102 X1. Y1.", "G102, output of positions", false},
        }) {
     const ProgramSessionSetup setup = computing_setup(each.dialect, 5);
     const std::string text = begin + each.line + "\nG0 Z5.\n";

@@ -233,6 +233,17 @@ bool check_feed_of_contour(Reading& reading, const ProgramLine& line, const Bloc
                                               std::to_string(reading.gcode.feed_mode_line)});
 }
 
+// TURN= beside no arc, and I1= J1= K1= beside no CIP.
+std::optional<std::uint32_t> word_of_no_arc(const Reading& reading, const BlockWords& block) {
+  const bool moves = block.axis || block.center;
+  const bool is_arc =
+      reading.motion == MotionKind::clockwise || reading.motion == MotionKind::counter_clockwise;
+  if (block.arc.turns && !(moves && is_arc)) return block.arc.turns->begin;
+  for (const auto& between : block.arc.through)
+    if (between && !(block.axis && block.arc.is_through)) return between->begin;
+  return {};
+}
+
 bool apply_motion(Reading& reading, ProgramLine& line, BlockWords& block) {
   if (block.copied) return true;
   if (reading.dialect.name == DialectName::sinumerik && (block.axis || block.center) &&
@@ -241,6 +252,11 @@ bool apply_motion(Reading& reading, ProgramLine& line, BlockWords& block) {
   if (block.angle && !take_angle(reading, line, block)) return false;
   if (reading.gcode.tangent_arcs.in_force && block.axis && !take_tangent(reading, line, block))
     return false;
+  const auto stray = reading.contour_open() ? word_of_no_arc(reading, block) : std::nullopt;
+  if (stray)
+    return reading.refuse(line, TextFault{.code = Code::nc_unsupported,
+                                          .begin = *stray,
+                                          .detail = "a circle word without its arc"});
   if (block.soft.is_followed)
     return block.of(GGroup::soft_lead).function->number % 10 == 7
                ? approach_softly(reading, line, block)

@@ -39,8 +39,6 @@ bool move_in_full_turns(Reading& reading, ProgramLine& line, const BlockWords& b
   MoveRequest rest = arc;
   if (turns == 0) return move(reading, line, rest);
   const bool clockwise = reading.motion == MotionKind::clockwise;
-  if (!clockwise && reading.motion != MotionKind::counter_clockwise)
-    return wrong(Code::nc_unsupported, "turns of a straight motion");
   if (arc.radius) return wrong(Code::nc_unsupported, "turns beside a radius");
   if (!(arc.center[axes.first] || arc.center[axes.second]) || !arc.tracking.empty())
     return wrong(Code::circle_incomplete, "turns without I J K alone");

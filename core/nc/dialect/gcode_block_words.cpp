@@ -333,7 +333,8 @@ bool read_gcode_word(Reading& reading, const GcodeWord& word, ProgramLine& line,
     case 'N':
       // Some controls jump and call with an N after other words.
       if (block.words > 0)
-        return refuse_word(reading, line, word, Code::nc_unsupported, "behind other words");
+        return refuse_word(reading, line, word, Code::nc_syntax,
+                           "a block number behind other words");
       if (word.has_number && word.whole && is_whole(word.value))
         line.source.number = static_cast<std::int64_t>(word.value);
       add(line, word, WordRole::number);

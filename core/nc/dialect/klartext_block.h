@@ -53,12 +53,13 @@ enum class KlartextStatement : std::uint8_t {
 struct KlartextObstacle {
   enum class Why : std::uint8_t {
     variable,
-    machine_coordinates,  // M91, M92
-    retract_along_tool,   // M140
-    cycle_call,           // M89, M99
+    machine_coordinates,   // M91, M92
+    untilted_coordinates,  // M130
+    retract_along_tool,    // M140
+    cycle_call,            // M89, M99
     corners_of_small_steps,
     open_corners,
-    tip_is_led,  // M128, M144
+    tip_is_led,  // M114, M128, M144
     feed_per_turn,
     // These concern the whole block, not one word:
     across_the_plane,  // an arc or a pole

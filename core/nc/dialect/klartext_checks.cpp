@@ -25,6 +25,8 @@ std::string_view told(KlartextObstacle::Why why) {
       return ", a variable";
     case machine_coordinates:
       return ", machine coordinates";
+    case untilted_coordinates:
+      return ", coordinates without the tilt of the plane";
     case retract_along_tool:
       return ", a retract along the tool";
     case cycle_call:

@@ -126,6 +126,9 @@ KlartextEffects effects_of_function(int m) {
       return {.sets = Mode::slows_feed, .clears = Mode::adapts_feed};
     case 111:
       return {.clears = Mode::adapts_feed | Mode::slows_feed};
+    case 114:
+    case 115:
+      return set_or_end(KlartextLead::tip, m == 114);
     case 128:
     case 129:
       return set_or_end(KlartextLead::tip, m == 128);

@@ -12,7 +12,7 @@ struct KlartextLead {
   static constexpr std::uint32_t axes = 7;  // X Y Z of cycle 26, a bit each
   static constexpr std::uint32_t cycle = 8;
   static constexpr std::uint32_t trans = 16;
-  static constexpr std::uint32_t tip = 32;          // M128, FUNCTION TCPM
+  static constexpr std::uint32_t tip = 32;          // M114, M128, FUNCTION TCPM
   static constexpr std::uint32_t table = 64;        // M144
   static constexpr std::uint32_t correction = 128;  // FUNCTION CORRDATA
   static constexpr std::uint32_t tool_data = 256;   // FN 17 has written a radius

@@ -20,6 +20,8 @@ std::optional<Why> why_unfollowed(int m, bool active) {
     case 91:
     case 92:
       return Why::machine_coordinates;
+    case 130:
+      return Why::untilted_coordinates;
     case 140:
       return Why::retract_along_tool;
     default:
@@ -34,6 +36,7 @@ std::optional<Why> why_unfollowed(int m, bool active) {
       return Why::corners_of_small_steps;
     case 98:
       return Why::open_corners;
+    case 114:
     case 128:
     case 144:
       return Why::tip_is_led;
@@ -78,6 +81,7 @@ void take_klartext_function(Reading& reading, int m, KlartextBlock& block) {
     case 94:
     case 103:
     case 112:
+    case 114:
     case 128:
     case 144:
       block.ignores_words = true;
@@ -89,6 +93,11 @@ void take_klartext_function(Reading& reading, int m, KlartextBlock& block) {
     case 138:
     case 140:
     case 197:
+    case 200:  // 200 to 204: V, the voltage of a laser
+    case 201:
+    case 202:
+    case 203:
+    case 204:
       block.ignores_words = true;
       break;
     default:

@@ -19,7 +19,22 @@ constexpr auto statements = std::to_array<std::string_view>(
      "FN",   "FOR",    "GOTO", "GOTOB", "GOTOC", "GOTOF", "GOTOS", "IF",    "LBL",  "LOOP", "LP",
      "PROC", "REPEAT", "RET",  "RND",   "SUB",   "THEN",  "TOOL",  "TRANS", "WHILE"});
 
+// The name of a file with its extension, which only a call of ISG has. G777.1 and X1.5 are words.
+bool is_file_name(std::string_view word) {
+  const std::size_t point = word.find('.');
+  return point != 0 && point != std::string_view::npos &&
+         word.find_first_not_of("0123456789", point + 1) != std::string_view::npos &&
+         word.find_first_of("#=,;()[]\" \t") == std::string_view::npos;
+}
+
 }  // namespace
+
+std::string called_file(std::string_view call) {
+  call = without_blanks_in_front(call);
+  const bool is_quoted = call.starts_with('"');
+  if (is_quoted) call.remove_prefix(1);
+  return in_upper_case(call.substr(0, call.find_first_of(is_quoted ? "\"" : " \t[(;\"")));
+}
 
 std::string word_to_pass(std::string_view line, std::size_t begin) {
   std::size_t at = begin;
@@ -39,6 +54,7 @@ std::string word_to_pass(std::string_view line, std::size_t begin) {
 
 std::string fault_of_pass_word(std::string_view word, DialectName dialect) {
   constexpr std::size_t longest = 32;
+  if (dialect == DialectName::isg && word.size() <= longest && is_file_name(word)) return "";
   if (word.empty() || word.size() > longest || word_to_pass(word, 0) != word)
     return "is no name and no function in capitals, such as SOFTA or G777";
   const bool is_function = word.size() > 1 && !is_letter(word[1]) && word[1] != '_';

@@ -11,6 +11,9 @@ namespace trc {
 // no word at all. Empty: it may.
 [[nodiscard]] std::string fault_of_pass_word(std::string_view word, DialectName dialect);
 
+// The file that L NAME of ISG calls, in capitals: SPINDLE_OK.UP of `Spindle_OK.up [1]`.
+[[nodiscard]] std::string called_file(std::string_view call);
+
 // The function or name that begins at a byte of the line, in capitals; its number without zeros in
 // front: G777 of `g0777 X1`, POPEN, #LASER.
 [[nodiscard]] std::string word_to_pass(std::string_view line, std::size_t begin);

@@ -132,16 +132,16 @@ std::optional<std::pair<std::int64_t, double>> tool_data_of(std::string_view tex
 }
 
 // Whether pass_words declares that a call, which passes in any case, changes nothing: L NAME and
-// LM06 of ISG by the name, M98 P9020 and G65 P9020 of Fanuc as O9020.
+// LM06 of ISG by the name, with its extension or without, M98 P9020 and G65 P9020 of Fanuc as
+// O9020.
 bool changes_nothing(const ProgramSetup& setup, std::string_view call) {
   const bool fanuc = setup.dialect == DialectName::fanuc;
   if (!fanuc && setup.dialect != DialectName::isg) return false;
   const std::size_t begin = fanuc ? in_upper_case(call).find('P') : call.find_first_of(" \t");
   std::string_view name = begin == std::string_view::npos ? call : call.substr(begin);
   if (!fanuc) {
-    name = without_blanks_in_front(name);
-    if (name.starts_with('"')) name.remove_prefix(1);
-    return setup.pass_words.contains(word_to_pass(name, 0));
+    const std::string file = called_file(name);
+    return setup.pass_words.contains(file) || setup.pass_words.contains(word_to_pass(file, 0));
   }
   constexpr std::size_t digits_of_machine = 4;  // O8000 to O9999
   name = without_blanks_in_front(name.substr(std::min<std::size_t>(1, name.size())));

@@ -111,6 +111,7 @@ bool pass_assignment(Reading& reading, const NamedWord& word, ProgramLine& line,
   const AxisBits moved =
       moves_axis ? main_axis_of(line.word({.begin = word.begin, .end = word.end})) : AxisBits{0};
   if (moved != 0 && reading.contour_open()) return refused("a motion of an axis by itself");
+  if (is("RPL") && reading.contour_open()) return refused("the angle of a rotation");
   block.forget |= moved;
   const bool ends_turned_tool = is("TCARR") || is("CUTMOD");
   const bool passes = is_passing_sinumerik_word(word.name) || ends_turned_tool || moves_axis ||

@@ -267,15 +267,27 @@ bool FanucFlow::end_of_unit(std::string& flat) {
   return refuse(Code::block_structure, 0, frame().name + ", a subprogram without M99");
 }
 
-// A line after an N word may be a jump target for other values, and counts as resolved. The other
-// programs of the text must not be lost.
+// From the first N word on words may be meant for other values, and count as resolved; comments
+// are text in any case.
+std::size_t FanucFlow::end_of_text_behind(const Frame& main) const {
+  bool numbered = false;
+  for (std::size_t behind = main.current + 1; behind < main.end; ++behind) {
+    const std::string_view line = texts_.front().line(behind);
+    const LineHead head = head_of(line);
+    numbered |= head.number >= 0;
+    if (is_percent(line) || (numbered && !is_over(line, head.behind))) return behind;
+  }
+  return main.end;
+}
+
+// The other programs of the text must not be lost.
 bool FanucFlow::end_main_program(std::string& flat) {
   if (looks_ahead()) return ended_ = true;
   const Frame& main = frames_.front();
-  std::size_t behind = main.current + 1;
-  while (behind < main.end && head_of(texts_.front().line(behind)).number < 0) ++behind;
+  const std::size_t behind = end_of_text_behind(main);
   const std::size_t lost = first_with('G', 41, 42, main.current + 1, behind);
   if (lost < behind) return refuse_contour_behind_end(lost);
+  write_text_behind_end(flat, behind);
   keep_what_is_not_resolved();
   has_ended_ = true;
   return next_copied_ < copied_.size() || end_program(flat);

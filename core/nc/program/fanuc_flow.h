@@ -72,6 +72,7 @@ class FanucFlow : public GcodeFlow {
   bool execute_behind_head(std::string& flat, const ProgramHead& head);
   bool end_of_unit(std::string& flat);
   bool end_main_program(std::string& flat);
+  [[nodiscard]] std::size_t end_of_text_behind(const Frame& main) const;
   [[nodiscard]] std::vector<bool> resolved(const std::vector<ProgramOfText>& programs) const;
   void keep_what_is_not_resolved();
   Step copy_next(std::string& flat);

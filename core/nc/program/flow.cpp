@@ -220,6 +220,19 @@ bool Flow::refuse_contour_behind_end(std::size_t line) {
   return refuse(Code::side_behind_end, 0, "G41, G42");
 }
 
+void Flow::write_text_behind_end(std::string& flat, std::size_t behind) {
+  // Without M02 or M30 the lines would be executed; in a call they stand behind the call.
+  if (flat.empty() || frames_.size() > 1) return;
+  const Frame& main = frames_.front();
+  const ProgramText& text = texts_.front();
+  for (std::size_t line = main.current + 1; line < behind; ++line) {
+    if (was_seen(main, line) || computes(setup_, text.line(line))) return;
+    is_as_written_ = false;
+    flat.append(text.line(line));
+    flat.append(text.line_end(line).empty() ? line_end() : text.line_end(line));
+  }
+}
+
 const double* Flow::given(std::string_view name) const {
   const auto known = given_.find(name);
   return known == given_.end() ? nullptr : &known->second;

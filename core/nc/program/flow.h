@@ -160,6 +160,9 @@ class Flow {
                                        std::size_t end) const;
   // Always false: that line is never reached, and its contour would be lost.
   bool refuse_contour_behind_end(std::size_t line);
+  // Writes the lines of the main program between M02 or M30, which has been written, and `behind`,
+  // as they stand; no further than to the first one that computes or was executed.
+  void write_text_behind_end(std::string& flat, std::size_t behind);
 
   // The value the setup gives a variable, by its name in capitals without `#`, `<`, `>`; null:
   // none.

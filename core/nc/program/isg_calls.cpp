@@ -39,9 +39,9 @@ bool IsgFlow::check_behind_return() {
   return true;
 }
 
-bool IsgFlow::return_from() {
+bool IsgFlow::return_from(std::string& flat) {
   if (looks_ahead()) return true;
-  if (frames_.size() == 1) return end_of_program();
+  if (frames_.size() == 1) return end_of_program(flat);
   locals_.pop_back();
   frames_.pop_back();
   return true;

@@ -121,7 +121,7 @@ void IsgFlow::take_line() {
 }
 
 Flow::Step IsgFlow::execute_next(std::string& flat) {
-  const bool goes_on = frame().next >= frame().end ? end_of_frame() : execute_line(flat);
+  const bool goes_on = frame().next >= frame().end ? end_of_frame(flat) : execute_line(flat);
   if (!goes_on) return Step::refused;
   return ended_ ? Step::ended : Step::goes_on;
 }
@@ -151,7 +151,7 @@ bool IsgFlow::execute_line(std::string& flat) {
 bool IsgFlow::pass_header(std::string& flat) {
   const Frame& at = frame();
   if (at.current == at.begin) return at.text > 0 || pass_line(flat);
-  if (ends_tape(text_of(at), at.current)) return end_of_frame();
+  if (ends_tape(text_of(at), at.current)) return end_of_frame(flat);
   return refuse(Code::nc_unsupported, behind_blanks(line_, 0), name_of_second(line_));
 }
 
@@ -168,9 +168,11 @@ bool IsgFlow::pass_line(std::string& flat) {
 }
 
 // A subprogram needs no word at its end.
-bool IsgFlow::end_of_frame() { return frames_.size() == 1 ? end_of_program() : return_from(); }
+bool IsgFlow::end_of_frame(std::string& flat) {
+  return frames_.size() == 1 ? end_of_program(flat) : return_from(flat);
+}
 
-bool IsgFlow::end_of_program() {
+bool IsgFlow::end_of_program(std::string& flat) {
   ended_ = true;
   if (looks_ahead()) return true;
   const Frame& main = frames_.front();
@@ -199,7 +201,9 @@ bool IsgFlow::end_of_program() {
   std::size_t behind = main.current + 1;
   while (behind < main.end && !is_target(behind)) ++behind;
   const std::size_t lost = first_with('G', 41, 42, main.current + 1, behind);
-  return lost >= behind || refuse_contour_behind_end(lost);
+  if (lost < behind) return refuse_contour_behind_end(lost);
+  write_text_behind_end(flat, behind);
+  return true;
 }
 
 // Nothing leads to that line of the program.

@@ -105,8 +105,8 @@ class IsgFlow : public Flow, private Variables {
   [[nodiscard]] static std::string name_of_second(std::string_view line);
   void take_line_in_front(std::string_view line);
   void take_line();
-  bool end_of_frame();
-  bool end_of_program();
+  bool end_of_frame(std::string& flat);
+  bool end_of_program(std::string& flat);
   bool refuse_behind_end(std::size_t line, Code code, std::string detail);
   bool pass_header(std::string& flat);
   bool pass_line(std::string& flat);
@@ -148,7 +148,7 @@ class IsgFlow : public Flow, private Variables {
   bool call_the_machine(std::string& flat, const IsgCall& call);
   bool refuse_call(const IsgCall& call);
   bool check_behind_return();
-  bool return_from();
+  bool return_from(std::string& flat);
 
   // isg_words.cpp: lines of words.
   bool execute_words(std::string& flat);

@@ -33,8 +33,8 @@ bool IsgFlow::execute_words(std::string& flat) {
   // T5 LM06 changes tools as M06 does (D-76).
   if (!called_behind_words_.empty() && !chooses_tool()) lose_values(called_behind_words_);
   if (jump_) frame().next = *jump_;
-  if (returns) return check_behind_return() && return_from();
-  return !ends || end_of_program();
+  if (returns) return check_behind_return() && return_from(flat);
+  return !ends || end_of_program(flat);
 }
 
 bool IsgFlow::chooses_tool() const {

@@ -161,7 +161,9 @@ bool LinuxcncFlow::end_main_program(std::string& flat) {
   };
   while (behind < main.end && is_part(text.line(behind))) ++behind;
   const std::size_t lost = first_with('G', 41, 42, main.current + 1, behind);
-  return lost < behind ? refuse_contour_behind_end(lost) : end_program(flat);
+  if (lost < behind) return refuse_contour_behind_end(lost);
+  write_text_behind_end(flat, behind);
+  return end_program(flat);
 }
 
 bool LinuxcncFlow::execute(std::string& flat) {

@@ -239,6 +239,7 @@ bool SinumerikFlow::end_of_program(std::string& flat) {
     if (selects < unit.end && (is_main || !called[index]))
       return refuse_contour_behind_end(selects);
   }
+  write_text_behind_end(flat, behind);
   return keep_parts_behind_end(called, flat);
 }
 
