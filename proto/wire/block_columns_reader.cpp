@@ -79,15 +79,24 @@ bool read_number(unsigned bits, ColumnCursors& cursors, const FieldPath& path,
 bool read_command(const Columns& columns, ColumnCursors& cursors, const FieldPath& path,
                   TrcCommand& item, FieldFaults& faults) {
   const FieldPath entry(path, "commands", static_cast<std::size_t>(cursors.command));
-  return from_proto(columns.commands(cursors.command++).command(), FieldPath(entry, "command"),
-                    item, faults);
+  const FieldPath place(entry, "command");
+  const v1::BlockColumns::CommandAt& at = columns.commands(cursors.command++);
+  if (at.has_command()) return from_proto(at.command(), place, item, faults);
+  add_fault(place, "is missing", faults);
+  return false;
 }
 
 bool read_passthrough(const Columns& columns, ColumnCursors& cursors, const FieldPath& path,
                       Passthrough& item, FieldFaults& faults) {
   const FieldPath entry(path, "passthroughs", static_cast<std::size_t>(cursors.passthrough));
-  item.text = columns.passthroughs(cursors.passthrough++).passthrough().text();
-  return check_text(item.text, FieldPath(FieldPath(entry, "passthrough"), "text"), faults);
+  const FieldPath place(entry, "passthrough");
+  const v1::BlockColumns::PassthroughAt& at = columns.passthroughs(cursors.passthrough++);
+  if (!at.has_passthrough()) {
+    add_fault(place, "is missing", faults);
+    return false;
+  }
+  item.text = at.passthrough().text();
+  return check_text(item.text, FieldPath(place, "text"), faults);
 }
 
 // `feed` is the feed in force.

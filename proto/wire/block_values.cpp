@@ -14,11 +14,15 @@ bool check_text(const std::string& text, const FieldPath& path, FieldFaults& fau
         faults);
     return false;
   }
-  const auto is_control = [](char c) {
+  // Also those of U+0080 to U+009F, which UTF-8 writes as C2 and one more byte.
+  unsigned before = 0;
+  const auto is_control = [&](char c) {
     const auto byte = static_cast<unsigned char>(c);
-    return (byte < 0x20 && c != '\t') || byte == 0x7f;
+    const bool is_c1 = before == 0xc2 && byte < 0xa0;
+    before = byte;
+    return (byte < 0x20 && c != '\t') || byte == 0x7f || is_c1;
   };
-  if (std::none_of(text.begin(), text.end(), is_control)) return true;
+  if (std::ranges::none_of(text, is_control)) return true;
   add_fault(path, "holds a control character", faults);
   return false;
 }

@@ -27,6 +27,7 @@ constexpr auto of_syntax = std::to_array<Pair>({
     {"Expected a value", "a value is expected"},
     {"Unexpected token", "this is no value"},
     {"Unable to parse number", "this is no number"},
+    {"Octal/hex numbers", "this is no number"},
     {"Number exceeds", "this number is too large"},
     {"Parsing terminated", "something stands behind the end"},
     {"Encountered non UTF-8", "this is no UTF-8"},
@@ -113,6 +114,17 @@ std::string meant_by(std::string_view field, const Descriptor& root) {
   return meant ? "; did you mean " + *meant + "?" : std::string();
 }
 
+// "it takes one of batch, columns, not two", for "oneof field 'path' is already set. …".
+std::string two_kinds(std::string_view said, const Descriptor& type) {
+  said.remove_prefix(std::min(said.find('\'') + 1, said.size()));
+  const auto* const kinds = type.FindOneofByName(std::string(said.substr(0, said.find('\''))));
+  if (kinds == nullptr) return "it takes one of its kinds, not two";
+  std::string names;
+  for (int i = 0; i < kinds->field_count(); ++i)
+    names += (i > 0 ? ", " : "") + kinds->field(i)->name();
+  return "it takes one of " + names + ", not two";
+}
+
 std::optional<std::string> fault_of_field(std::string_view said, const Descriptor& type_of_all) {
   constexpr std::string_view invalid = "invalid value ";
   constexpr std::string_view for_type = " for type ";
@@ -128,7 +140,9 @@ std::optional<std::string> fault_of_field(std::string_view said, const Descripto
   if (!rest.starts_with(invalid) || type_at == rest.npos) return std::nullopt;
   const std::string_view type = rest.substr(type_at + for_type.size());
   const std::string_view value = rest.substr(invalid.size(), type_at - invalid.size());
-  if (value.starts_with(one_of)) return field + ": it takes one of its kinds, not two";
+  if (value.starts_with(one_of))
+    return field.empty() ? two_kinds(value, type_of_all)
+                         : field + ": it takes one of its kinds, not two";
   if (value.starts_with(object))
     return field + (field.empty() ? "" : ".") + std::string(type) +
            ": it takes one value, no object";

@@ -20,6 +20,8 @@ constexpr std::size_t deepest = 100;
 struct Open {
   std::string path;
   const Descriptor* type = nullptr;  // null: a map, or unknown
+  // That of the elements of a list, and of the values of a map; null for other objects.
+  const FieldDescriptor* field = nullptr;
   bool is_list = false;
   std::size_t index = 0;             // of a list
   std::vector<std::string> names{};  // of an object
@@ -66,6 +68,22 @@ bool begins_name(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '$';
 }
 
+bool holds_a_double(const FieldDescriptor* field) {
+  return field != nullptr && (field->cpp_type() == FieldDescriptor::CPPTYPE_DOUBLE ||
+                              field->cpp_type() == FieldDescriptor::CPPTYPE_FLOAT);
+}
+
+// A number in quotes as the JSON mapping has it.
+bool is_number(std::string_view text) {
+  if (text == "NaN" || text == "Infinity" || text == "-Infinity") return true;
+  double value = 0;
+  const char* const end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, value);
+  // Too large, or too small: Protobuf tells.
+  const bool is_read = read.ec == std::errc() || read.ec == std::errc::result_out_of_range;
+  return is_read && read.ptr == end && text.find_first_of("iInN") == text.npos;
+}
+
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
 class Reader {
@@ -81,7 +99,14 @@ class Reader {
       const char c = json_[at_];
       const bool in_list = checks_lists_ && !open_.empty() && open_.back().is_list;
       if (c == '"') {
+        const std::size_t first = at_ + 1;
+        // Elsewhere something is missing in front of the text.
+        const bool is_value = before_ == ':' || (in_list && (before_ == '[' || before_ == ','));
         if (!read_text()) return {};
+        const std::string_view text = json_.substr(first, at_ - first);
+        if (is_value && holds_a_double(field_of_value()) && !is_number(text))
+          return (in_list ? element() : path_) + ": \"" + std::string(text) +
+                 "\" is not possible; it takes a number";
       } else if (c == '\'') {
         return "' stands where JSON has \"";
       } else if (in_list && c == 'n' && json_.substr(at_, 4) == "null") {
@@ -117,6 +142,12 @@ class Reader {
     return open_.back().path + "[" + std::to_string(open_.back().index) + "]";
   }
 
+  // The field whose value comes next; null: unknown, or not one of a message or a map.
+  [[nodiscard]] const FieldDescriptor* field_of_value() const {
+    if (!checks_lists_ || open_.empty()) return nullptr;
+    return open_.back().is_list ? open_.back().field : field_;
+  }
+
   // The present object or list, as "batch: "; empty for the whole text.
   [[nodiscard]] std::string place() const {
     return open_.empty() || open_.back().path.empty() ? "" : open_.back().path + ": ";
@@ -132,6 +163,7 @@ class Reader {
     const FieldDescriptor* const field = field_of(object.type, name);
     if (field != nullptr) name = field->name();
     type_ = field == nullptr || field->is_map() ? nullptr : field->message_type();
+    field_ = field == nullptr ? object.field : field;
     path_ = object.path + (object.path.empty() ? "" : ".") + name;
     object.names.push_back(std::move(name));
     is_name_ = false;
@@ -140,6 +172,10 @@ class Reader {
 
   void begin(bool is_list) {
     Open value{.path = path_, .type = type_, .is_list = is_list};
+    if (is_list)
+      value.field = field_;
+    else if (field_ != nullptr && field_->is_map())
+      value.field = field_->message_type()->map_value();
     if (!open_.empty() && open_.back().is_list) {
       value.path = element();
       value.type = open_.back().type;
@@ -164,8 +200,9 @@ class Reader {
   char before_ = '\0';  // the last character that is not a blank
   std::vector<Open> open_;
   bool is_name_ = false;
-  // The type of the next value.
+  // The type of the next value, and its field.
   const Descriptor* type_;
+  const FieldDescriptor* field_ = nullptr;
   std::string path_;
 };
 

@@ -8,6 +8,7 @@
 #include "core/base/utf8.h"
 #include "core/nc/dialect/dialect.h"
 #include "core/nc/dialect/pass_words.h"
+#include "core/nc/state/variable_name.h"
 #include "core/nc/text/characters.h"
 #include "proto/wire/modes.h"
 #include "proto/wire/options.h"
@@ -160,12 +161,42 @@ void read_dialect(const v1::ProgramSetup& message, const FieldPath& path, Progra
     program.mode.feed_adaptation = dialect.feed_adaptation;
 }
 
+// Of a variable or a subprogram.
+bool is_name(std::string_view name, const FieldPath& path, FieldFaults& faults) {
+  constexpr std::size_t longest = 255;
+  if (!name.empty() && name.size() <= longest) return true;
+  add_fault(path, "has a name that is not 1 to " + std::to_string(longest) + " bytes long", faults);
+  return false;
+}
+
+// Two spellings of one variable are refused, as a spelling given twice is where it can be seen.
+void read_variables(const v1::ProgramSetup& message, const FieldPath& path, ProgramSetup& program,
+                    FieldFaults& faults) {
+  // Sorted by name, so that the same setup gives the same faults.
+  const std::map<std::string_view, double> given(message.variables().begin(),
+                                                 message.variables().end());
+  std::map<std::string, std::string_view> spellings;
+  for (const auto& [name, value] : given) {
+    if (!is_name(name, FieldPath(path, "variables"), faults)) continue;
+    const std::string entry = "variables[" + std::string(name) + "]";
+    const FieldPath place(path, entry);
+    if (!check_range(value, {-1e15, 1e15}, place, faults)) continue;
+    const auto [known, is_new] =
+        spellings.try_emplace(plain_variable_name(name, program.dialect), name);
+    if (is_new)
+      program.variables.emplace(name, value);
+    else
+      add_fault(place,
+                "names the same variable as " + std::string(known->second) + "; give one of them",
+                faults);
+  }
+}
+
 // Reads the settings of programs that compute.
 void read_computing(const v1::ProgramSetup& message, const FieldPath& path, ProgramSetup& program,
                     FieldFaults& faults) {
   constexpr std::size_t most_variables = 10'000;
   constexpr std::size_t most_subprograms = 1'000;
-  constexpr std::size_t longest_name = 255;
   const auto is_too_many = [&](std::size_t count, std::size_t most, std::string_view field) {
     if (count <= most) return false;
     add_fault(FieldPath(path, field),
@@ -173,24 +204,15 @@ void read_computing(const v1::ProgramSetup& message, const FieldPath& path, Prog
               faults);
     return true;
   };
-  const auto is_name = [&](const std::string& name, std::string_view field) {
-    if (!name.empty() && name.size() <= longest_name) return true;
-    add_fault(FieldPath(path, field),
-              "has a name that is not 1 to " + std::to_string(longest_name) + " bytes long",
-              faults);
-    return false;
-  };
   if (!is_too_many(message.variables().size(), most_variables, "variables"))
-    for (const auto& [name, value] : message.variables())
-      if (is_name(name, "variables") &&
-          check_range(value, {-1e15, 1e15}, FieldPath(path, "variables"), faults))
-        program.variables[name] = value;
+    read_variables(message, path, program, faults);
   if (!is_too_many(message.subprograms().size(), most_subprograms, "subprograms"))
     for (const auto& [name, text] : message.subprograms())
-      if (is_name(name, "subprograms")) program.subprograms[name] = text;
+      if (is_name(name, FieldPath(path, "subprograms"), faults)) program.subprograms[name] = text;
   if (!is_too_many(message.subprogram_files().size(), most_subprograms, "subprogram_files"))
     for (const auto& [name, text] : message.subprogram_files())
-      if (is_name(name, "subprogram_files") && !program.subprograms.try_emplace(name, text).second)
+      if (is_name(name, FieldPath(path, "subprogram_files"), faults) &&
+          !program.subprograms.try_emplace(name, text).second)
         add_fault(FieldPath(path, "subprogram_files"), "names " + name + ", as subprograms do",
                   faults);
   if (!message.has_max_executed_lines()) return;

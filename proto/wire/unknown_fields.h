@@ -1,5 +1,6 @@
 #pragma once
 
+#include <google/protobuf/io/zero_copy_stream.h>
 #include <google/protobuf/message.h>
 
 #include <optional>
@@ -16,8 +17,17 @@ struct UnknownField {
 };
 
 // The first one in a request, at any depth, in the order of the fields (D-164). Takes a few
-// nanoseconds for each block of a batch. Maps are not looked into: their entries hold values alone.
+// nanoseconds for each block of a batch. Maps are not looked into, see below.
 [[nodiscard]] std::optional<UnknownField> unknown_field_in(
     const google::protobuf::Message& request);
+
+// Whether messages of this type have maps, at any depth.
+[[nodiscard]] bool holds_maps(const google::protobuf::Descriptor& type);
+
+// The first unknown field in the entries of the maps of a request of this type, which Protobuf
+// drops while it parses: such a field is only seen in the bytes. Also a key or a value that has the
+// wire type of another kind of field, so that Protobuf would take 0 for it.
+[[nodiscard]] std::optional<UnknownField> unknown_field_of_maps(
+    google::protobuf::io::ZeroCopyInputStream& bytes, const google::protobuf::Descriptor& type);
 
 }  // namespace trc::wire

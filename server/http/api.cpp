@@ -13,6 +13,7 @@
 #include "server/http/connect.h"
 #include "server/http/problem.h"
 #include "server/http/questions.h"
+#include "server/http/uri.h"
 #include "server/net/address.h"
 #include "server/rpc/unknown_rpc.h"
 #include "server/work/worker_pool.h"
@@ -82,14 +83,16 @@ std::string date_of(std::chrono::system_clock::time_point now) {
   return {text.data(), static_cast<std::size_t>(length)};
 }
 
-std::string_view host_of(std::string_view host) {
-  if (host.starts_with('[')) return host.substr(1, std::max<std::size_t>(host.find(']'), 1) - 1);
-  return host.substr(0, host.find(':'));
+std::string_view host_of(std::string_view authority) {
+  if (authority.starts_with('[')) return authority.substr(1, authority.find(']') - 1);
+  return authority.substr(0, authority.find(':'));
 }
 
 // Only whole addresses count: anybody can own a name such as 127.0.0.1.example. Case does not
 // matter in host names.
-bool is_this_machine(std::string_view host) {
+bool is_this_machine(std::string_view authority) {
+  if (!is_authority(authority)) return false;
+  const std::string_view host = host_of(authority);
   const bool numeric = host.find_first_not_of("0123456789.") == std::string_view::npos;
   const bool named = std::ranges::equal(host, std::string_view("localhost"), [](char a, char b) {
     return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b;
@@ -195,8 +198,7 @@ void Api::handle(const ExchangePointer& exchange) {
 // request. A server for this machine alone also refuses foreign host names, because such a name may
 // have been pointed at this machine's address.
 std::optional<v1::Problem> Api::refuse_origin(const Request& request) const {
-  const std::string_view host = host_of(request.header("host"));
-  if (options_.local && !is_this_machine(host))
+  if (options_.local && !is_this_machine(request.header("host")))
     return problem(421, "HOST_NOT_LOCAL", "This server is for this machine",
                    "the Host header must be localhost, 127.0.0.1 or [::1]");
   const std::string_view origin = request.header("origin");

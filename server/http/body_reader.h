@@ -22,6 +22,7 @@ namespace trc::server::http {
 inline constexpr std::size_t piece_bytes = 64U << 10U;
 
 // Reads a request whose trailer is bounded and dropped: the head alone decides how it is handled.
+// A field that goes on in the next line is refused: some readers see two fields in it.
 // Beast throws where a field of a message is longer than 64 KiB.
 class BodyParser : public boost::beast::http::request_parser<boost::beast::http::string_body> {
  public:
@@ -30,6 +31,10 @@ class BodyParser : public boost::beast::http::request_parser<boost::beast::http:
  private:
   void on_field_impl(boost::beast::http::field name, boost::beast::string_view text,
                      boost::beast::string_view value, boost::beast::error_code& fault) override {
+    if (is_folded(text)) {
+      fault = boost::beast::http::error::bad_value;
+      return;
+    }
     if (!is_header_done()) return get().insert(name, text, value);
     constexpr std::size_t colon_and_line_end = 4;
     const std::size_t bytes = text.size() + value.size() + colon_and_line_end;
@@ -37,6 +42,14 @@ class BodyParser : public boost::beast::http::request_parser<boost::beast::http:
       fault = boost::beast::http::error::header_limit;
     else
       trailer_room_ -= bytes;
+  }
+
+  // `name` stands in the buffer that holds all lines of the head or trailer, down to the empty one.
+  // The value may be a copy without its line ends.
+  static bool is_folded(boost::beast::string_view name) {
+    const char* end = name.data() + name.size();
+    while (*end != '\n') ++end;
+    return end[1] == ' ' || end[1] == '\t';
   }
 
   std::size_t trailer_room_;

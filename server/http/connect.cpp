@@ -1,5 +1,6 @@
 #include "server/http/connect.h"
 
+#include <google/protobuf/io/zero_copy_stream_impl_lite.h>
 #include <google/protobuf/message.h>
 #include <google/protobuf/struct.pb.h>
 
@@ -14,6 +15,7 @@
 #include "google/rpc/error_details.pb.h"
 #include "google/rpc/status.pb.h"
 #include "proto/wire/json.h"
+#include "proto/wire/unknown_fields.h"
 #include "server/http/api.h"
 #include "server/http/german.h"
 #include "server/http/json_size.h"
@@ -228,6 +230,12 @@ Question read_question(const Call& call) {
     question.fault = wire::Json().read(call.body, *message);
   } else if (!message->ParseFromArray(call.body.data(), static_cast<int>(call.body.size()))) {
     question.fault = "it must be a " + call.method.input_type()->full_name();
+  } else if (google::protobuf::io::ArrayInputStream bytes(call.body.data(),
+                                                          static_cast<int>(call.body.size()));
+             wire::unknown_field_of_maps(bytes, *call.method.input_type())) {
+    // Written anew it would be lost, and the RPC could not refuse it.
+    question.bytes = call.body;
+    return question;
   }
   prefer_language(call.accept_language, *message);
   question.bytes = message->SerializeAsString();

@@ -58,6 +58,8 @@ constexpr auto sentences = std::to_array<Sentence>({
     {"The transfer encoding is not known", "Diese Transfer-Encoding ist nicht bekannt"},
     {"a body comes with Content-Length or with Transfer-Encoding: chunked",
      "ein Inhalt kommt mit Content-Length oder mit Transfer-Encoding: chunked"},
+    {"The target of the request is not one", "Das Ziel der Anfrage ist keines"},
+    {"a # in it is sent as %23", "ein # darin wird als %23 gesendet"},
     {"The expectation is not known", "Diese Erwartung (Expect) ist nicht bekannt"},
     {"only 100-continue is met", "erfüllt wird nur 100-continue"},
     {"The head of the request is too large", "Der Kopf der Anfrage ist zu groß"},

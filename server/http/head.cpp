@@ -35,8 +35,8 @@ Request request_of(const RequestHead& head, std::string peer) {
 }
 
 std::optional<v1::Problem> fault_of(const Request& request) {
-  constexpr std::array<std::string_view, 8> single{
-      "host",         "content-length",   "transfer-encoding",        "expect",
+  constexpr std::array<std::string_view, 9> single{
+      "host",         "origin",           "content-length",           "transfer-encoding", "expect",
       "content-type", "content-encoding", "connect-protocol-version", "connect-timeout-ms"};
   for (const std::string_view name : single)
     if (std::ranges::count(request.headers, name, &Pairs::value_type::first) > 1)
@@ -48,8 +48,9 @@ std::optional<v1::Problem> fault_of(const Request& request) {
   if (length.find_first_not_of("0123456789") != std::string_view::npos)
     return problem(400, "REQUEST_MALFORMED", "This is not HTTP",
                    "Content-Length must be one whole number");
-  const std::string_view coding = request.header("transfer-encoding");
-  if (!coding.empty() && lower(coding) != "chunked")
+  const auto coding =
+      std::ranges::find(request.headers, "transfer-encoding", &Pairs::value_type::first);
+  if (coding != request.headers.end() && lower(coding->second) != "chunked")
     return problem(501, "TRANSFER_ENCODING", "The transfer encoding is not known",
                    "a body comes with Content-Length or with Transfer-Encoding: chunked");
   const std::string_view expected = request.header("expect");
@@ -63,7 +64,10 @@ std::optional<v1::Problem> take_target(std::string_view target, std::string_view
                                        Request& request) {
   constexpr std::string_view malformed = "The target of the request is not one";
   auto read = read_target(request.method, target);
-  if (!read) return problem(400, "TARGET_MALFORMED", malformed, malformed);
+  if (!read)
+    return problem(
+        400, "TARGET_MALFORMED", malformed,
+        target.find('#') == std::string_view::npos ? malformed : "a # in it is sent as %23");
   if (!read->scheme.empty()) {
     if (read->scheme != scheme)
       return problem(421, "SCHEME_NOT_SERVED", "This server is not the one that is meant",

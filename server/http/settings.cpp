@@ -55,14 +55,15 @@ std::string read_one(const std::string& name, const std::string& value, v1::Prog
   return {};
 }
 
-// Null: the message has no path setup.
+// Null: the message has no setup, or none with a path. Without one it is refused elsewhere, and so
+// is a survey with a program.
 v1::PathSetup* path_setup_of(google::protobuf::Message& message) {
-  if (auto* path = dynamic_cast<v1::PreviewPathRequest*>(&message)) return path->mutable_setup();
+  if (auto* path = dynamic_cast<v1::PreviewPathRequest*>(&message))
+    return path->has_setup() ? path->mutable_setup() : nullptr;
   if (auto* program = dynamic_cast<v1::CompensateProgramOnceRequest*>(&message))
-    return program->mutable_setup()->mutable_path();
+    return program->has_setup() ? program->mutable_setup()->mutable_path() : nullptr;
   auto* survey = dynamic_cast<v1::SurveyPathRequest*>(&message);
-  // A survey with a program is refused elsewhere.
-  if (survey == nullptr || survey->setup().has_program()) return nullptr;
+  if (survey == nullptr || !survey->has_setup() || survey->setup().has_program()) return nullptr;
   return survey->mutable_setup()->mutable_path();
 }
 

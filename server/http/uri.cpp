@@ -33,24 +33,6 @@ std::optional<std::string> decoded(std::string_view text, bool plus_is_blank) {
   return result;
 }
 
-// Host and port, such as [::1]:8080. A user name is not allowed in a request.
-bool is_authority(std::string_view text) {
-  std::string_view port;
-  if (text.starts_with('[')) {
-    const std::size_t end = text.find(']');
-    if (end == std::string_view::npos || end == 1) return false;
-    port = text.substr(end + 1);
-    if (!port.empty() && !port.starts_with(':')) return false;
-  } else {
-    const std::size_t colon = std::min(text.find(':'), text.size());
-    if (colon == 0) return false;
-    port = text.substr(colon);
-  }
-  if (!port.empty()) port.remove_prefix(1);
-  return port.find_first_not_of("0123456789") == std::string_view::npos &&
-         text.find_first_of("@\\") == std::string_view::npos;
-}
-
 // Takes scheme and host from an absolute target and leaves its path; false: the target has none.
 bool take_origin(std::string_view& target, Target& read) {
   constexpr std::string_view mark = "://";
@@ -67,8 +49,26 @@ bool take_origin(std::string_view& target, Target& read) {
 
 }  // namespace
 
+bool is_authority(std::string_view text) {
+  std::string_view port;
+  if (text.starts_with('[')) {
+    const std::size_t end = text.find(']');
+    if (end == std::string_view::npos || end == 1) return false;
+    port = text.substr(end + 1);
+    if (!port.empty() && !port.starts_with(':')) return false;
+  } else {
+    const std::size_t colon = std::min(text.find(':'), text.size());
+    if (colon == 0) return false;
+    port = text.substr(colon);
+  }
+  if (!port.empty()) port.remove_prefix(1);
+  return port.find_first_not_of("0123456789") == std::string_view::npos &&
+         text.find_first_of("@\\/") == std::string_view::npos;
+}
+
 std::optional<Target> read_target(std::string_view method, std::string_view target) {
-  target = target.substr(0, target.find('#'));
+  // A fragment is never sent. Where someone forgot to write %23, settings behind it would be lost.
+  if (target.find('#') != std::string_view::npos) return std::nullopt;
   Target read;
   const bool is_whole = !target.starts_with('/') && target != "*";
   if (is_whole && !take_origin(target, read)) return std::nullopt;

@@ -16,8 +16,12 @@ struct Target {
   std::string scheme{};
   std::string host{};
 };
+// Whether a text is host and port, such as [::1]:8080. A user name is not allowed in a request.
+[[nodiscard]] bool is_authority(std::string_view text);
+
 // None when the target is neither an absolute path nor an absolute URI (RFC 9112, 3.2), or an
-// escape in it is not a byte, or the path has a control character.
+// escape in it is not a byte, or the path has a control character, or there is a fragment, which
+// clients never send.
 [[nodiscard]] std::optional<Target> read_target(std::string_view method, std::string_view target);
 
 }  // namespace trc::server::http

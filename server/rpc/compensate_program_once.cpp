@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "server/rpc/setup.h"
+
 namespace trc::server {
 namespace {
 
@@ -21,10 +23,11 @@ void add(v1::CompensateProgramResponse& part, v1::CompensateProgramOnceResponse&
 Turn CompensateProgramOnce::take(const v1::CompensateProgramOnceRequest& request,
                                  v1::CompensateProgramOnceResponse& response) {
   if (const auto unknown = wire::unknown_field_in(request)) return end(refuse(*unknown));
-  if (request.setup().path().want_resume_tokens() || !request.setup().path().resume_token().empty())
-    return end(refuse(Refusal::resume_token_invalid,
-                      "CompensateProgramOnce takes the whole program",
-                      {{"field", "setup.path.resume_token"}}));
+  if (!request.has_setup()) return end(refuse(Refusal::setup_missing, {}, {{"field", "setup"}}));
+  const wire::FieldPath setup("setup");
+  if (const auto refused = refuse_tokens(request.setup().path(), wire::FieldPath(setup, "path"),
+                                         "CompensateProgramOnce"))
+    return end(*refused);
   response.Clear();
   v1::CompensateProgramRequest message;
   *message.mutable_setup() = request.setup();

@@ -10,9 +10,8 @@ Turn PreviewPath::take(const v1::PreviewPathRequest& request, v1::PreviewPathRes
   wire::PathSettings settings;
   if (auto refused = read_setup(request.setup(), stream_.backend.config, settings))
     return end(*refused);
-  if (!settings.resume_token.empty())
-    return end(refuse(Refusal::resume_token_invalid, "PreviewPath takes the whole path",
-                      {{"field", "setup.resume_token"}}));
+  if (auto refused = refuse_tokens(request.setup(), wire::FieldPath("setup"), "PreviewPath"))
+    return end(*refused);
   stream_.record.set_client_tag(settings.client_tag);
   run_.emplace(stream_, settings);
   run_->feed(request);

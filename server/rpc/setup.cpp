@@ -40,12 +40,25 @@ std::optional<Ending> read_setup(const v1::SurveySetup& message, const Config& c
   wire::FieldFaults faults;
   settings = wire::from_proto(message, wire::FieldPath("setup"), faults);
   if (!faults.empty()) return refuse(faults);
+  const wire::FieldPath setup("setup");
+  const wire::FieldPath program(setup, "program");
   const v1::PathSetup& path = message.has_path() ? message.path() : message.program().path();
-  if (path.want_resume_tokens() || !path.resume_token().empty())
-    return refuse(Refusal::resume_token_invalid, "SurveyRadii begins anew",
-                  {{"field", "setup.path.resume_token"}});
+  const wire::FieldPath place(message.has_path() ? setup : program, "path");
+  if (auto refused = refuse_tokens(path, place, "SurveyRadii")) return refused;
   apply_limits(config, settings.program.path.session);
   return std::nullopt;
+}
+
+std::optional<Ending> refuse_tokens(const v1::PathSetup& setup, const wire::FieldPath& place,
+                                    std::string_view rpc) {
+  if (!setup.resume_token().empty())
+    return refuse(Refusal::resume_token_invalid, std::string(rpc) + " begins anew",
+                  {{"field", wire::FieldPath(place, "resume_token").text()}});
+  if (!setup.want_resume_tokens()) return std::nullopt;
+  wire::FieldFaults faults;
+  wire::add_fault(wire::FieldPath(place, "want_resume_tokens"),
+                  "is set, but " + std::string(rpc) + " gives no resume tokens", faults);
+  return refuse(faults);
 }
 
 void accept(const Config& config, v1::StreamAccepted& accepted) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 #include "proto/wire/setup.h"
 #include "proto/wire/survey.h"
@@ -17,6 +18,11 @@ std::optional<Ending> read_setup(const v1::ProgramSetup& message, const Config& 
                                  wire::ProgramSettings& settings);
 std::optional<Ending> read_setup(const v1::SurveySetup& message, const Config& config,
                                  wire::SurveySettings& settings);
+
+// Refuses the resume tokens of a setup whose RPC, `rpc`, begins anew with each request. `place`: of
+// the setup of the path.
+std::optional<Ending> refuse_tokens(const v1::PathSetup& setup, const wire::FieldPath& place,
+                                    std::string_view rpc);
 
 // The first response of a stream.
 void accept(const Config& config, v1::StreamAccepted& accepted);

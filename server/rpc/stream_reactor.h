@@ -312,6 +312,7 @@ class StreamReactor
         if (const std::size_t bytes = request_.bytes_too_many(); bytes > 0)
           return end(refuse_too_large(bytes, backend_.config));
         if (!request_.read()) return end(refuse(Refusal::request_unreadable));
+        if (const auto& unknown = request_.unknown()) return end(refuse(*unknown));
         return work_->take(request_.take(), *response_);
       case Input::ended:
         return work_->ended(*response_);

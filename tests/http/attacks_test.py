@@ -139,6 +139,9 @@ class Attacks(unittest.TestCase):
                         b"Transfer-Encoding: chunked\r\n" + length,
                         length + b"Transfer-Encoding: chunked\r\n",
                         b"Transfer-Encoding : chunked\r\n", length + length,
+                        b"Transfer-Encoding:\r\n", b"Transfer-Encoding: \r\n" + length,
+                        b"Transfer-Encoding:\r\n chunked\r\n", b"X: y\r\n " + length,
+                        length + b"X: y\r\n\tz\r\n", b"X:\r\n y\r\n" + length,
                         b"Content-Length: %d, %d\r\n" % (len(chunks), len(chunks)),
                         b"X: y\nTransfer-Encoding: chunked\r\n"):
             answer = answer_to(self.server, HEAD + TEXT_HEAD + headers + b"\r\n" + chunks)
@@ -151,6 +154,9 @@ class Attacks(unittest.TestCase):
                              (get + b"Host: localhost\r\nHost: evil.example\r\n", 400),
                              (get + b"Host: evil.example\r\nHost: localhost\r\n", 400),
                              (HEAD + TEXT_HEAD + b"Content-Type: application/json\r\n", 400),
+                             (HEAD + b"Origin: http://localhost\r\nOrigin: http://localhost\r\n", 400),
+                             (get + b"Host: localhost\r\n .evil.example\r\n", 400),
+                             (get + b"Host: localhost\r\nAccept: text/plain,\r\n\ttext/html\r\n", 400),
                              (HEAD + TEXT_HEAD + b"Expect: miracles\r\n", 417)):
             self.assertEqual(status_of(answer_to(self.server, head + b"\r\n")), status, head)
 
@@ -203,7 +209,9 @@ class Attacks(unittest.TestCase):
             self.assertEqual(failed, [], f"seed {seed}, request {i}: {request}")
 
     def test_a_name_that_begins_like_this_machine_is_another_one(self):
-        for host in (b"127.0.0.1.evil.example", b"127.evil.example", b"localhost.evil.example"):
+        for host in (b"127.0.0.1.evil.example", b"127.evil.example", b"localhost.evil.example",
+                     b"[::1", b"[::1]evil", b"[::1].evil.example", b"localhost:80@evil.example",
+                     b"localhost:evil", b"localhost@evil.example", b"127.0.0.1:80/evil"):
             request = b"GET /v1/info HTTP/1.1\r\nConnection: close\r\nHost: " + host + b"\r\n\r\n"
             self.assertEqual(status_of(answer_to(self.server, request)), 421, host)
 
@@ -250,6 +258,7 @@ class Attacks(unittest.TestCase):
                                 (b"X: " + b"y" * 66_000 + b"\r\n", 431),
                                 (b"X" * 66_000 + b": y\r\n", 431), (b"X: y\r\n" * 3000, 431),
                                 (b"X: " + b"y" * 200_000 + b"\r\n", 431),
+                                (b"X: y\r\n z\r\n", 400),
                                 (b"Transfer-Encoding: chunked\r\n", 400), (b"no field\r\n", 400)):
             with self.server.connect() as connection:
                 connection.sendall(request + trailer + b"\r\n")
@@ -277,10 +286,10 @@ class Attacks(unittest.TestCase):
         self.assertEqual(status_of(answer_to(self.server, HEAD + packed)), 415)
 
     def test_json_as_deep_as_can_be_is_refused(self):
-        deep = '{"setup":' * 20000 + "{}" + "}" * 20000
-        status, problem = self.server.ask_json("POST", "/v1/paths:compensate", deep,
-                                               {"Content-Type": "application/json"})
-        self.assertEqual((status, problem["reason"]), (400, "JSON_INVALID"))
+        for deep in ('{"setup":' * 20000 + "{}" + "}" * 20000, "[" * 100_000, '{"setup":' * 100_000):
+            status, problem = self.server.ask_json("POST", "/v1/paths:compensate", deep,
+                                                   {"Content-Type": "application/json"})
+            self.assertEqual((status, problem["reason"]), (400, "JSON_INVALID"), deep[:20])
 
     def test_memory_is_bounded_by_all_bodies_together(self):
         length = b"Content-Length: %d\r\n\r\n" % (4 << 20)

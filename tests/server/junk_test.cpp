@@ -151,6 +151,20 @@ TEST_F(Junk, FieldsThatNobodyKnows) {
                  "trc.v1.CompensatePathRequest", "");
 }
 
+// Protobuf drops such a field while it parses, and the variable would be 0.
+TEST_F(Junk, FieldsOfAMapThatNobodyKnows) {
+  v1::ProgramSetup program;
+  program.GetReflection()
+      ->MutableUnknownFields(&program)
+      ->AddLengthDelimited(v1::ProgramSetup::kVariablesFieldNumber)
+      ->assign("\x0A\x04#500\x15\0\0\xA0@", 11);
+  const Answer answer = run_program(channel(), program, g239_program);
+  EXPECT_EQ(answer.reason(), "FIELD_UNKNOWN") << answer.status.error_message();
+  EXPECT_EQ(answer.metadata("message"), "trc.v1.ProgramSetup.VariablesEntry");
+  EXPECT_EQ(answer.metadata("field"), "setup.variables");
+  EXPECT_EQ(answer.metadata("field_number"), "2");
+}
+
 TEST_F(Junk, ColumnsOfDifferentLength) {
   v1::CompensatePathRequest request;
   request.mutable_columns()->set_kinds(std::string(3, static_cast<char>(1)));

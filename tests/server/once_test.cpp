@@ -82,7 +82,26 @@ TEST(CompensateProgramOnce, TakesNoResumeTokens) {
   const InProcessServer server;
   v1::ProgramSetup setup;
   setup.mutable_path()->set_want_resume_tokens(true);
-  EXPECT_EQ(call_once(server, setup, "G0 X1\n").status.error_code(), grpc::INVALID_ARGUMENT);
+  const grpc::Status wanted = call_once(server, setup, "G0 X1\n").status;
+  EXPECT_EQ(wanted.error_code(), grpc::INVALID_ARGUMENT);
+  EXPECT_EQ(
+      wanted.error_message(),
+      "setup.path.want_resume_tokens is set, but CompensateProgramOnce gives no resume tokens");
+  setup.mutable_path()->set_want_resume_tokens(false);
+  setup.mutable_path()->set_resume_token("a");
+  EXPECT_EQ(call_once(server, setup, "G0 X1\n").status.error_message(),
+            "the resume token cannot be used: CompensateProgramOnce begins anew");
+}
+
+TEST(CompensateProgramOnce, NeedsASetup) {
+  const InProcessServer server;
+  const auto stub = v1::TrcService::NewStub(server.channel());
+  grpc::ClientContext context;
+  v1::CompensateProgramOnceRequest request;
+  request.set_text("G0 X1\n");
+  v1::CompensateProgramOnceResponse response;
+  EXPECT_EQ(stub->CompensateProgramOnce(&context, request, &response).error_code(),
+            grpc::FAILED_PRECONDITION);
 }
 
 TEST(CompensateProgramOnce, RefusesAFieldThatNobodyKnows) {

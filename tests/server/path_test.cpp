@@ -103,6 +103,10 @@ TEST_F(CompensatePathRpc, PreviewRefusesAsTheStreamDoes) {
   *request.mutable_setup() = g239_setup();
   *request.mutable_batch() = batch(1, g239_blocks(), false).batch();
   EXPECT_EQ(call_preview(channel(), request).status.error_code(), grpc::OUT_OF_RANGE);
+  request.mutable_setup()->set_want_resume_tokens(true);
+  EXPECT_EQ(call_preview(channel(), request).metadata("field"), "setup.want_resume_tokens");
+  request.mutable_setup()->set_resume_token("a");
+  EXPECT_EQ(call_preview(channel(), request).metadata("field"), "setup.resume_token");
 }
 
 TEST_F(CompensatePathRpc, AnyBatchingGivesTheSamePath) {

@@ -201,6 +201,18 @@ TEST(SurveyRadiiRpc, RefusesRadiiItCannotAskAbout) {
   }
 }
 
+TEST(SurveyRadiiRpc, GivesNoResumeTokens) {
+  const InProcessServer server;
+  v1::SurveyRadiiRequest program;
+  program.mutable_setup()->mutable_program()->mutable_path()->set_want_resume_tokens(true);
+  EXPECT_EQ(survey_program(server, program, slot).status.error_message(),
+            "setup.program.path.want_resume_tokens is set, but SurveyRadii gives no resume tokens");
+  v1::SurveyRadiiRequest path;
+  path.mutable_setup()->mutable_path()->set_want_resume_tokens(true);
+  EXPECT_EQ(survey_program(server, path, slot).status.error_message(),
+            "setup.path.want_resume_tokens is set, but SurveyRadii gives no resume tokens");
+}
+
 TEST(SurveyRadiiRpc, KeepsTheOrderOfMessages) {
   const InProcessServer server;
   const auto channel = server.channel();

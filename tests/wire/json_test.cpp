@@ -73,7 +73,27 @@ TEST(JsonFault, NamesWhatIsGivenTwice) {
       "batch.blocks[1].linear.end.x: is given more than once");
   EXPECT_EQ(fault_of(R"({"batch":{"blocks":[{"linear":{},"circular":{}}]}})"),
             "batch.blocks[0]: it takes one of its kinds, not two");
+  EXPECT_EQ(fault_of(R"({"batch":{},"columns":{}})"), "it takes one of batch, columns, not two");
   EXPECT_EQ(fault_of(R"({"batch":{"blocks":[{"linear":{"end":{"x":1}}},{"linear":{}}]}})"), "");
+}
+
+// Protobuf reads what stands before the NUL, and numbers in base 16.
+TEST(JsonFault, NamesANumberInQuotesThatIsNone) {
+  EXPECT_EQ(fault_of(R"({"setup":{"toolRadius":"1\u00002"}})"),
+            R"(setup.tool_radius: "1\u00002" is not possible; it takes a number)");
+  EXPECT_EQ(fault_of(R"({"batch":{"blocks":[{},{"linear":{"end":{"x":1,"y":"0x10"}}}]}})"),
+            R"(batch.blocks[1].linear.end.y: "0x10" is not possible; it takes a number)");
+  EXPECT_EQ(fault_of(R"({"columns":{"x":[1,"2","+3"]}})"),
+            R"(columns.x[2]: "+3" is not possible; it takes a number)");
+  for (const char* const none : {"", " 1", "1 ", "1,5", "nan", "inf", "1_0", "\\u0031", "0x1p4"})
+    EXPECT_NE(fault_of(R"({"setup":{"toolRadius":")" + std::string(none) + "\"}}"), "") << none;
+  for (const char* const number : {"1", "-1.5", "1e-3", "1E3", ".5", "5.", "NaN", "-Infinity"})
+    EXPECT_EQ(fault_of(R"({"setup":{"toolRadius":")" + std::string(number) + "\"}}"), "") << number;
+  EXPECT_EQ(fault_of(R"({"setup":{"clientTag":"0x10","plane":"PLANE_XY"}})"), "");
+  v1::ProgramSetup setup;
+  EXPECT_EQ(Json().read(R"({"variables":{"#1":"1","#2":"0x10"}})", setup),
+            R"(variables.#2: "0x10" is not possible; it takes a number)");
+  EXPECT_EQ(Json().read(R"({"subprograms":{"A":"0x10"},"fileName":"0x1"})", setup), "");
 }
 
 // Protobuf would leave it out, and the path would miss a block.
@@ -133,14 +153,26 @@ TEST(JsonFault, NamesThePlaceInTheText) {
 }
 
 TEST(JsonFault, IsThereInGerman) {
-  for (const char* json :
-       {R"({"nix":{}})", R"({"setop":{}})", R"({"setup":{"toolRadius":"5,5"}})",
-        R"({"setup":{"plane":{}}})", "[]", "", "{\"setup\":{\"toolRadius\" 5}}", "{\"setup\":{5}}",
-        "{} x", R"({"setup":[1]})", "{\"setup\":{\"toolRadius\":5 6}}",
-        "{\"setup\":{\"toolRadius\":-}}", R"({"setup":{"clientTag":"\uzz"}})",
-        R"({"setup":{"clientTag":"a)", R"({"setup":{},"setup":{}})",
-        R"({"batch":{"blocks":[null]}})", R"({"batch":{"blocks":[[]]}})", "{'setup':{}}",
-        R"({"batch":{"blocks":[{"linear":{},"circular":{}}]}})"}) {
+  for (const char* json : {R"({"nix":{}})",
+                           R"({"setop":{}})",
+                           R"({"setup":{"toolRadius":"5,5"}})",
+                           R"({"setup":{"plane":{}}})",
+                           "[]",
+                           "",
+                           "{\"setup\":{\"toolRadius\" 5}}",
+                           "{\"setup\":{5}}",
+                           "{} x",
+                           R"({"setup":[1]})",
+                           "{\"setup\":{\"toolRadius\":5 6}}",
+                           "{\"setup\":{\"toolRadius\":-}}",
+                           R"({"setup":{"clientTag":"\uzz"}})",
+                           R"({"setup":{"clientTag":"a)",
+                           R"({"setup":{},"setup":{}})",
+                           R"({"batch":{"blocks":[null]}})",
+                           R"({"batch":{"blocks":[[]]}})",
+                           "{'setup':{}}",
+                           R"({"batch":{"blocks":[{"linear":{},"circular":{}}]}})",
+                           R"({"batch":{},"columns":{}})"}) {
     const std::string english = fault_of(json);
     const std::string german = translated(english, {setting_sentences()});
     EXPECT_NE(german, english) << json;

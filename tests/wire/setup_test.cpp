@@ -252,6 +252,29 @@ TEST(Setup, AbsentOptionsStayUnchanged) {
   EXPECT_EQ(changed(before, {.reverse = false}), expected);
 }
 
+TEST(Setup, VariableUnderTwoNamesIsToldWithBoth) {
+  v1::ProgramSetup message;
+  message.set_dialect(v1::DIALECT_FANUC);
+  (*message.mutable_variables())["#500"] = 3;
+  (*message.mutable_variables())["500"] = 4;
+  FieldFaults faults;
+  (void)from_proto(message, FieldPath("setup"), faults);
+  ASSERT_EQ(faults.count(), 1U);
+  EXPECT_EQ(faults.listed()[0], (FieldFault{"setup.variables[500]",
+                                            "names the same variable as #500; give one of them"}));
+}
+
+TEST(Setup, VariablesThatOnlyLookAlikeAreTwo) {
+  v1::ProgramSetup message;
+  message.set_dialect(v1::DIALECT_SINUMERIK);
+  for (const char* const name : {"R1", "R10", "_R1", "_R01", "R_1", "$R[1]"})
+    (*message.mutable_variables())[name] = 1;
+  FieldFaults faults;
+  EXPECT_EQ(from_proto(message, FieldPath("setup"), faults).path.session.program.variables.size(),
+            6U);
+  EXPECT_TRUE(faults.empty());
+}
+
 struct RefusedSetup {
   std::string name;
   std::string setup;  // v1::ProgramSetup in protobuf text format
@@ -317,6 +340,24 @@ INSTANTIATE_TEST_SUITE_P(
         RefusedSetup{"PassWordOfTwoWords", "pass_words: \"G777 X10\"", "setup.pass_words[0]"},
         RefusedSetup{"MaxWear", "path { max_wear: -1 }", "setup.path.max_wear"},
         RefusedSetup{"Decimals", "decimals: 9", "setup.decimals"},
+        RefusedSetup{"VariableNotANumber",
+                     "variables { key: '#1' value: 1 } variables { key: '#2' value: nan }",
+                     "setup.variables[#2]"},
+        RefusedSetup{"VariableOfFanucTwice",
+                     "dialect: DIALECT_FANUC variables { key: '# 500' value: 3 } "
+                     "variables { key: '0500' value: 4 }",
+                     "setup.variables[0500]"},
+        RefusedSetup{"VariableOfLinuxcncTwice",
+                     "dialect: DIALECT_LINUXCNC variables { key: '#<AB>' value: 3 } "
+                     "variables { key: '#<ab>' value: 4 }",
+                     "setup.variables[#<ab>]"},
+        RefusedSetup{"VariableOfSinumerikTwice",
+                     "dialect: DIALECT_SINUMERIK variables { key: 'R01' value: 3 } "
+                     "variables { key: 'r[1]' value: 4 }",
+                     "setup.variables[r[1]]"},
+        RefusedSetup{"VariableOfIsgTwice",
+                     "variables { key: 'V.E.A' value: 3 } variables { key: 'v.e.a' value: 3 }",
+                     "setup.variables[v.e.a]"},
         RefusedSetup{"Output", "output: 3", "setup.output"}),
     [](const auto& tested) { return tested.param.name; });
 

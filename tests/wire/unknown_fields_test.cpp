@@ -1,9 +1,12 @@
 #include "proto/wire/unknown_fields.h"
 
 #include <google/protobuf/descriptor.h>
+#include <google/protobuf/io/zero_copy_stream_impl_lite.h>
 #include <google/protobuf/unknown_field_set.h>
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -72,6 +75,58 @@ TYPED_TEST(UnknownFields, AreFoundInEveryMessage) {
     EXPECT_EQ(found->message, message.GetDescriptor()->full_name());
     EXPECT_EQ(found->number, number_of_nobody);
   }
+}
+
+std::optional<UnknownField> unknown_in(const std::string& bytes) {
+  google::protobuf::io::ArrayInputStream stream(bytes.data(), static_cast<int>(bytes.size()));
+  return unknown_field_of_maps(stream, *v1::CompensateProgramOnceRequest::descriptor());
+}
+
+// Protobuf sends an unknown field as the bytes of the field with that number.
+std::string with_entry(int map, const std::string& entry) {
+  v1::CompensateProgramOnceRequest request;
+  request.mutable_setup()->mutable_path()->set_tool_radius(5);
+  (*request.mutable_setup()->mutable_variables())["#1"] = 1;
+  (*request.mutable_setup()->mutable_subprograms())["A"] = "M17";
+  auto& setup = *request.mutable_setup();
+  setup.GetReflection()->MutableUnknownFields(&setup)->AddLengthDelimited(map)->assign(entry);
+  return request.SerializeAsString();
+}
+
+constexpr int of_variables = v1::ProgramSetup::kVariablesFieldNumber;
+constexpr int of_files = v1::ProgramSetup::kSubprogramFilesFieldNumber;
+
+TEST(UnknownFieldsOfMaps, AreFoundInTheBytes) {
+  const std::string key = "\x0A\x04#500";
+  const auto extra = unknown_in(with_entry(of_variables, key + "\x38\x01"));
+  ASSERT_TRUE(extra.has_value());
+  EXPECT_EQ(extra->place, "setup.variables");
+  EXPECT_EQ(extra->message, "trc.v1.ProgramSetup.VariablesEntry");
+  EXPECT_EQ(extra->number, 7);
+  // 5 as a float, which Protobuf skips: the variable would be 0.
+  const auto single = unknown_in(with_entry(of_variables, key + std::string("\x15\0\0\xA0@", 5)));
+  ASSERT_TRUE(single.has_value());
+  EXPECT_EQ(single->number, 2);
+  EXPECT_EQ(unknown_in(with_entry(of_files, key + "\x10\x05"))->place, "setup.subprogram_files");
+}
+
+TEST(UnknownFieldsOfMaps, AreNotSeenWhereThereAreNone) {
+  EXPECT_FALSE(unknown_in(with_entry(of_variables, "\x0A\x04#500")));
+  EXPECT_FALSE(unknown_in(with_entry(of_files, "\x12\x01x\x0A\x01y")));
+  EXPECT_FALSE(unknown_in(""));
+}
+
+// Whoever parses them refuses them.
+TEST(UnknownFieldsOfMaps, AreNotSoughtInBytesThatAreNoMessage) {
+  const std::string whole = with_entry(of_variables, "\x0A\x04#500");
+  for (std::size_t size = 0; size < whole.size(); ++size)
+    EXPECT_FALSE(unknown_in(whole.substr(0, size))) << size;
+}
+
+TEST(UnknownFieldsOfMaps, AreOnlySoughtInMessagesWithMaps) {
+  EXPECT_TRUE(holds_maps(*v1::CompensateProgramRequest::descriptor()));
+  EXPECT_TRUE(holds_maps(*v1::SurveyRadiiRequest::descriptor()));
+  EXPECT_FALSE(holds_maps(*v1::CompensatePathRequest::descriptor()));
 }
 
 }  // namespace

@@ -196,6 +196,28 @@ bool read_block(Reading& reading, ProgramLine& line) {
   return goes_on;
 }
 
+// Refuses control characters outside comments, however the line was read: lines of cycles and calls
+// are copied as they stand.
+bool check_text(Reading& reading, const ProgramLine& line) {
+  const auto is_control = [](char sign) {
+    const auto byte = static_cast<unsigned char>(sign);
+    return (byte < 0x20 && sign != '\t' && !is_line_end(sign)) || byte == 0x7f;
+  };
+  const auto is_in_comment = [&](std::size_t at) {
+    return std::ranges::any_of(line.words, [&](const WordRange& word) {
+      return word.role == WordRole::comment && word.begin <= at && at < word.end;
+    });
+  };
+  for (std::size_t at = 0; at < line.text.size(); ++at)
+    if (is_control(line.text[at]) && !is_in_comment(at))
+      return reading.refuse(
+          line, TextFault{.code = Code::nc_not_text,
+                          .begin = static_cast<std::uint32_t>(at),
+                          .detail = name_of_character(std::string_view(line.text).substr(at)) +
+                                    ", outside a comment"});
+  return true;
+}
+
 // Whether the line can be read in one pass, with nothing to refuse before its motion.
 bool is_plain(const Reading& reading, ProgramLine& line, PlainMotion& plain) {
   return !reading.ended && reading.comment_block == 0 && !reading.in_subprogram &&
@@ -285,7 +307,7 @@ bool read_line(Reading& reading, ProgramLine& line) {
     return true;
   }
   if (!reading.ended && reading.comment_block == 0 && !is_name && !reading.in_subprogram)
-    return text.empty() || read_block(reading, line);
+    return text.empty() || (read_block(reading, line) && check_text(reading, line));
 
   const std::size_t bad =
       reading.ended ? first_byte_that_is_no_utf8(line.text) : first_byte_that_is_no_text(line.text);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/nc/state/variable_name.h"
 #include "core/nc/text/characters.h"
 #include "core/nc/text/slip.h"
 
@@ -47,7 +48,7 @@ Reading::Reading(const ReaderLimits& limits_of_text, ProgramState& state_of_prog
   if (dialect.name == DialectName::heidenhain) {
     state.set_absolute_center(true);
     for (const auto& [name, value] : state.setup().variables) {
-      const std::string parameter = in_upper_case(name);
+      const std::string parameter = plain_variable_name(name, dialect.name);
       if (parameter.starts_with('Q')) klartext_modes.parameters[parameter] = value;
     }
   }

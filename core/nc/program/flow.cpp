@@ -11,24 +11,13 @@
 #include "core/nc/program/klartext_flow.h"
 #include "core/nc/program/linuxcnc_flow.h"
 #include "core/nc/program/sinumerik_flow.h"
-#include "core/nc/text/characters.h"
+#include "core/nc/state/variable_name.h"
 
 namespace trc::program {
-namespace {
-
-// Variable names may come with or without `#` and brackets.
-std::string name_of_variable(std::string_view name) {
-  std::string plain;
-  for (const char sign : name)
-    if (sign != '#' && sign != '<' && sign != '>' && sign != ' ' && sign != '\t')
-      plain += upper(sign);
-  return plain;
-}
-
-}  // namespace
 
 Flow::Flow(const ProgramSetup& setup, CallPlaces& calls) : setup_(setup), calls_(calls) {
-  for (const auto& [name, value] : setup.variables) given_[name_of_variable(name)] = value;
+  for (const auto& [name, value] : setup.variables)
+    given_[plain_variable_name(name, setup.dialect)] = value;
 }
 
 std::uint32_t Flow::line_in_program() const {

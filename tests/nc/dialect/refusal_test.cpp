@@ -181,6 +181,46 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"ASplitWithoutLength", "#TRC [SPLIT_PATH FEED_SEG1=5]", "1:1 900005"}),
     named);
 
+// Lines of cycles and calls are copied as they stand; a terminal would obey what is in them.
+TEST(Refusal, ControlCharactersAreRefusedHoweverTheLineIsRead) {
+  struct Copied {
+    DialectName dialect;
+    std::string text;
+    const char* place_and_code;
+  };
+  const std::string escape = "\x1b[2J";
+  const std::string null(1, '\0');
+  for (const auto& [dialect, text, place] : {
+           Copied{DialectName::heidenhain, "1 CYCL DEF 200" + null + escape, "1:15 900007"},
+           Copied{DialectName::heidenhain, "1 CALL LBL 1" + null, "1:13 900007"},
+           Copied{DialectName::heidenhain, "1 CYCL DEF 200 ~" + escape, "1:17 900007"},
+           Copied{DialectName::sinumerik, "CYCLE81(1," + null + "2)", "1:11 900007"},
+           Copied{DialectName::sinumerik, "MSG(\"a" + escape + "\")", "1:7 900007"},
+           Copied{DialectName::fanuc, "POPEN\nDPRNT[A" + escape + "]", "2:8 900007"},
+       }) {
+    const ProgramSetup setup{.dialect = dialect};
+    const Reading reading = read(text, setup);
+    ASSERT_FALSE(reading.diagnostics.empty()) << text;
+    EXPECT_EQ(place_and_code(reading.diagnostics.back()), place) << text;
+    EXPECT_TRUE(reading.stopped);
+  }
+}
+
+TEST(Refusal, ControlCharactersMayStandInComments) {
+  const std::string odd = "\x01\x7f";
+  struct Commented {
+    DialectName dialect;
+    std::string text;
+  };
+  for (const auto& [dialect, text] : {
+           Commented{DialectName::heidenhain, "1 CYCL DEF 200 ;" + odd + "\n2 ;" + odd},
+           Commented{DialectName::sinumerik, "CYCLE81(1,2) ;" + odd + "\n;" + odd},
+           Commented{DialectName::fanuc, "(" + odd + ")\nM8 (" + odd + ")"},
+           Commented{DialectName::linuxcnc, "M8 ;" + odd},
+       })
+    EXPECT_FALSE(read(text, ProgramSetup{.dialect = dialect}).stopped) << text;
+}
+
 // These programs go on with a warning.
 TEST(Warning, AStretchFactorOutOfRangeBecomesOne) {
   for (const char* value : {"0", "10", "0.5", "-3"}) {

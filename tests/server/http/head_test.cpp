@@ -28,6 +28,11 @@ TEST(RequestHead, IsRefusedWhereTwoReadersMightSeeTwoRequests) {
   EXPECT_EQ(reason_against({{"content-length", "+1"}}), "REQUEST_MALFORMED");
   EXPECT_EQ(reason_against({{"content-length", "1, 1"}}), "REQUEST_MALFORMED");
   EXPECT_EQ(reason_against({{"transfer-encoding", "gzip, chunked"}}), "TRANSFER_ENCODING");
+  EXPECT_EQ(reason_against({{"transfer-encoding", ""}}), "TRANSFER_ENCODING");
+  EXPECT_EQ(reason_against({{"content-length", "1"}, {"transfer-encoding", ""}}),
+            "TRANSFER_ENCODING");
+  EXPECT_EQ(reason_against({{"origin", "http://here"}, {"origin", "http://there"}}),
+            "HEADER_REPEATED");
 }
 
 TEST(RequestHead, IsRefusedWithAnExpectationThatIsNotMet) {
