@@ -55,15 +55,14 @@ std::string read_one(const std::string& name, const std::string& value, v1::Prog
   return {};
 }
 
-// Null: the message has no setup, or none with a path. Without one it is refused elsewhere, and so
-// is a survey with a program.
+// Null: the message has no place for one, or is a survey with a program, which is refused
+// elsewhere.
 v1::PathSetup* path_setup_of(google::protobuf::Message& message) {
-  if (auto* path = dynamic_cast<v1::PreviewPathRequest*>(&message))
-    return path->has_setup() ? path->mutable_setup() : nullptr;
+  if (auto* path = dynamic_cast<v1::PreviewPathRequest*>(&message)) return path->mutable_setup();
   if (auto* program = dynamic_cast<v1::CompensateProgramOnceRequest*>(&message))
-    return program->has_setup() ? program->mutable_setup()->mutable_path() : nullptr;
+    return program->mutable_setup()->mutable_path();
   auto* survey = dynamic_cast<v1::SurveyPathRequest*>(&message);
-  if (survey == nullptr || !survey->has_setup() || survey->setup().has_program()) return nullptr;
+  if (survey == nullptr || survey->setup().has_program()) return nullptr;
   return survey->mutable_setup()->mutable_path();
 }
 

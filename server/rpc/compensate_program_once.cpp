@@ -23,7 +23,6 @@ void add(v1::CompensateProgramResponse& part, v1::CompensateProgramOnceResponse&
 Turn CompensateProgramOnce::take(const v1::CompensateProgramOnceRequest& request,
                                  v1::CompensateProgramOnceResponse& response) {
   if (const auto unknown = wire::unknown_field_in(request)) return end(refuse(*unknown));
-  if (!request.has_setup()) return end(refuse(Refusal::setup_missing, {}, {{"field", "setup"}}));
   const wire::FieldPath setup("setup");
   if (const auto refused = refuse_tokens(request.setup().path(), wire::FieldPath(setup, "path"),
                                          "CompensateProgramOnce"))

@@ -245,7 +245,7 @@ class Programs(unittest.TestCase):
 
         def connect(headers):
             # A factor that is out of its range: warning 22007.
-            body = json.dumps({"setup": {}, "text": "#TRC [STRETCH_FACTOR=30]\nG1 X1 F100\nM30\n"})
+            body = json.dumps({"text": "#TRC [STRETCH_FACTOR=30]\nG1 X1 F100\nM30\n"})
             _, answer = self.server.ask_json(
                 "POST", "/trc.v1.TrcService/CompensateProgramOnce", body, headers)
             return answer["diagnostics"][0]["language"]
@@ -265,7 +265,7 @@ class Programs(unittest.TestCase):
                 return message[5:].decode(errors="replace")
             return None
 
-        body = json.dumps({"setup": {}, "text": "N10 G1 X10,5\n"})
+        body = json.dumps({"text": "N10 G1 X10,5\n"})
         german = {**JSON, "Accept-Language": "de"}
         status, error = self.server.ask_json(
             "POST", "/trc.v1.TrcService/CompensateProgramOnce", body, german)
@@ -273,7 +273,6 @@ class Programs(unittest.TestCase):
         self.assertIn("Dezimalpunkt statt Komma", localized(error))
         for path, asked, said in (("CompensateProgramOnce", '{"setop":{}}',
                                    "setop: dieses Feld gibt es nicht"),
-                                  ("CompensateProgramOnce", '{"text":"M30"}', "Setup"),
                                   ("GetServerInfo?x=1", "{}", "keine Parameter in der Adresse")):
             _, refused = self.server.ask_json("POST", "/trc.v1.TrcService/" + path, asked, german)
             self.assertIn(said, localized(refused))

@@ -254,7 +254,7 @@ TEST(IsgPrograms, EndInFrontOfAnotherOne) {
   EXPECT_EQ(refusal("G0 X1\n%L A\nX5\nM17\n%MAIN\nX2\nM30\n"), std::pair(900003, 2U));
   EXPECT_EQ(refusal("%L A\nX5\nM17\nX1\nM30\n").first, 900310);
   EXPECT_EQ(refusal("%L A\nX5\nM17\nG00 X77\n%MAIN\nLL A\nM30\n"), std::pair(900310, 4U));
-  EXPECT_EQ(flat("P1=3\nXP1\nM30\n%\n"), "X3\nM30\n");
+  EXPECT_EQ(flat("P1=3\nXP1\nM30\n%\n"), "X3\nM30\n%\n");
   EXPECT_EQ(flat("(first)\n%L A\nX5\nM17\n%MAIN\nLL A\nM30\n"), "(first)\n%MAIN\n(A)\nX5\nM30\n");
 }
 

@@ -51,7 +51,7 @@ INSTANTIATE_TEST_SUITE_P(
              "7:3 900003", "FN 11, a jump to a label", "CALL LBL 1 REP 3"},
         Told{fanuc, at_start + "G1 G41 D.25 X0. Y0. F200\nX10.\nG40 X20.\nM30\n", "3:8 900008",
              "is the number of a register", "Write the number of the register"},
-        Told{fanuc, "G21 G90 G17\nX-20. Y-20. G0 G54 N20 S2000 M3\nM30\n", "2:18 900001",
+        Told{fanuc, "G21 G90 G17\nX-20. Y-20. G0 G54 N20 S2000 M3\nM30\n", "2:20 900001",
              "N20, a block number behind other words", "in front of all other words"},
         Told{fanuc, "%\nZ4.\nO7\nG21 G90 G0 X0\nM30\n%\n", "3:1 900003",
              "O, behind blocks without a number", "Take the blocks in front of it out"},

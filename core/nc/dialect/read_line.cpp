@@ -203,7 +203,10 @@ bool check_text(Reading& reading, const ProgramLine& line) {
     const auto byte = static_cast<unsigned char>(sign);
     return (byte < 0x20 && sign != '\t' && !is_line_end(sign)) || byte == 0x7f;
   };
+  const bool is_klartext = reading.dialect.name == DialectName::heidenhain;
   const auto is_in_comment = [&](std::size_t at) {
+    // Blocks of Klartext that are copied have no words.
+    if (is_klartext) return line.text.find(';') < at;
     return std::ranges::any_of(line.words, [&](const WordRange& word) {
       return word.role == WordRole::comment && word.begin <= at && at < word.end;
     });
