@@ -203,21 +203,24 @@ bool check_text(Reading& reading, const ProgramLine& line) {
     const auto byte = static_cast<unsigned char>(sign);
     return (byte < 0x20 && sign != '\t' && !is_line_end(sign)) || byte == 0x7f;
   };
-  const bool is_klartext = reading.dialect.name == DialectName::heidenhain;
   const auto is_in_comment = [&](std::size_t at) {
-    // Blocks of Klartext that are copied have no words.
-    if (is_klartext) return line.text.find(';') < at;
     return std::ranges::any_of(line.words, [&](const WordRange& word) {
       return word.role == WordRole::comment && word.begin <= at && at < word.end;
     });
   };
-  for (std::size_t at = 0; at < line.text.size(); ++at)
+  const bool is_klartext = reading.dialect.name == DialectName::heidenhain;
+  bool is_quoted = false;
+  for (std::size_t at = 0; at < line.text.size(); ++at) {
+    // The comment of a copied line of Klartext is no word of its own.
+    if (is_klartext && line.text[at] == ';' && !is_quoted) return true;
+    is_quoted ^= line.text[at] == '"';
     if (is_control(line.text[at]) && !is_in_comment(at))
       return reading.refuse(
           line, TextFault{.code = Code::nc_not_text,
                           .begin = static_cast<std::uint32_t>(at),
                           .detail = name_of_character(std::string_view(line.text).substr(at)) +
                                     ", outside a comment"});
+  }
   return true;
 }
 
