@@ -132,8 +132,9 @@ ProgramInfo describe_program(const std::string& program, ProgramSessionSetup set
   if (missing && !info.refused) found.insert(found.begin(), *missing);
   if (found.empty()) say("nothing to refuse");
   // First the errors that refuse the program, then the findings to look at.
-  std::ranges::stable_partition(
-      found, [](const Diagnostic& diagnostic) { return diagnostic.severity == Severity::error; });
+  std::stable_partition(found.begin(), found.end(), [](const Diagnostic& diagnostic) {
+    return diagnostic.severity == Severity::error;
+  });
   std::string_view heading;
   for (const Diagnostic& diagnostic : found) {
     const bool refuses = info.refused && diagnostic.severity == Severity::error;
