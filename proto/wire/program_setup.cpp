@@ -124,9 +124,11 @@ void read_pass_words(const v1::ProgramSetup& message, const FieldPath& path, Pro
     add_fault(FieldPath(path, "pass_words"), "has more than 1000 entries", faults);
   for (int i = 0; i < std::min(message.pass_words_size(), most_words); ++i) {
     std::string word = in_upper_case(message.pass_words(i));
-    if (const std::string fault = fault_of_pass_word(word, program.dialect); !fault.empty())
-      add_fault(FieldPath(path, "pass_words", static_cast<std::size_t>(i)),
-                (word.size() > longest_shown ? "" : "\"" + word + "\" ") + fault, faults);
+    if (std::string fault = fault_of_pass_word(word, program.dialect); !fault.empty()) {
+      if (word.size() <= longest_shown) fault.insert(0, "\"" + word + "\" ");
+      add_fault(FieldPath(path, "pass_words", static_cast<std::size_t>(i)), std::move(fault),
+                faults);
+    }
     program.pass_words.insert(std::move(word));
   }
 }

@@ -210,6 +210,7 @@ std::span<const Sentence> refusal_sentences() {
   }();
   static const std::vector<Sentence> sentences = [] {
     std::vector<Sentence> made;
+    made.reserve(patterns.size());
     for (const auto& [english, german] : patterns)
       made.push_back({.english = english, .german = german});
     return made;
