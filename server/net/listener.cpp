@@ -254,11 +254,14 @@ void Acceptor::run() {
     if (ready < 0 && errno != EINTR) return;
     if ((waits[0].revents & POLLIN) != 0) return;
     exhausted = false;
+    const std::uint64_t accepted_before = accepted_;
     try {
       for (const Door& door : doors_) exhausted = !accept_from(door) || exhausted;
     } catch (const std::bad_alloc&) {
       exhausted = true;  // memory may be free later, as descriptors may
     }
+    // A flood begins with its connection.
+    if (accepted_ != accepted_before) until_next_ms = busy_round_ms;
   }
 }
 
