@@ -20,9 +20,8 @@ double unevenness(double before, double after) {
   return std::clamp(2 * difference / (linear + std::sqrt(square)), -1.0, 1.0);
 }
 
-constexpr std::size_t most_joined = 8;
 // A chord of its kind: an arc that stays, or a line for so many blocks.
-constexpr std::size_t kinds = most_joined + 1;
+constexpr std::size_t kinds = most_joined_blocks + 1;
 std::size_t kind_of(const Chord& chord) {
   return chord.count == 1 && !chord.straight ? 0 : chord.count;
 }
@@ -32,7 +31,7 @@ class Division {
   Division(const std::vector<ChordChoice>& choices, std::size_t blocks, double shift)
       : endings_(blocks + 1), shift_(shift) {
     for (const ChordChoice& choice : choices)
-      if (choice.chord.count <= most_joined)
+      if (choice.chord.count <= most_joined_blocks)
         endings_[choice.chord.first + choice.chord.count][kind_of(choice.chord)].choice = &choice;
   }
 

@@ -52,7 +52,10 @@ struct ChordCut {
 [[nodiscard]] ChordCut cut_by_rounding(const ChordCourse& before, const ChordCourse& after,
                                        double shift);
 
-// A chord to choose, and what its choice costs.
+// The most blocks of a chord that can be chosen.
+constexpr std::size_t most_joined_blocks = 8;
+
+// A chord that can be chosen, and its cost.
 struct ChordChoice {
   Chord chord{};
   ChordCourse course{};

@@ -49,13 +49,6 @@ double squared_length_of_short(const TrcMode& mode, double input_resolution) {
   return 5 * std::abs(mode.tool_radius) * resolution_for(mode, input_resolution);
 }
 
-// The length of the path beside an arc, in its own length: inside a curve it is shorter. At least a
-// tenth, as with a tool that hardly fits.
-double room_beside(const Arc& arc, double length, const TrcMode& mode) {
-  const double shift = mode.side == Side::left ? mode.tool_radius : -mode.tool_radius;
-  return length > 0 ? std::clamp(1 - shift * arc.sweep / length, 0.1, 1.0) : 1;
-}
-
 // The share of joined lines that corners may take: each of the joined blocks keeps something.
 constexpr double most_of_joined = 0.97;
 
@@ -78,14 +71,13 @@ bool RoundedInput::is_short(const MotionBlock& motion, double input_resolution) 
   if (!mode.active() || mode.options.suppress_trc || !only_moves_in_plane(motion)) return false;
   const double longest = squared_length_of_short(mode, input_resolution);
   const auto* arc = std::get_if<Arc>(&motion.path);
-  if (arc == nullptr) return vector_of(std::get<Line>(motion.path)).squaredNorm() <= longest;
-  if (mode.removes_loops()) return false;
-  const double chord = (arc->end - arc->start).norm();
-  return is_flat_arc(chord, arc->sweep, input_resolution) &&
-         2 * chord * chord * room_beside(*arc, chord, mode) <= longest;
+  const double square = (end_of(motion.path) - start_of(motion.path)).squaredNorm();
+  if (square > longest) return false;
+  return arc == nullptr ||
+         (!mode.removes_loops() && is_flat_arc(std::sqrt(square), arc->sweep, input_resolution));
 }
 
-bool RoundedInput::is_contour_line(const PathBlock& block) const {
+bool RoundedInput::can_hold(const PathBlock& block) const {
   return block.role == Role::contour &&
          (!is_arc(block.programmed.path) || is_short(block.programmed, input_resolution_)) &&
          block.at_start == block.at_end && block.at_end.shift != 0 && !block.perpendicular_exit &&
@@ -93,7 +85,7 @@ bool RoundedInput::is_contour_line(const PathBlock& block) const {
 }
 
 bool RoundedInput::continues(const PathBlock& block) const {
-  if (held_.empty() || !is_contour_line(block) || block.perpendicular_entry) return false;
+  if (held_.empty() || !can_hold(block) || block.perpendicular_entry) return false;
   const PathBlock& last = *held_.back();
   return block.programmed.mode == last.programmed.mode && block.at_start == last.at_end &&
          block.programmed.rapid == last.programmed.rapid &&
@@ -103,7 +95,7 @@ bool RoundedInput::continues(const PathBlock& block) const {
 bool RoundedInput::feed(PathBlockPtr block, PathBlocks& out) {
   if (!held_.empty() && !continues(*block)) end_before(block.get(), out);
   const bool goes_on = block->before_short || is_short(block->programmed, input_resolution_);
-  if (!is_contour_line(*block) || (held_.empty() && !goes_on)) {
+  if (!can_hold(*block) || (held_.empty() && !goes_on)) {
     before_.reset();
     behind_contour_ = block->role == Role::contour && block->at_end.active;
     if (behind_contour_) {
@@ -251,7 +243,6 @@ bool RoundedInput::has_arcs() const {
 
 // Joins as little as possible. `behind`: what the last chord has to leave something beside.
 bool RoundedInput::divide_anew(const std::optional<ChordCourse>& behind) {
-  constexpr std::size_t most_joined = 8;
   std::vector<ChordChoice> choices;
   const auto offer = [&](const Chord& chord, double cost) {
     ChordCourse course = course_of(chord);
@@ -263,7 +254,7 @@ bool RoundedInput::divide_anew(const std::optional<ChordCourse>& behind) {
     offer({.first = end - 1}, 1);
     // An arc rather stays than it becomes a line, and rather does than two are joined.
     if (is_an_arc) offer({.first = end - 1, .straight = true}, 1.5);
-    for (std::size_t count = 2; count <= std::min(most_joined, end); ++count) {
+    for (std::size_t count = 2; count <= std::min(most_joined_blocks, end); ++count) {
       const Chord chord{.first = end - count, .count = count};
       if (may_be_one(chord)) offer(chord, static_cast<double>(count * count));
     }

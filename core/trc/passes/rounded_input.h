@@ -36,7 +36,7 @@ class RoundedInput {
   bool drain(PathBlocks& out);
   [[nodiscard]] bool ignores(const PathBlock& block) const {
     return held_.empty() && !block.before_short &&
-           !(is_short(block.programmed, input_resolution_) && is_contour_line(block));
+           !(is_short(block.programmed, input_resolution_) && can_hold(block));
   }
 
   // Whether rounding may decide about a corner of the line.
@@ -50,7 +50,7 @@ class RoundedInput {
  private:
   static constexpr std::size_t most_held = 64;
 
-  [[nodiscard]] bool is_contour_line(const PathBlock& block) const;
+  [[nodiscard]] bool can_hold(const PathBlock& block) const;
   [[nodiscard]] bool continues(const PathBlock& block) const;
   [[nodiscard]] Line line_of(const Chord& chord) const;
   [[nodiscard]] ChordCourse course_of(const Chord& chord) const;
