@@ -4,6 +4,7 @@
 #include <linux/tcp.h>
 #include <malloc.h>
 #include <netinet/in.h>
+#include <sys/ioctl.h>
 #include <sys/socket.h>
 
 #include <algorithm>
@@ -52,6 +53,12 @@ std::optional<std::uint64_t> bytes_received(int descriptor) {
   socklen_t size = sizeof(info);
   if (getsockopt(descriptor, IPPROTO_TCP, TCP_INFO, &info, &size) != 0) return std::nullopt;
   return info.tcpi_bytes_received;
+}
+
+// Bytes that have arrived and that gRPC has not read.
+int bytes_unread(int descriptor) {
+  int bytes = 0;
+  return ioctl(descriptor, FIONREAD, &bytes) == 0 ? bytes : 0;
 }
 
 std::string name_of(const char* kind, const void* address, int family, in_port_t port) {
@@ -162,7 +169,8 @@ class Connections::Connection {
     const auto streams = number ? TransportCounts::streams_of(*number) : std::nullopt;
     alive_ = streams ? streams->alive() : 0;
     if (!streams) return counts.forget(peer_);
-    unasked_ = 0;
+    // gRPC reads some connections later than others: what it has not read begins streams yet.
+    unasked_ = static_cast<double>(bytes_unread(descriptor_));
     if (now - streams_since_ > window) {
       streams_since_ = now;
       streams_ = *streams;
@@ -228,7 +236,8 @@ class Connections::Connection {
   std::uint64_t received_ = 0;
   double overhead_ = 0;
   double unfinished_ = 0;
-  double unasked_ = 0;  // bytes besides messages since gRPC was asked about its streams
+  // Bytes besides messages that may have begun streams since gRPC was asked about them.
+  double unasked_ = 0;
   std::uint64_t alive_ = 0;
   Clock::time_point streams_since_ = Clock::now();
   TransportCounts::Streams streams_{};

@@ -244,8 +244,8 @@ void Acceptor::run() {
   for (;;) {
     last_round_ns_ = now_ns();
     if (last_round_ns_ - looked_at_ns >= until_next_ms * std::int64_t{1'000'000}) {
-      looked_at_ns = last_round_ns_;
       until_next_ms = look_after_connections() ? busy_round_ms : round_ms;
+      looked_at_ns = now_ns();  // after it: many connections must not take all of this thread
     }
     // A connection that cannot be accepted would wake this thread at once, so it only waits for the
     // stop.
