@@ -299,6 +299,21 @@ TEST(ClosingPrograms, AStepBetweenTheLastWallAndTheFirstIsTold) {  // D-38
   }
 }
 
+// The last wall misses the begin, and goes on beside the first walls, in the material, until it
+// crosses one of them: they are not lead-in for that, which would be cut without a word.
+TEST(ClosingPrograms, AnOverrunBesideTheFirstWallsIsTold) {  // D-96
+  for (const double step : {0.02, 0.1, 0.2}) {
+    const std::string y = std::to_string(step);
+    const std::string contour =
+        "N1 G162 G0 X-6 Y-9 F800\nN2 G138 G42 G26 G1 X0 Y0\nN3 X10 Y0\nN4 X20 Y0.5\n"
+        "N5 X30 Y2\nN6 X40 Y40\nN7 X0 Y40\nN8 Y" +
+        y + "\nN9 X38 Y1.5\nN10 G40 G1 X42 Y-9\n";
+    const Result measured = run("G140", 3, contour, Verify::report);
+    EXPECT_TRUE(measured.tells(Code::clearance_violated)) << "step " << step;
+    EXPECT_TRUE(run(removing, 3, contour).tells(Code::most_left_out)) << "step " << step;
+  }
+}
+
 // Hand-written programs begin beyond a corner and go on beyond it: they close where both cross.
 TEST(ClosingPrograms, LinesThatGoOnBeyondACornerCloseThere) {  // D-38
   const std::string contour =
