@@ -169,7 +169,7 @@ class Connections::Connection {
     const auto streams = number ? TransportCounts::streams_of(*number) : std::nullopt;
     alive_ = streams ? streams->alive() : 0;
     if (!streams) return counts.forget(peer_);
-    // gRPC reads some connections later than others: what it has not read begins streams yet.
+    // gRPC reads some connections later than others: what it has not read may still begin streams.
     unasked_ = static_cast<double>(bytes_unread(descriptor_));
     if (now - streams_since_ > window) {
       streams_since_ = now;

@@ -245,7 +245,7 @@ void Acceptor::run() {
     last_round_ns_ = now_ns();
     if (last_round_ns_ - looked_at_ns >= until_next_ms * std::int64_t{1'000'000}) {
       until_next_ms = look_after_connections() ? busy_round_ms : round_ms;
-      looked_at_ns = now_ns();  // after it: many connections must not take all of this thread
+      looked_at_ns = now_ns();  // after the look, which takes long at many connections
     }
     // A connection that cannot be accepted would wake this thread at once, so it only waits for the
     // stop.

@@ -198,19 +198,21 @@ class Measuring : public ::testing::Test {
     }
     return nullptr;
   }
+  enum class By : std::uint8_t { itself, server };
   // `trc` with the staircase, once it says how much of it has been measured; null: the machine is
-  // too fast. It measures itself unless it asks the server.
-  [[nodiscard]] std::unique_ptr<AtATerminal> shown(const std::vector<std::string>& flags,
-                                                   bool by_server = false) {
+  // too fast. `by`: who measures, and is slowed for it.
+  [[nodiscard]] std::unique_ptr<AtATerminal> shown(const std::vector<std::string>& flags, By by) {
     for (; slowness_ <= most_slowness; slowness_ *= 16) {
       std::filesystem::remove(out_);  // of a run that was done too soon
       std::vector<std::string> command{trc_program(), flags[0],
                                        folder_.write("stairs.nc", staircase())};
       command.insert(command.end(), flags.begin() + 1, flags.end());
-      if (by_server) command.insert(command.end(), {"--server", server_.address()});
-      if (by_server) slowed_.emplace(server_.id(), slowness_);
+      if (by == By::server) {
+        command.insert(command.end(), {"--server", server_.address()});
+        slowed_.emplace(server_.id(), slowness_);
+      }
       auto run = std::make_unique<AtATerminal>(command);
-      if (!by_server) run->slow(slowness_);
+      if (by == By::itself) run->slow(slowness_);
       if (run->comes_to_say(" % measured, ")) return run;
       EXPECT_EQ(run->said().find("rror"), std::string::npos) << run->said();
     }
@@ -292,7 +294,7 @@ TEST_F(Measuring, EndsAtTheDeadline) {
 }
 
 TEST_F(Measuring, ShowsOnATerminalAndEndsWithControlC) {
-  const auto run = shown({"compensate", "-o", out_}, true);
+  const auto run = shown({"compensate", "-o", out_}, By::server);
   ASSERT_TRUE(run) << too_fast;
   constexpr char control_c = 3;
   run->type(control_c);
@@ -301,17 +303,19 @@ TEST_F(Measuring, ShowsOnATerminalAndEndsWithControlC) {
 }
 
 TEST_F(Measuring, EndsWhenItsClientIsKilled) {
-  const auto run = shown({"compensate", "-o", out_}, true);
+  const auto run = shown({"compensate", "-o", out_}, By::server);
   ASSERT_TRUE(run) << too_fast;
   run->kill();
   EXPECT_TRUE(becomes_idle());
 }
 
 TEST_F(Measuring, ShowsOnATerminalWithoutAServer) {
-  EXPECT_TRUE(shown({"compensate", "-o", out_})) << too_fast;
+  EXPECT_TRUE(shown({"compensate", "-o", out_}, By::itself)) << too_fast;
 }
 
-TEST_F(Measuring, OfVerifyShowsOnATerminal) { EXPECT_TRUE(shown({"verify"})) << too_fast; }
+TEST_F(Measuring, OfVerifyShowsOnATerminal) {
+  EXPECT_TRUE(shown({"verify"}, By::itself)) << too_fast;
+}
 
 }  // namespace
 }  // namespace trc::faults

@@ -53,7 +53,7 @@ struct ChordCut {
                                        double shift);
 
 // The most blocks of a chord that can be chosen.
-constexpr std::size_t most_joined_blocks = 8;
+inline constexpr std::size_t most_joined_blocks = 8;
 
 // A chord that can be chosen, and its cost.
 struct ChordChoice {

@@ -16,31 +16,30 @@ bool is_smooth(const Segment& before, const Segment& behind) {
   return in.dot(out) > 0 && std::abs(cross(in, out)) < slight;
 }
 
-// Length of the contour from the start of one block to a place behind it, mm.
-double length_up_to(const ContourView& contour, std::size_t block, const ContourPlace& place) {
-  double length = place.along;
-  for (; block < place.number; ++block) length += length_of(contour.segment(block));
-  return length;
-}
-
-// Whether the contour passes its begin at some distance, on its way to this meeting: there is the
-// step, and the overrun then runs beside the first walls until it crosses them.
+// Whether the contour misses its begin by a step on its way to this meeting: the overrun then runs
+// beside the first walls until it crosses them.
 bool is_behind_a_step(const ContourView& contour, const EndsMeeting& meeting, double tolerance,
                       double tool_radius) {
   constexpr std::size_t most_blocks = 5;
-  constexpr double most_steps = 10;  // lengths of the step within which it is an overrun's corner
-  const double most_gap = std::min(20 * tolerance, 0.2 * tool_radius);
+  // A crossing no farther from the step than this many times its width only cuts off a corner.
+  constexpr double least_widths = 10;
+  const double widest = std::min(20 * tolerance, 0.2 * tool_radius);
   const std::size_t last_few = contour.count - std::min(contour.count, most_blocks);
+  double before = 0;
   for (std::size_t in = 0; in <= std::min(meeting.first.number, most_blocks - 1); ++in) {
-    const Point begin = start_of(contour.segment(in));
-    for (std::size_t out = std::max(last_few, meeting.first.number + 1);
-         out <= meeting.second.number; ++out) {
-      const double gap = (start_of(contour.segment(out)) - begin).norm();
-      if (gap > tolerance && gap <= most_gap &&
-          length_up_to(contour, in, meeting.first) > most_steps * gap &&
-          length_up_to(contour, out, meeting.second) > most_steps * gap)
+    const Segment first = contour.segment(in);
+    double behind = 0;
+    for (std::size_t out = contour.count; out-- > std::max(last_few, meeting.first.number + 1);) {
+      const Segment last = contour.segment(out);
+      behind += length_of(last);
+      if (out > meeting.second.number) continue;
+      const double step = (start_of(last) - start_of(first)).norm();
+      const double shortest = least_widths * step;
+      if (step > tolerance && step <= widest && meeting.before - before > shortest &&
+          behind - meeting.behind > shortest)
         return true;
     }
+    before += length_of(first);
   }
   return false;
 }
