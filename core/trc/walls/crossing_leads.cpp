@@ -16,30 +16,36 @@ bool is_smooth(const Segment& before, const Segment& behind) {
   return in.dot(out) > 0 && std::abs(cross(in, out)) < slight;
 }
 
-// Whether the contour misses its begin by a step on its way to this meeting: the overrun then runs
-// beside the first walls until it crosses them.
+// Whether the contour misses its begin by a step: one of its leads then runs beside the walls, the
+// lead-out beside the first ones or the lead-in beside the last ones, and crosses them here.
 bool is_behind_a_step(const ContourView& contour, const EndsMeeting& meeting, double tolerance,
                       double tool_radius) {
   constexpr std::size_t most_blocks = 5;
   // A crossing no farther from the step than this many times its width only cuts off a corner.
   constexpr double least_widths = 10;
   const double widest = std::min(20 * tolerance, 0.2 * tool_radius);
+  const auto is_step = [&](const Point& in, const Point& out, double to_crossing, double from) {
+    const double step = (out - in).norm();
+    const double shortest = least_widths * step;
+    return step > tolerance && step <= widest && to_crossing > shortest && from > shortest;
+  };
   const std::size_t last_few = contour.count - std::min(contour.count, most_blocks);
   double before = 0;
-  for (std::size_t in = 0; in <= std::min(meeting.first.number, most_blocks - 1); ++in) {
+  for (std::size_t in = 0; in < std::min(contour.count, most_blocks); ++in) {
     const Segment first = contour.segment(in);
+    const double behind_first = before + length_of(first);
     double behind = 0;
-    for (std::size_t out = contour.count; out-- > std::max(last_few, meeting.first.number + 1);) {
+    for (std::size_t out = contour.count; out-- > std::max(last_few, in + 1);) {
       const Segment last = contour.segment(out);
-      behind += length_of(last);
-      if (out > meeting.second.number) continue;
-      const double step = (start_of(last) - start_of(first)).norm();
-      const double shortest = least_widths * step;
-      if (step > tolerance && step <= widest && meeting.before - before > shortest &&
-          behind - meeting.behind > shortest)
+      const double before_last = behind + length_of(last);
+      if (is_step(start_of(first), start_of(last), meeting.before - before,
+                  before_last - meeting.behind) ||
+          is_step(end_of(first), end_of(last), behind_first - meeting.before,
+                  meeting.behind - behind))
         return true;
+      behind = before_last;
     }
-    before += length_of(first);
+    before = behind_first;
   }
   return false;
 }

@@ -314,6 +314,19 @@ TEST(ClosingPrograms, AnOverrunBesideTheFirstWallsIsTold) {  // D-96
   }
 }
 
+// The same contour the other way round.
+TEST(ClosingPrograms, ALeadInBesideTheLastWallsIsTold) {  // D-96
+  for (const double step : {0.02, 0.1, 0.2}) {
+    const std::string y = std::to_string(step);
+    const std::string contour =
+        "N1 G162 G0 X42 Y-9 F800\nN2 G138 G41 G26 G1 X38 Y1.5\nN3 X0 Y" + y +
+        "\nN4 Y40\nN5 X40\nN6 X30 Y2\nN7 X20 Y0.5\nN8 X10 Y0\nN9 X0\nN10 G40 G1 X-6 Y-9\n";
+    const Result measured = run("G140", 3, contour, Verify::report);
+    EXPECT_TRUE(measured.tells(Code::clearance_violated)) << "step " << step;
+    EXPECT_TRUE(run(removing, 3, contour).tells(Code::most_left_out)) << "step " << step;
+  }
+}
+
 // Hand-written programs begin beyond a corner and go on beyond it: they close where both cross.
 TEST(ClosingPrograms, LinesThatGoOnBeyondACornerCloseThere) {  // D-38
   const std::string contour =
