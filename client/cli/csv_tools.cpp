@@ -15,11 +15,16 @@ constexpr char semicolon = ';';
 constexpr std::array<std::string_view, 8> known_columns{"NUMBER", "RADIUS", "DIAMETER", "WEAR",
                                                         "NAME",   "EDGE",   "HOLDS",    "UNIT"};
 
+std::string column_named(std::string_view name) {
+  std::string column = in_upper_case(name);
+  return column == "TOOL" || column == "T" ? "NUMBER" : column;
+}
+
 bool is_header(std::string_view line, char separator) {
   const auto columns = split(line, separator);
-  return std::ranges::any_of(columns, [](std::string_view column) {
-    const std::string name = in_upper_case(column);
-    return name == "NUMBER" || name == "NAME";
+  return std::ranges::any_of(columns, [](std::string_view name) {
+    const std::string column = column_named(name);
+    return column == "NUMBER" || column == "NAME";
   });
 }
 
@@ -46,13 +51,15 @@ std::optional<std::string> CsvTools::begin(std::string_view line) {
 
 std::string CsvTools::read_header(std::string_view line) {
   for (const std::string_view name : split(line, separator_))
-    columns_.push_back(in_upper_case(name));
+    columns_.push_back(column_named(name));
   const auto has = [&](std::string_view wanted) {
     return std::ranges::find(columns_, wanted) != columns_.end();
   };
-  for (const std::string& column : columns_)
+  for (const std::string& column : columns_) {
     if (std::ranges::find(known_columns, column) == known_columns.end())
       return "unknown column \"" + column + "\"";
+    if (std::ranges::count(columns_, column) > 1) return "column " + column + " a second time";
+  }
   if (!(has("NUMBER") || has("NAME")) || has("RADIUS") == has("DIAMETER"))
     return "the header needs number or name, and one of radius, diameter";
   return {};
@@ -75,7 +82,7 @@ std::string CsvTools::read(std::string_view line) {
   Row row{.unit = unit_.value_or(1)};
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     const std::string_view cell = i < cells.size() ? cells[i] : std::string_view();
-    if (const std::string fault = read_cell(columns_[i], cell, row); !fault.empty()) return fault;
+    if (std::string fault = read_cell(columns_[i], cell, row); !fault.empty()) return fault;
   }
   const auto tool = row.number ? tool_number(row.number) : std::optional<std::uint32_t>(0);
   if (!tool) return "number is no number of a tool";

@@ -83,6 +83,7 @@ constexpr auto rows = std::to_array<Sentence>({
     {"tool {}, edge {}", "Werkzeug {}, Schneide {}"},
     {"{} a second time", "{} ein zweites Mal"},
     {"tool {}", "Werkzeug {}"},
+    {"column {}", "Spalte {}"},
     {"unit is {}, not mm or inch", "unit ist {}, nicht mm oder inch"},
     {"{} is no number of a tool", "{} ist keine Nummer eines Werkzeugs"},
     {"{} is no row of a table of tools; a CSV begins with a header such as number,radius",

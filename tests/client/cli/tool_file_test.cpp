@@ -42,6 +42,8 @@ TEST(ToolFile, IsACsvAsSpreadsheetsWriteIt) {
   EXPECT_EQ(radii_in("\xEF\xBB\xBFnumber,radius\r\n1,5.5\r\n"), expected);
   EXPECT_EQ(radii_in("\xEF\xBB\xBFnumber;radius\r\n1;5,5\r\n"), expected);
   EXPECT_EQ(radii_in("unit;mm\nnumber;wear;diameter\n1;-0,02;11\n"), expected);
+  EXPECT_EQ(radii_in("Tool,Radius\n1,5.5\n"), expected);
+  EXPECT_EQ(radii_in("T;Diameter\n1;11\n"), expected);
   EXPECT_EQ(fault_in("number;radius\n1;1.000,5\n"),
             "line 2: RADIUS is \"1.000,5\", which is no number");
   EXPECT_EQ(fault_in({"\xFF\xFEn\0u\0", 6}), "it is text in UTF-16; save it as CSV UTF-8");
@@ -209,6 +211,7 @@ TEST(ToolFile, SaysWhetherAProgramCountsInInch) {
 
 TEST(ToolFile, SaysInWhichLineItIsWrong) {
   EXPECT_EQ(fault_in("number,radius\n1,five\n"), "line 2: RADIUS is \"five\", which is no number");
+  EXPECT_EQ(fault_in("number,tool,radius\n1,2,5\n"), "line 1: column NUMBER a second time");
   EXPECT_EQ(fault_in("number,radius\n1,5\n1,6\n"), "line 3: tool 1 a second time");
   // A decimal comma: not a radius of 5.
   EXPECT_NE(fault_in("number,radius\n1,5,5\n").find("line 2: it has more values than"),
