@@ -16,7 +16,7 @@
 namespace trc::faults {
 namespace {
 
-using server::Answer;
+using server::StreamAnswer;
 using testing_support::content_of;
 using testing_support::Folder;
 using testing_support::ServerProcess;
@@ -63,7 +63,7 @@ class NamelessServer {
     return response.resume_token();
   }
   // How a stream ends that goes on with it.
-  [[nodiscard]] Answer goes_on(const std::string& token) const {
+  [[nodiscard]] StreamAnswer goes_on(const std::string& token) const {
     v1::ProgramSetup with_token = setup();
     with_token.mutable_path()->set_resume_token(token);
     return server::call_program(channel(),
@@ -99,14 +99,14 @@ TEST(Builds, OfUnknownCommitsDoNotShareTheirTokens) {
   {
     const NamelessServer other(other_program, key);
     ASSERT_EQ(other.commit(), "unknown");
-    const Answer refused = other.goes_on(token);
+    const StreamAnswer refused = other.goes_on(token);
     EXPECT_EQ(refused.status.error_code(), grpc::FAILED_PRECONDITION);
     EXPECT_EQ(refused.reason(), "RESUME_TOKEN_OF_OTHER_VERSION") << refused.status.error_message();
     EXPECT_EQ(refused.text, "");
     EXPECT_TRUE(other.goes_on(other.token()).status.ok());
   }
   const NamelessServer again(NAMELESS_SERVER, key);
-  const Answer answer = again.goes_on(token);
+  const StreamAnswer answer = again.goes_on(token);
   EXPECT_TRUE(answer.status.ok()) << answer.status.error_message();
   EXPECT_TRUE(answer.text.ends_with("M30\n"));
 }

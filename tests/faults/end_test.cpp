@@ -191,7 +191,7 @@ void expect_whole_or_refused(Scene& scene) {
     EXPECT_TRUE(code == 0 || !one.process->err().empty()) << code;
   }
   for (const auto& stream : scene.streams) {
-    const server::Answer answer = stream->end();
+    const server::StreamAnswer answer = stream->end();
     EXPECT_TRUE(answer.status.ok() ? answer.text.ends_with("M30\n")
                                    : !answer.status.error_message().empty());
   }
@@ -229,7 +229,7 @@ class CutOff : public testing::Test {
     scene_.server.signal(SIGTERM);
     EXPECT_EQ(scene_.server.wait(), 0);
   }
-  static void expect_told(const server::Answer& answer) {
+  static void expect_told(const server::StreamAnswer& answer) {
     EXPECT_EQ(answer.status.error_code(), grpc::UNAVAILABLE) << answer.status.error_message();
     EXPECT_EQ(answer.reason(), "DRAIN_TIMEOUT") << answer.status.error_message();
   }
@@ -255,7 +255,7 @@ TEST_F(CutOff, StreamThatWaitsForItsClientSaysWhy) {
   ASSERT_TRUE(stream->Write(server::text_request(0, "G0 X0 Y0\nG1 G41 V.G.WZ_AKT.R=1 X5", false)));
   ASSERT_TRUE(scene_.serves_streams(1));
   end();
-  server::Answer answer;
+  server::StreamAnswer answer;
   v1::CompensateProgramResponse response;
   while (stream->Read(&response)) continue;
   answer.status = stream->Finish();
@@ -274,7 +274,7 @@ TEST_F(CutOff, StreamThatIsReadSlowlySaysWhy) {
     for (std::size_t at = 0; at < text.size(); at += piece)
       if (!stream->Write(server::text_request(at, text.substr(at, piece), false))) break;
   });
-  server::Answer answer;
+  server::StreamAnswer answer;
   std::thread reader([&] {
     v1::CompensateProgramResponse response;
     while (stream->Read(&response)) std::this_thread::sleep_for(milliseconds(50));

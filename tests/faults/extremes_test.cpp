@@ -24,7 +24,7 @@ namespace {
 
 using google::protobuf::FieldDescriptor;
 using google::protobuf::Message;
-using server::Answer;
+using server::StreamAnswer;
 using testing_support::ServerProcess;
 
 using Change = std::function<void(Message&)>;
@@ -116,7 +116,7 @@ void expect_answered(const grpc::Status& status, const std::string& what) {
   EXPECT_TRUE(status.ok() || !status.error_message().empty()) << what;
 }
 
-void expect_finite(const Answer& answer, const std::string& what) {
+void expect_finite(const StreamAnswer& answer, const std::string& what) {
   for (const v1::CompensatedBlock& block : answer.blocks) {
     const std::string text = block.ShortDebugString();
     EXPECT_EQ(text.find("nan"), std::string::npos) << what << ": " << text;
@@ -169,7 +169,7 @@ TEST_F(Extremes, OfASetupOfAPath) {
       setup.set_tool_radius(2);
       setup.set_verify(verification);
       changed.change(setup);
-      const Answer answer = server::call_path(
+      const StreamAnswer answer = server::call_path(
           channel(), {server::setup_request(setup), server::batch(0, square(), true)});
       expect_answered(answer.status, changed.name);
       expect_finite(answer, changed.name);
@@ -182,7 +182,7 @@ TEST_F(Extremes, OfASetupOfAProgram) {
     v1::ProgramSetup setup;
     setup.mutable_path()->set_tool_radius(2);
     changed.change(setup);
-    const Answer answer = server::run_program(
+    const StreamAnswer answer = server::run_program(
         channel(), setup,
         "G0 X0 Y0\nG1 G41 X10 Y0 F800\nX30\nG3 X40 Y10 J10\nG1 Y30\nG40\nX50 Y40\nM30\n");
     expect_answered(answer.status, changed.name);
@@ -203,7 +203,7 @@ TEST_F(Extremes, OfBlocks) {
       v1::Block odd = block;
       changed.change(odd);
       blocks.insert(blocks.begin() + 2, odd);
-      const Answer answer = server::call_path(
+      const StreamAnswer answer = server::call_path(
           channel(), {server::setup_request(setup), server::batch(0, blocks, true)});
       expect_answered(answer.status, changed.name);
       expect_finite(answer, changed.name);
@@ -245,7 +245,7 @@ TEST_F(Extremes, MinusZeroIsZero) {
       v1::PathSetup setup;
       setup.set_tool_radius(2);
       set(setup, zero);
-      const Answer answer = server::call_path(
+      const StreamAnswer answer = server::call_path(
           channel(), {server::setup_request(setup), server::batch(0, square(), true)});
       EXPECT_TRUE(answer.status.ok()) << answer.status.error_message();
       listings.push_back(answer.bytes());

@@ -20,8 +20,8 @@
 namespace trc::faults {
 namespace {
 
-using server::Answer;
 using server::eventually;
+using server::StreamAnswer;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 using testing_support::memory_tells;

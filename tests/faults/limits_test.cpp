@@ -25,8 +25,8 @@
 namespace trc::faults {
 namespace {
 
-using server::Answer;
 using server::eventually;
+using server::StreamAnswer;
 using std::chrono::seconds;
 using testing_support::Folder;
 using testing_support::memory_tells;
@@ -50,21 +50,22 @@ std::string compensated(const std::string& text) {
 }
 
 // The whole program in one message, each client with a connection of its own.
-std::vector<Answer> ask_at_once(const std::string& address, const std::string& text, int clients) {
-  std::vector<std::future<Answer>> asked;
+std::vector<StreamAnswer> ask_at_once(const std::string& address, const std::string& text,
+                                      int clients) {
+  std::vector<std::future<StreamAnswer>> asked;
   for (int i = 0; i < clients; ++i)
     asked.push_back(std::async(std::launch::async,
                                [&] { return server::run_program(channel_to(address), {}, text); }));
-  std::vector<Answer> answers;
+  std::vector<StreamAnswer> answers;
   for (auto& one : asked) answers.push_back(one.get());
   return answers;
 }
 
 // Either all of it, or a refusal that names the limit and says when to come again. Returns how many
 // were refused.
-int refused_of(const std::vector<Answer>& answers, const std::string& expected) {
+int refused_of(const std::vector<StreamAnswer>& answers, const std::string& expected) {
   int refused = 0;
-  for (const Answer& answer : answers) {
+  for (const StreamAnswer& answer : answers) {
     if (answer.status.ok()) {
       EXPECT_EQ(answer.text == expected, true);
       continue;
@@ -143,7 +144,7 @@ TEST(Limits, TheTiniestStepsDoNotKillASmallServer) {
     text += "X" + std::to_string(2 + 0.001 * i) + " Y" +
             std::to_string(1 + 0.3 * std::sin(0.001 * i)) + "\n";
   text += "G40\nG1 X-10 Y-100\nM30\n";
-  for (const Answer& answer : ask_at_once(small.process().address(), text, 3))
+  for (const StreamAnswer& answer : ask_at_once(small.process().address(), text, 3))
     EXPECT_FALSE(answer.reason().empty()) << answer.status.error_message();
   small.expect_recovers(before);
 }
@@ -162,7 +163,7 @@ TEST(Limits, AWarningOfEveryLineDoesNotKillASmallServer) {
   const double before = small.process().resident_mib();
   const std::string text = arcs_off_centre(40'000);
   const std::size_t lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
-  for (const Answer& answer : ask_at_once(small.process().address(), text, 14)) {
+  for (const StreamAnswer& answer : ask_at_once(small.process().address(), text, 14)) {
     if (answer.status.ok())
       EXPECT_GE(answer.diagnostics.size() + 10, lines);
     else
@@ -179,14 +180,14 @@ TEST(Limits, MessagesOfVeryManyBlocksDoNotKillASmallServer) {
   const double before = small.process().resident_mib();
   v1::CompensatePathRequest batch;
   for (int i = 0; i < 500'000; ++i) batch.mutable_batch()->add_blocks();
-  std::vector<std::future<Answer>> asked;
+  std::vector<std::future<StreamAnswer>> asked;
   for (int i = 0; i < 60; ++i)
     asked.push_back(std::async(std::launch::async, [&] {
       return server::call_path(channel_to(small.process().address()),
                                {server::setup_request(v1::PathSetup()), batch});
     }));
   for (auto& one : asked) {
-    const Answer answer = one.get();
+    const StreamAnswer answer = one.get();
     EXPECT_EQ(answer.status.error_code(), grpc::RESOURCE_EXHAUSTED)
         << answer.status.error_message();
     EXPECT_NE(answer.reason(), "");
@@ -201,7 +202,7 @@ TEST(Limits, OfPassiveBlocksIsTheServersWhateverIsAskedFor) {
   for (int i = 0; i < 50; ++i) text += "M8\n";
   v1::ProgramSetup setup;
   setup.mutable_path()->set_max_passive_blocks(10'000);
-  const Answer answer =
+  const StreamAnswer answer =
       server::run_program(channel_to(server.address()), setup, text + "X30\nG40\nX0 Y-9\nM30\n");
   EXPECT_EQ(answer.status.error_code(), grpc::INVALID_ARGUMENT) << answer.status.error_message();
   EXPECT_NE(answer.status.error_message().find("90011"), std::string::npos)
@@ -221,14 +222,14 @@ TEST(Limits, OfPassiveBlocksIsWhatTheSetupAsksFor) {
   EXPECT_NE(server::run_program(channel, setup, text).status.error_message().find("90011"),
             std::string::npos);
   setup.mutable_path()->set_max_passive_blocks(200);
-  const Answer raised = server::run_program(channel, setup, text);
+  const StreamAnswer raised = server::run_program(channel, setup, text);
   EXPECT_TRUE(raised.status.ok()) << raised.status.error_message();
 
   v1::ProgramSetup fanuc;
   fanuc.set_dialect(v1::DIALECT_FANUC);
   fanuc.mutable_path()->set_tool_radius(0.5);
   text.replace(text.find("V.G.WZ_AKT.R=0.5"), 16, "D1");
-  const Answer other = server::run_program(channel, fanuc, text);
+  const StreamAnswer other = server::run_program(channel, fanuc, text);
   EXPECT_TRUE(other.status.ok()) << other.status.error_message();
 }
 
@@ -257,7 +258,7 @@ TEST(Limits, NoFurtherThreadIsNeededToAnswer) {
   // Held back until its end, and answered as it comes.
   for (const std::string& text : {staircase(300'000, "G141\n"), staircase(900'000, "")}) {
     const std::string expected = compensated(text);
-    for (const Answer& answer : ask_at_once(server.address(), text, 8)) {
+    for (const StreamAnswer& answer : ask_at_once(server.address(), text, 8)) {
       EXPECT_TRUE(answer.status.ok()) << answer.status.error_message();
       EXPECT_EQ(answer.text == expected, true);
     }
@@ -285,7 +286,7 @@ TEST(Limits, WhoGoesWithoutAThreadIsNotLeftWaiting) {
   const std::string expected = compensated(text);
   const auto begin = Clock::now();
   for (int round = 0; round < 3; ++round)
-    for (const Answer& answer : ask_at_once(server.address(), text, 16))
+    for (const StreamAnswer& answer : ask_at_once(server.address(), text, 16))
       EXPECT_TRUE(answer.status.ok() ? answer.text == expected
                                      : !answer.status.error_message().empty());
   EXPECT_LT(Clock::now() - begin, seconds(60));
@@ -370,7 +371,7 @@ TEST(Limits, OnePeerCannotTakeAllPlaces) {
     if (open.back()->Read(&response) && response.has_accepted()) ++accepted;
   }
   EXPECT_EQ(accepted, 6);
-  const Answer refused = server::run_program(channel, {}, server::g239_program);
+  const StreamAnswer refused = server::run_program(channel, {}, server::g239_program);
   EXPECT_EQ(refused.reason(), "STREAM_LIMIT");
   EXPECT_EQ(refused.metadata("max_streams_per_peer"), "6");
   EXPECT_TRUE(serves(socket));
@@ -386,7 +387,7 @@ TEST(Limits, OnePeerCannotTakeAllMemory) {
   const ServerProcess server({"--max-session-memory-mib", "64", "--max-memory-per-peer-mib", "16"},
                              "127.0.0.1:0," + socket);
   const std::string text = staircase(300'000, "G141\n");
-  const Answer refused = server::run_program(channel_to(server.address()), {}, text);
+  const StreamAnswer refused = server::run_program(channel_to(server.address()), {}, text);
   EXPECT_EQ(refused.reason(), "MEMORY_LIMIT");
   EXPECT_NE(refused.status.error_message().find("max-memory-per-peer-mib"), std::string::npos)
       << refused.status.error_message();

@@ -32,7 +32,7 @@ LongStream::~LongStream() {
   end();
 }
 
-server::Answer LongStream::end() {
+server::StreamAnswer LongStream::end() {
   if (ended_) return answer_;
   ended_ = true;
   v1::CompensateProgramResponse response;

@@ -27,7 +27,7 @@ class LongStream {
   LongStream& operator=(const LongStream&) = delete;
 
   // What it has answered.
-  server::Answer end();
+  server::StreamAnswer end();
 
  private:
   grpc::ClientContext context_;
@@ -35,7 +35,7 @@ class LongStream {
   std::unique_ptr<
       grpc::ClientReaderWriter<v1::CompensateProgramRequest, v1::CompensateProgramResponse>>
       stream_;
-  server::Answer answer_;
+  server::StreamAnswer answer_;
   bool ended_ = false;
 };
 

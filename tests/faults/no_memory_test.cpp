@@ -15,8 +15,8 @@
 namespace trc::faults {
 namespace {
 
-using server::Answer;
 using server::eventually;
+using server::StreamAnswer;
 using testing_support::ServerProcess;
 
 // AddressSanitizer has an address space of its own.
@@ -38,7 +38,7 @@ TEST_P(Hostile, StreamForWhichThereIsNoMemoryEndsAlone) {
     std::vector<v1::CompensateProgramRequest> requests{server::setup_request(v1::ProgramSetup())};
     for (std::uint64_t i = 0; i < 60; ++i)
       requests.push_back(server::text_request(i * text.size(), text, false));
-    const Answer answer = server::call_program(channel_to(server.address()), requests);
+    const StreamAnswer answer = server::call_program(channel_to(server.address()), requests);
     EXPECT_FALSE(answer.status.ok());
     EXPECT_TRUE(eventually([&] { return serves(server.address()); }))
         << server.threads() << " threads, " << server.address_space_mib()

@@ -23,8 +23,8 @@
 namespace trc::operation {
 namespace {
 
-using server::Answer;
 using server::eventually;
+using server::StreamAnswer;
 using std::chrono::seconds;
 using testing_support::content_of;
 using testing_support::Folder;
@@ -61,7 +61,7 @@ std::shared_ptr<grpc::Channel> secure_channel(const std::string& address,
   return grpc::CreateCustomChannel(address, grpc::SslCredentials(files), arguments);
 }
 
-Answer call(const std::shared_ptr<grpc::Channel>& channel) {
+StreamAnswer call(const std::shared_ptr<grpc::Channel>& channel) {
   return server::run_program(channel, {}, server::g239_program);
 }
 
@@ -344,7 +344,7 @@ TEST(Certificates, HandshakesThatStandStillAreEnded) {
   std::vector<std::unique_ptr<faults::RawConnection>> silent;
   for (int i = 0; i < 20; ++i) {
     silent.push_back(std::make_unique<faults::RawConnection>(server.address(), "127.0.0.2"));
-    silent.back()->send_bytes(std::string_view(half).substr(0, i % 2 * half.size()));
+    silent.back()->send_bytes(std::string_view(half).substr(0, i % 2 == 0 ? 0 : half.size()));
   }
   grpc::SslCredentialsOptions trusting;
   trusting.pem_root_certs = own.cert;
@@ -393,7 +393,7 @@ TEST(Certificates, OnlyNamedClientsAreServed) {
     return secure_channel(server.address(), files);
   };
   EXPECT_TRUE(call(as(mill)).status.ok());
-  const Answer refused = call(as(other));
+  const StreamAnswer refused = call(as(other));
   EXPECT_EQ(refused.status.error_code(), grpc::PERMISSION_DENIED);
   EXPECT_EQ(refused.reason(), "CLIENT_NOT_ALLOWED");
   grpc::ClientContext context;
@@ -464,7 +464,7 @@ TEST(Probes, HealthIsServedInPlainTextBesideTls) {
   const ServerProcess server(flags);
   EXPECT_EQ(health_of(server.health()), "SERVING");
   // The port of health serves nothing else.
-  const Answer answer =
+  const StreamAnswer answer =
       call(grpc::CreateChannel(server.health(), grpc::InsecureChannelCredentials()));
   EXPECT_EQ(answer.status.error_code(), grpc::UNIMPLEMENTED);
 }
@@ -580,7 +580,7 @@ TEST(Telemetry, MetricsHaveTheirNames) {
   ServerProcess server({"--admin-listen", "127.0.0.1:0"});
   ASSERT_TRUE(
       call(grpc::CreateChannel(server.address(), grpc::InsecureChannelCredentials())).status.ok());
-  const Answer refused = server::run_program(
+  const StreamAnswer refused = server::run_program(
       grpc::CreateChannel(server.address(), grpc::InsecureChannelCredentials()), {}, "G999\n");
   EXPECT_EQ(refused.status.error_code(), grpc::INVALID_ARGUMENT);
   const std::string page = http_get(server.admin(), "/metrics");

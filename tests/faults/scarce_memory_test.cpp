@@ -23,8 +23,8 @@
 namespace trc::faults {
 namespace {
 
-using server::Answer;
 using server::eventually;
+using server::StreamAnswer;
 using testing_support::Folder;
 using testing_support::http_get;
 using testing_support::memory_tells;
@@ -112,10 +112,10 @@ class HeldSelection {
   HeldSelection& operator=(const HeldSelection&) = delete;
 
   // Gives the end, and takes what there is.
-  Answer end() {
+  StreamAnswer end() {
     give("G40\nG1 X10 Y-10\nM30\n", text_.size(), true);
     stream_->WritesDone();
-    Answer answer;
+    StreamAnswer answer;
     v1::CompensateProgramResponse response;
     while (stream_->Read(&response)) answer.text += response.nc_text();
     answer.status = stream_->Finish();
@@ -138,7 +138,7 @@ class HeldSelection {
       stream_;
 };
 
-bool is_refused_for_memory(const Answer& answer) {
+bool is_refused_for_memory(const StreamAnswer& answer) {
   return answer.status.error_code() == grpc::RESOURCE_EXHAUSTED &&
          answer.reason() == "MEMORY_LIMIT" &&
          answer.status.error_message().find("memory-limit-mib") != std::string::npos;
@@ -194,7 +194,7 @@ TEST_F(ScarceMemory, Above85PercentNothingNewIsBegunAndWhatIsOpenGoesOn) {
   EXPECT_TRUE(
       eventually([&] { return patient.err().find("waiting for up to") != std::string::npos; }));
   EXPECT_EQ(health_of(address), grpc::health::v1::HealthCheckResponse::SERVING);
-  const Answer goes_on = open.end();
+  const StreamAnswer goes_on = open.end();
   EXPECT_TRUE(goes_on.status.ok()) << goes_on.status.error_message();
   EXPECT_TRUE(goes_on.text.ends_with("M30\n"));
   EXPECT_TRUE(is_refused_for_memory(growing.end()));
@@ -218,12 +218,12 @@ TEST_F(ScarceMemory, Above95PercentTheLargestStreamGoesAndNoOther) {
   ASSERT_TRUE(eventually([&] { return held() > 60; })) << held();
   crowded.fill_to(97);
   ASSERT_TRUE(eventually([&] { return crowded.evictions() > 0; }));
-  const Answer gone = large.end();
+  const StreamAnswer gone = large.end();
   EXPECT_TRUE(is_refused_for_memory(gone)) << gone.status.error_message();
   // Above 85 % nothing may grow, and what the small one holds it keeps.
   crowded.empty();
   ASSERT_TRUE(eventually([&] { return serves(address); }));
-  const Answer stays = small.end();
+  const StreamAnswer stays = small.end();
   EXPECT_TRUE(stays.status.ok()) << stays.status.error_message();
   EXPECT_TRUE(stays.text.ends_with("M30\n"));
   // What it held is back, without which everybody would have had to go.

@@ -16,7 +16,7 @@
 namespace trc::faults {
 namespace {
 
-using server::Answer;
+using server::StreamAnswer;
 using testing_support::ServerProcess;
 
 TEST(Settings, ThatWouldOpenTheServerByMistakeAreSaidBeforeAPortOpens) {

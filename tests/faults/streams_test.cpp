@@ -23,8 +23,8 @@
 namespace trc::faults {
 namespace {
 
-using server::Answer;
 using server::eventually;
+using server::StreamAnswer;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 using testing_support::Folder;
@@ -147,7 +147,7 @@ TEST(Streams, WithATokenOfAnotherSetupAreRefused) {
   for (std::size_t i = 0; i < changes.size(); ++i) {
     v1::ProgramSetup setup = token_setup();
     changes[i](setup);
-    const Answer refused = goes_on(setup);
+    const StreamAnswer refused = goes_on(setup);
     EXPECT_EQ(refused.reason(), "RESUME_SETUP_DIFFERS") << i << refused.status.error_message();
     EXPECT_EQ(refused.text, "") << i;
   }
@@ -157,7 +157,7 @@ TEST(Streams, WithATokenOfAnotherSetupAreRefused) {
   EXPECT_EQ(server::call_path(channel_to(server.address()), {server::setup_request(path)}).reason(),
             "RESUME_SETUP_DIFFERS");
   // With its own it goes on, however often it comes, and gives the same.
-  const Answer first = goes_on(token_setup());
+  const StreamAnswer first = goes_on(token_setup());
   EXPECT_TRUE(first.status.ok()) << first.status.error_message();
   EXPECT_EQ(goes_on(token_setup()).text, first.text);
 }
@@ -287,16 +287,16 @@ TEST(Streams, WithAllTheToolsThereMayBeBeginAtOnce) {
       tool.set_radius(0.001 * (1 + i % numbers));
     }
     const auto begin = Clock::now();
-    const Answer answer = server::run_program(channel_to(server.address()), setup,
-                                              "G1 G41 D10000 X20 Y0 F800\nX50\nY50\nG40 X0\nM30\n");
+    const StreamAnswer answer = server::run_program(
+        channel_to(server.address()), setup, "G1 G41 D10000 X20 Y0 F800\nX50\nY50\nG40 X0\nM30\n");
     EXPECT_LT(Clock::now() - begin, times_slower * seconds(2)) << count;
     return answer;
   };
-  const Answer all = run_with(most, most);
+  const StreamAnswer all = run_with(most, most);
   EXPECT_TRUE(all.status.ok()) << all.status.error_message();
   EXPECT_TRUE(all.text.ends_with("M30\n"));
-  for (const Answer& refused : {run_with(most, most / 2), run_with(most + 1, most + 1),
-                                run_with(50'000, 1), run_with(60'000, 60'000)}) {
+  for (const StreamAnswer& refused : {run_with(most, most / 2), run_with(most + 1, most + 1),
+                                      run_with(50'000, 1), run_with(60'000, 60'000)}) {
     EXPECT_EQ(refused.status.error_code(), grpc::INVALID_ARGUMENT)
         << refused.status.error_message();
     EXPECT_EQ(refused.text, "");

@@ -20,8 +20,8 @@
 namespace trc::faults {
 namespace {
 
-using server::Answer;
 using server::eventually;
+using server::StreamAnswer;
 using std::chrono::seconds;
 using testing_support::Folder;
 using testing_support::ServerProcess;
@@ -80,7 +80,7 @@ double longest_wait_s(const std::string& address, int rounds) {
 // Either all of it comes, or a refusal that names the setting.
 TEST_P(LongWork, EndsByItselfOrByItsLimit) {
   const ServerProcess server({"--max-selection-cpu-s", "1"});
-  const Answer answer = begin(server.address(), 1000)->end();
+  const StreamAnswer answer = begin(server.address(), 1000)->end();
   if (answer.status.ok()) {
     EXPECT_TRUE(answer.text.ends_with("M30\n"));
     return;
@@ -112,7 +112,7 @@ INSTANTIATE_TEST_SUITE_P(Works, LongWork, testing::ValuesIn(works()),
 
 TEST(Turns, AStreamMayComputeForSoLong) {
   const ServerProcess server({"--max-stream-cpu-s", "1", "--max-selection-cpu-s", "0"});
-  const Answer answer = LongStream(channel_to(server.address()), laps(1000)).end();
+  const StreamAnswer answer = LongStream(channel_to(server.address()), laps(1000)).end();
   EXPECT_EQ(answer.reason(), "CPU_LIMIT") << answer.status.error_message();
   EXPECT_EQ(answer.metadata("setting"), "max-stream-cpu-s");
 }

@@ -39,7 +39,7 @@ std::string coordinates(const v1::Position& position) {
 // Reads blocks of both layouts; a block is the same in either.
 class Collector {
  public:
-  explicit Collector(Answer& answer) : answer_(answer) {}
+  explicit Collector(StreamAnswer& answer) : answer_(answer) {}
 
   template <class Response>
   void take(const Response& response) {
@@ -71,7 +71,7 @@ class Collector {
     answer_.path_summary = summary.path();
   }
 
-  Answer& answer_;
+  StreamAnswer& answer_;
   wire::CompensatedReader reader_{Position{}};
 };
 
@@ -90,7 +90,7 @@ void exchange(Stream& stream, const std::vector<Request>& requests, Response& re
 
 }  // namespace
 
-std::string Answer::listing() const {
+std::string StreamAnswer::listing() const {
   std::string lines;
   for (const v1::CompensatedBlock& block : blocks) {
     if (!lines.empty()) lines += '\n';
@@ -105,24 +105,24 @@ std::string Answer::listing() const {
   return lines;
 }
 
-std::string Answer::bytes() const {
+std::string StreamAnswer::bytes() const {
   std::string all = text;
   for (const auto& block : blocks) all += block.SerializeAsString();
   for (const auto& diagnostic : diagnostics) all += diagnostic.ShortDebugString();
   return all;
 }
 
-std::string Answer::reason() const { return error_info(status).reason(); }
+std::string StreamAnswer::reason() const { return error_info(status).reason(); }
 
-std::string Answer::metadata(const std::string& key) const {
+std::string StreamAnswer::metadata(const std::string& key) const {
   const auto info = error_info(status);
   const auto found = info.metadata().find(key);
   return found == info.metadata().end() ? std::string() : found->second;
 }
 
-Answer call_path(const std::shared_ptr<grpc::Channel>& channel,
-                 const std::vector<v1::CompensatePathRequest>& requests) {
-  Answer answer;
+StreamAnswer call_path(const std::shared_ptr<grpc::Channel>& channel,
+                       const std::vector<v1::CompensatePathRequest>& requests) {
+  StreamAnswer answer;
   grpc::ClientContext context;
   context.set_deadline(std::chrono::system_clock::now() + longest_call);
   const auto stub = v1::TrcService::NewStub(channel);
@@ -138,9 +138,9 @@ Answer call_path(const std::shared_ptr<grpc::Channel>& channel,
   return answer;
 }
 
-Answer call_program(const std::shared_ptr<grpc::Channel>& channel,
-                    const std::vector<v1::CompensateProgramRequest>& requests) {
-  Answer answer;
+StreamAnswer call_program(const std::shared_ptr<grpc::Channel>& channel,
+                          const std::vector<v1::CompensateProgramRequest>& requests) {
+  StreamAnswer answer;
   grpc::ClientContext context;
   context.set_deadline(std::chrono::system_clock::now() + longest_call);
   const auto stub = v1::TrcService::NewStub(channel);
@@ -157,9 +157,9 @@ Answer call_program(const std::shared_ptr<grpc::Channel>& channel,
   return answer;
 }
 
-Answer call_preview(const std::shared_ptr<grpc::Channel>& channel,
-                    const v1::PreviewPathRequest& request) {
-  Answer answer;
+StreamAnswer call_preview(const std::shared_ptr<grpc::Channel>& channel,
+                          const v1::PreviewPathRequest& request) {
+  StreamAnswer answer;
   grpc::ClientContext context;
   context.set_deadline(std::chrono::system_clock::now() + longest_call);
   const auto stub = v1::TrcService::NewStub(channel);
@@ -192,8 +192,9 @@ v1::CompensateProgramRequest text_request(std::uint64_t first_byte, std::string_
   return request;
 }
 
-Answer run_program(const std::shared_ptr<grpc::Channel>& channel, const v1::ProgramSetup& setup,
-                   std::string_view text, const std::vector<std::size_t>& cuts) {
+StreamAnswer run_program(const std::shared_ptr<grpc::Channel>& channel,
+                         const v1::ProgramSetup& setup, std::string_view text,
+                         const std::vector<std::size_t>& cuts) {
   std::vector<v1::CompensateProgramRequest> requests{setup_request(setup)};
   std::size_t from = 0;
   for (const std::size_t cut : cuts) {

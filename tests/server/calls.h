@@ -13,7 +13,7 @@
 namespace trc::server {
 
 // What a stream has answered, put together.
-struct Answer {
+struct StreamAnswer {
   grpc::Status status;
   int accepted = 0;
   int summaries = 0;
@@ -35,12 +35,12 @@ struct Answer {
 };
 
 // Sends all requests and then half-closes, while reading. Ends after 60 s at the latest.
-Answer call_path(const std::shared_ptr<grpc::Channel>& channel,
-                 const std::vector<v1::CompensatePathRequest>& requests);
-Answer call_program(const std::shared_ptr<grpc::Channel>& channel,
-                    const std::vector<v1::CompensateProgramRequest>& requests);
-Answer call_preview(const std::shared_ptr<grpc::Channel>& channel,
-                    const v1::PreviewPathRequest& request);
+StreamAnswer call_path(const std::shared_ptr<grpc::Channel>& channel,
+                       const std::vector<v1::CompensatePathRequest>& requests);
+StreamAnswer call_program(const std::shared_ptr<grpc::Channel>& channel,
+                          const std::vector<v1::CompensateProgramRequest>& requests);
+StreamAnswer call_preview(const std::shared_ptr<grpc::Channel>& channel,
+                          const v1::PreviewPathRequest& request);
 
 v1::CompensateProgramRequest setup_request(const v1::ProgramSetup& setup);
 v1::CompensatePathRequest setup_request(const v1::PathSetup& setup);
@@ -48,8 +48,9 @@ v1::CompensateProgramRequest text_request(std::uint64_t first_byte, std::string_
                                           bool final);
 
 // A program sent in pieces that end at the given bytes.
-Answer run_program(const std::shared_ptr<grpc::Channel>& channel, const v1::ProgramSetup& setup,
-                   std::string_view text, const std::vector<std::size_t>& cuts = {});
+StreamAnswer run_program(const std::shared_ptr<grpc::Channel>& channel,
+                         const v1::ProgramSetup& setup, std::string_view text,
+                         const std::vector<std::size_t>& cuts = {});
 v1::ProgramSetup blocks_setup(v1::ResponseLayout layout = v1::RESPONSE_LAYOUT_BLOCKS);
 
 // A line of a path, G01.

@@ -26,7 +26,7 @@ std::string number(double value) {
 }
 
 // The lines of a listing that move.
-std::string path_of(const Answer& answer) {
+std::string path_of(const StreamAnswer& answer) {
   std::istringstream lines(answer.listing());
   std::string path;
   for (std::string line; std::getline(lines, line);)
@@ -49,7 +49,7 @@ TEST(Capabilities, EveryGFunctionIsReadOrRefusedAsSaid) {
   for (const v1::GFunction& function : info.g_functions()) {
     const auto special = in_its_words.find(function.name());
     const std::string line = special == in_its_words.end() ? function.name() : special->second;
-    const Answer answer = run_program(
+    const StreamAnswer answer = run_program(
         server.channel(), {},
         std::string(of_isg) + "G01 X0 Y0 F100\n" + line + "\nG40 G94\nG01 X40 Y40\nM30\n");
     if (function.group() == "refused with 900003") {
@@ -68,7 +68,7 @@ TEST(Capabilities, InitialFunctionsHoldFromTheStart) {
   const std::string contour =
       "G41 X10 Y10 F100\nX50\nG02 X60 Y0 I-0.01 J-10\nG01 X60 Y-30\nG40 X90\nM30\n";
   std::map<std::string, int> initial_of_group;
-  const Answer plain =
+  const StreamAnswer plain =
       run_program(server.channel(), setup, std::string(of_isg) + "G01 X1 Y1\n" + contour);
   ASSERT_TRUE(plain.status.ok()) << plain.status.error_message();
   const v1::GetServerInfoResponse info = server_info();
@@ -76,7 +76,7 @@ TEST(Capabilities, InitialFunctionsHoldFromTheStart) {
     if (!function.initial()) continue;
     ++initial_of_group[function.group()];
     if (function.name() == "G00") continue;
-    const Answer answer =
+    const StreamAnswer answer =
         run_program(server.channel(), setup, of_isg + function.name() + "\nG01 X1 Y1\n" + contour);
     ASSERT_TRUE(answer.status.ok()) << function.name();
     EXPECT_EQ(path_of(answer), path_of(plain)) << function.name();
@@ -108,7 +108,7 @@ TEST(Capabilities, EveryKeywordIsReadOrRefusedAsSaid) {
         : name.starts_with("DIST_") || name.starts_with("FEED_")
             ? "SPLIT_PATH PRE DIST_SEG1=5 FEED_SEG1=200 DIST_SEG2=5 FEED_SEG2=200"
             : name + "=" + number(keyword.max());
-    const Answer answer =
+    const StreamAnswer answer =
         run_program(server.channel(), {},
                     "G01 X0 Y0 F100\n#TRC [" + words +
                         "]\nV.G.WZ_AKT.R=1\nG141 G41 G01 X40\nX80\nG40 X120 Y-20\nM30\n");

@@ -28,7 +28,7 @@ TEST(ComputingPrograms, ComeOutFlatHoweverTheyAreCut) {
   (*setup.mutable_subprograms())["O7.nc"] = "O7\nG0 X#500\nM99\n";
   const std::string text = "%\nG0 X1.\nM98 P7 L2\nM30\n%\n";
   for (std::size_t cut = 0; cut < text.size(); cut += 5) {
-    const Answer answer = run_program(server.channel(), setup, text, {cut});
+    const StreamAnswer answer = run_program(server.channel(), setup, text, {cut});
     ASSERT_TRUE(answer.status.ok()) << answer.status.error_message();
     EXPECT_EQ(answer.text, "%\nG0 X1.\n(O0007)\nG0 X3.\n(O0007)\nG0 X3.\nM30\n%\n");
     EXPECT_EQ(answer.consumed, text.size());
@@ -38,7 +38,7 @@ TEST(ComputingPrograms, ComeOutFlatHoweverTheyAreCut) {
 
 TEST(ComputingPrograms, ComeOutInMessagesOfABoundedSize) {
   InProcessServer server;
-  const Answer answer =
+  const StreamAnswer answer =
       run_program(server.channel(), fanuc(),
                   "#1=0\nWHILE [#1 LT 100000] DO1\nG0 X[#1/10] Y2.\n#1=#1+1\nEND1\nM30\n");
   ASSERT_TRUE(answer.status.ok()) << answer.status.error_message();
@@ -48,7 +48,7 @@ TEST(ComputingPrograms, ComeOutInMessagesOfABoundedSize) {
 
 TEST(ComputingPrograms, SayWhatCalledALineThatIsRefused) {
   InProcessServer server;
-  const Answer answer =
+  const StreamAnswer answer =
       run_program(server.channel(), fanuc(), "G0 X1.\nM98 P7\nM30\nO7\nG0 X#500\nM99\n");
   EXPECT_EQ(answer.status.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
   ASSERT_EQ(answer.diagnostics.size(), 1U);
@@ -79,7 +79,7 @@ TEST(ComputingPrograms, WithoutEndAreEndedByTheDeadline) {
   }
   EXPECT_EQ(stream->Finish().error_code(), grpc::StatusCode::DEADLINE_EXCEEDED);
   // The worker is free again.
-  const Answer next = run_program(server.channel(), fanuc(), "G0 X1.\nM30\n");
+  const StreamAnswer next = run_program(server.channel(), fanuc(), "G0 X1.\nM30\n");
   EXPECT_TRUE(next.status.ok()) << next.status.error_message();
 }
 
@@ -121,7 +121,7 @@ TEST(ComputingPrograms, HaveASetupThatIsChecked) {
   v1::ProgramSetup setup = fanuc();
   setup.set_max_executed_lines(0);
   (*setup.mutable_variables())[std::string(300, 'x')] = 1;
-  const Answer answer = run_program(server.channel(), setup, "M30\n");
+  const StreamAnswer answer = run_program(server.channel(), setup, "M30\n");
   EXPECT_EQ(answer.status.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
 }
 

@@ -19,7 +19,7 @@ class Junk : public ::testing::Test {
   }
 
   // Refused as a program: a diagnostic with a remedy, and the same in the status.
-  void expect_refused(const Answer& answer, int code) const {
+  void expect_refused(const StreamAnswer& answer, int code) const {
     EXPECT_EQ(answer.status.error_code(), grpc::INVALID_ARGUMENT) << answer.status.error_message();
     EXPECT_EQ(answer.summaries, 0);
     ASSERT_FALSE(answer.diagnostics.empty());
@@ -31,11 +31,11 @@ class Junk : public ::testing::Test {
     EXPECT_EQ(answer.metadata("code"), std::to_string(last.code()));
   }
 
-  Answer run(std::string_view program) const { return run_program(channel(), {}, program); }
+  StreamAnswer run(std::string_view program) const { return run_program(channel(), {}, program); }
   [[nodiscard]] const std::shared_ptr<grpc::Channel>& channel() const { return server_.channel(); }
 
   // Refused as a message: the field is named.
-  void expect_field(const Answer& answer, const std::string& field) const {
+  void expect_field(const StreamAnswer& answer, const std::string& field) const {
     EXPECT_EQ(answer.status.error_code(), grpc::INVALID_ARGUMENT) << answer.status.error_message();
     EXPECT_EQ(answer.reason(), "FIELD_INVALID");
     EXPECT_EQ(answer.metadata("field"), field);
@@ -65,7 +65,7 @@ TEST_F(Junk, BytesThatAreNoText) {
       "\x7F"
       "ELF";
   for (int i = 0; i < 4096; ++i) binary += static_cast<char>(i * 37 % 256);
-  const Answer answer = run(binary);
+  const StreamAnswer answer = run(binary);
   EXPECT_EQ(answer.status.error_code(), grpc::INVALID_ARGUMENT);
   EXPECT_FALSE(answer.diagnostics.empty());
   expect_refused(run("N10 G1 X1 (\xFF\xFE)\n"), 900007);
@@ -93,7 +93,7 @@ TEST_F(Junk, NumbersThatAreNone) {
 TEST_F(Junk, CoordinatesOfMessagesThatAreNone) {
   for (const double x : {std::numeric_limits<double>::quiet_NaN(),
                          std::numeric_limits<double>::infinity(), 1e300, -1e300, 1e6 + 1}) {
-    const Answer answer =
+    const StreamAnswer answer =
         call_path(channel(), {setup_request(v1::PathSetup()),
                               batch(0, {line_to(1, 1), line_to(2, 2), line_to(x, 0)}, true)});
     expect_field(answer, "batch.blocks[2].linear.end.x");
@@ -116,7 +116,7 @@ void add_unknown(google::protobuf::Message& message) {
 }
 
 TEST_F(Junk, FieldsThatNobodyKnows) {
-  const auto expect_unknown = [](const Answer& answer, const std::string& message,
+  const auto expect_unknown = [](const StreamAnswer& answer, const std::string& message,
                                  const std::string& place) {
     EXPECT_EQ(answer.status.error_code(), grpc::INVALID_ARGUMENT) << answer.status.error_message();
     EXPECT_EQ(answer.reason(), "FIELD_UNKNOWN");
@@ -128,7 +128,7 @@ TEST_F(Junk, FieldsThatNobodyKnows) {
   };
   v1::ProgramSetup program;
   add_unknown(*program.mutable_path()->mutable_options());
-  const Answer answer = run_program(channel(), program, g239_program);
+  const StreamAnswer answer = run_program(channel(), program, g239_program);
   expect_unknown(answer, "trc.v1.TrcOptions", "setup.path.options");
   EXPECT_NE(answer.status.error_message().find(
                 "leave the field out: field 4711 of trc.v1.TrcOptions, in setup.path.options"),
@@ -158,7 +158,7 @@ TEST_F(Junk, FieldsOfAMapThatNobodyKnows) {
       ->MutableUnknownFields(&program)
       ->AddLengthDelimited(v1::ProgramSetup::kVariablesFieldNumber)
       ->assign("\x0A\x04#500\x15\0\0\xA0@", 11);
-  const Answer answer = run_program(channel(), program, g239_program);
+  const StreamAnswer answer = run_program(channel(), program, g239_program);
   EXPECT_EQ(answer.reason(), "FIELD_UNKNOWN") << answer.status.error_message();
   EXPECT_EQ(answer.metadata("message"), "trc.v1.ProgramSetup.VariablesEntry");
   EXPECT_EQ(answer.metadata("field"), "setup.variables");
@@ -170,7 +170,7 @@ TEST_F(Junk, ColumnsOfDifferentLength) {
   request.mutable_columns()->set_kinds(std::string(3, static_cast<char>(1)));
   request.mutable_columns()->add_x(1);
   request.mutable_columns()->set_final(true);
-  const Answer answer = call_path(channel(), {setup_request(v1::PathSetup()), request});
+  const StreamAnswer answer = call_path(channel(), {setup_request(v1::PathSetup()), request});
   EXPECT_EQ(answer.status.error_code(), grpc::INVALID_ARGUMENT);
   EXPECT_EQ(answer.reason(), "FIELD_INVALID");
   EXPECT_EQ(answer.metadata("field"), "columns.x");

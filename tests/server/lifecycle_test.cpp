@@ -82,7 +82,7 @@ class Open {
 };
 
 std::string reason_of(const grpc::Status& status) {
-  Answer answer;
+  StreamAnswer answer;
   answer.status = status;
   return answer.reason();
 }
@@ -104,7 +104,7 @@ constexpr auto not_serving = grpc::health::v1::HealthCheckResponse::NOT_SERVING;
 
 TEST(Server, ComputesOverALoopbackPort) {
   const Running running(loopback());
-  const Answer answer = run_program(running.channel(), blocks_setup(), g239_program);
+  const StreamAnswer answer = run_program(running.channel(), blocks_setup(), g239_program);
   ASSERT_TRUE(answer.status.ok()) << answer.status.error_message();
   EXPECT_NE(answer.listing().find("PROGRAMMED 90 30 -> 120 30"), std::string::npos);
 }
@@ -178,7 +178,7 @@ TEST(Server, DrainLetsOpenStreamsFinishAndTakesNoNewOnes) {
   EXPECT_TRUE(eventually([&] { return health_of(channel, "trc.v1.TrcService") == not_serving; }));
   EXPECT_EQ(health_of(channel, ""), not_serving);
 
-  const Answer refused = run_program(channel, {}, g239_program);
+  const StreamAnswer refused = run_program(channel, {}, g239_program);
   EXPECT_EQ(refused.status.error_code(), grpc::UNAVAILABLE);
   EXPECT_EQ(refused.reason(), "SERVER_DRAINING");
   EXPECT_FALSE(drained);
@@ -221,7 +221,7 @@ TEST(Server, StreamsBeyondTheLimitAreRefusedUntilOneEnds) {
   Open second(channel);
   ASSERT_TRUE(first.accepted() && second.accepted());
 
-  const Answer refused = run_program(channel, {}, g239_program);
+  const StreamAnswer refused = run_program(channel, {}, g239_program);
   EXPECT_EQ(refused.status.error_code(), grpc::RESOURCE_EXHAUSTED);
   EXPECT_EQ(refused.reason(), "STREAM_LIMIT");
   EXPECT_EQ(refused.metadata("max_streams"), "2");
@@ -255,8 +255,8 @@ TEST(Server, PassiveBlocksBeyondTheLimitAreRefused) {
   Config config = loopback();
   config.max_passive_blocks = 3;
   const Running running(config);
-  const Answer answer = run_program(running.channel(), {},
-                                    "G41 V.G.WZ_AKT.R=1 G1 X10 F100\nX20\nM8\nM9\nM8\nM9\nX30\n");
+  const StreamAnswer answer = run_program(
+      running.channel(), {}, "G41 V.G.WZ_AKT.R=1 G1 X10 F100\nX20\nM8\nM9\nM8\nM9\nX30\n");
   EXPECT_EQ(answer.status.error_code(), grpc::INVALID_ARGUMENT);
   EXPECT_EQ(answer.metadata("code"), "90011");
   EXPECT_EQ(answer.metadata("limit"), "3");
@@ -305,7 +305,7 @@ TEST(Server, ClientThatNeverReadsIsEndedToo) {
 TEST(Server, MessageBeyondTheLimitIsRefused) {
   const Running running(loopback());
   v1::CompensateProgramRequest request = text_request(0, std::string(2'000'000, '\n'), true);
-  const Answer answer =
+  const StreamAnswer answer =
       call_program(running.channel(), {setup_request(v1::ProgramSetup()), request});
   EXPECT_EQ(answer.status.error_code(), grpc::RESOURCE_EXHAUSTED);
   EXPECT_NE(answer.status.error_message().find("1048576"), std::string::npos);
@@ -315,7 +315,7 @@ TEST(Server, BatchBeyondTheLimitIsRefused) {
   Config config = loopback();
   config.max_blocks_per_batch = 3;
   const Running running(config);
-  const Answer answer = call_path(
+  const StreamAnswer answer = call_path(
       running.channel(),
       {setup_request(v1::PathSetup()), batch(0, std::vector<v1::Block>(4, line_to(1, 1)), true)});
   EXPECT_EQ(answer.status.error_code(), grpc::RESOURCE_EXHAUSTED);
@@ -342,7 +342,7 @@ TEST(Server, LongSelectionsOfAllStreamsShareTheMemory) {
     requests.push_back(batch(next, blocks, false));
     next += blocks.size();
   }
-  const Answer answer = call_path(running.channel(), requests);
+  const StreamAnswer answer = call_path(running.channel(), requests);
   EXPECT_EQ(answer.status.error_code(), grpc::RESOURCE_EXHAUSTED) << answer.status.error_message();
   EXPECT_EQ(answer.reason(), "MEMORY_LIMIT");
   EXPECT_TRUE(eventually([&] { return running.server->backend().memory.used_bytes() == 0; }));

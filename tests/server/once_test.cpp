@@ -32,7 +32,7 @@ TEST(CompensateProgramOnce, GivesTheTextAndTheDiagnosticsOfTheStream) {
   const InProcessServer server;
   v1::ProgramSetup setup;
   setup.mutable_path()->set_tool_radius(10);
-  const Answer stream = run_program(server.channel(), setup, g239_program);
+  const StreamAnswer stream = run_program(server.channel(), setup, g239_program);
   const Once once = call_once(server, setup, g239_program);
   ASSERT_TRUE(once.status.ok()) << once.status.error_message();
   EXPECT_EQ(once.response.nc_text(), stream.text);
@@ -44,7 +44,7 @@ TEST(CompensateProgramOnce, GivesTheTextAndTheDiagnosticsOfTheStream) {
 
 TEST(CompensateProgramOnce, GivesBlocksInBothLayouts) {
   const InProcessServer server;
-  const Answer stream = run_program(server.channel(), blocks_setup(), g239_program);
+  const StreamAnswer stream = run_program(server.channel(), blocks_setup(), g239_program);
   const Once blocks = call_once(server, blocks_setup(), g239_program);
   ASSERT_TRUE(blocks.status.ok());
   ASSERT_EQ(blocks.response.blocks_size(), static_cast<int>(stream.blocks.size()));

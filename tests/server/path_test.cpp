@@ -76,7 +76,7 @@ v1::PathSetup small_tool() {
 }
 
 TEST_F(CompensatePathRpc, DirectSelectionWithoutBlockAsInExampleT01) {
-  const Answer answer =
+  const StreamAnswer answer =
       call_path(channel(), {setup_request(g239_setup()), batch(0, g239_blocks(), true)});
   ASSERT_TRUE(answer.status.ok()) << answer.status.error_message();
   EXPECT_EQ(answer.listing(), g239_listing);
@@ -91,7 +91,7 @@ TEST_F(CompensatePathRpc, PreviewGivesTheSamePath) {
   v1::PreviewPathRequest request;
   *request.mutable_setup() = g239_setup();
   *request.mutable_batch() = batch(0, g239_blocks(), false).batch();
-  const Answer answer = call_preview(channel(), request);
+  const StreamAnswer answer = call_preview(channel(), request);
   ASSERT_TRUE(answer.status.ok()) << answer.status.error_message();
   EXPECT_EQ(answer.listing(), g239_listing);
   EXPECT_EQ(answer.summaries, 1);
@@ -113,7 +113,8 @@ TEST_F(CompensatePathRpc, AnyBatchingGivesTheSamePath) {
   constexpr unsigned seed = 7;
   SCOPED_TRACE("seed " + std::to_string(seed));
   const std::vector<v1::Block> blocks = long_path(300, seed);
-  const Answer whole = call_path(channel(), {setup_request(small_tool()), batch(0, blocks, true)});
+  const StreamAnswer whole =
+      call_path(channel(), {setup_request(small_tool()), batch(0, blocks, true)});
   ASSERT_TRUE(whole.status.ok()) << whole.status.error_message();
   ASSERT_GT(whole.blocks.size(), 300U);
 
@@ -128,7 +129,7 @@ TEST_F(CompensatePathRpc, AnyBatchingGivesTheSamePath) {
       requests.push_back(batch(from, part, from + size == blocks.size()));
       from += size;
     }
-    const Answer parts = call_path(channel(), requests);
+    const StreamAnswer parts = call_path(channel(), requests);
     ASSERT_TRUE(parts.status.ok()) << parts.status.error_message();
     EXPECT_EQ(parts.bytes(), whole.bytes());
     EXPECT_GE(parts.responses, static_cast<int>(requests.size()));
@@ -137,7 +138,7 @@ TEST_F(CompensatePathRpc, AnyBatchingGivesTheSamePath) {
 
 TEST_F(CompensatePathRpc, BothLayoutsInBothDirectionsGiveTheSamePath) {
   const std::vector<v1::Block> blocks = long_path(100, 3);
-  const Answer messages =
+  const StreamAnswer messages =
       call_path(channel(), {setup_request(small_tool()), batch(0, blocks, true)});
   ASSERT_TRUE(messages.status.ok()) << messages.status.error_message();
 
@@ -157,7 +158,7 @@ TEST_F(CompensatePathRpc, BothLayoutsInBothDirectionsGiveTheSamePath) {
   request.mutable_columns()->set_final(true);
   v1::PathSetup setup = small_tool();
   setup.set_response_layout(v1::RESPONSE_LAYOUT_COLUMNS);
-  const Answer columns = call_path(channel(), {setup_request(setup), request});
+  const StreamAnswer columns = call_path(channel(), {setup_request(setup), request});
   ASSERT_TRUE(columns.status.ok()) << columns.status.error_message();
   EXPECT_EQ(columns.bytes(), messages.bytes());
 }
@@ -193,14 +194,14 @@ TEST_F(CompensatePathRpc, EndsAsTheProtocolSays) {
   };
   for (const Case& tested : cases) {
     SCOPED_TRACE(tested.name);
-    const Answer answer = call_path(channel(), tested.requests);
+    const StreamAnswer answer = call_path(channel(), tested.requests);
     EXPECT_EQ(answer.status.error_code(), tested.code) << answer.status.error_message();
     EXPECT_EQ(answer.reason(), tested.reason);
   }
 }
 
 TEST_F(CompensatePathRpc, OutOfSequenceSaysWhatWasExpected) {
-  const Answer answer =
+  const StreamAnswer answer =
       call_path(channel(), {setup_request(g239_setup()), batch(0, {line_to(1, 1)}, false),
                             batch(3, {line_to(2, 2)}, false)});
   EXPECT_EQ(answer.metadata("expected"), "1");
@@ -208,7 +209,7 @@ TEST_F(CompensatePathRpc, OutOfSequenceSaysWhatWasExpected) {
 }
 
 TEST_F(CompensatePathRpc, EmptyBatchesAreAnsweredToo) {
-  const Answer answer =
+  const StreamAnswer answer =
       call_path(channel(), {setup_request(g239_setup()), batch(0, {}, false), batch(0, {}, false),
                             batch(0, g239_blocks(), false), batch(7, {}, true)});
   ASSERT_TRUE(answer.status.ok()) << answer.status.error_message();

@@ -25,7 +25,7 @@ class CompensateProgramRpc : public ::testing::Test {
 InProcessServer* CompensateProgramRpc::server_ = nullptr;
 
 TEST_F(CompensateProgramRpc, DirectSelectionWithoutBlockAsInExampleT01) {
-  const Answer answer = run_program(channel(), blocks_setup(), g239_program);
+  const StreamAnswer answer = run_program(channel(), blocks_setup(), g239_program);
   ASSERT_TRUE(answer.status.ok()) << answer.status.error_message();
   EXPECT_EQ(answer.listing(),
             "UNCOMPENSATED 0 0 -> 0 0\n"
@@ -46,15 +46,15 @@ TEST_F(CompensateProgramRpc, DirectSelectionWithoutBlockAsInExampleT01) {
 }
 
 TEST_F(CompensateProgramRpc, AnswersWithNcTextThatRunsUncompensated) {
-  const Answer answer = run_program(channel(), {}, g239_program);
+  const StreamAnswer answer = run_program(channel(), {}, g239_program);
   ASSERT_TRUE(answer.status.ok()) << answer.status.error_message();
   EXPECT_TRUE(answer.blocks.empty());
   EXPECT_EQ(answer.text.find("G41"), std::string::npos) << answer.text;
   EXPECT_EQ(answer.program_summary.bytes_out(), answer.text.size());
 
-  const Answer again = run_program(channel(), blocks_setup(), answer.text);
+  const StreamAnswer again = run_program(channel(), blocks_setup(), answer.text);
   ASSERT_TRUE(again.status.ok()) << again.status.error_message() << "\n" << answer.text;
-  const Answer first = run_program(channel(), blocks_setup(), g239_program);
+  const StreamAnswer first = run_program(channel(), blocks_setup(), g239_program);
   ASSERT_EQ(again.blocks.size(), first.blocks.size()) << answer.text;
   for (std::size_t i = 0; i < first.blocks.size(); ++i) {
     EXPECT_NEAR(again.blocks[i].line().end().x(), first.blocks[i].line().end().x(), 1e-4);
@@ -66,7 +66,7 @@ TEST_F(CompensateProgramRpc, MisfitCircleAfterDeselectionIsRefusedAsInExampleT04
   const std::string program =
       "G162\nG0 X0 Y0\nG239\nV.G.WZ_AKT.R = 30\nG41 G01 X30 Y20 F1000\nX60\nX90\nG40\n"
       "G02 X140 Y-30 J-50\nG01 X200\nM30\n";
-  const Answer answer = run_program(channel(), blocks_setup(), program);
+  const StreamAnswer answer = run_program(channel(), blocks_setup(), program);
   EXPECT_EQ(answer.status.error_code(), grpc::INVALID_ARGUMENT);
   EXPECT_EQ(answer.metadata("code"), "20035");
   EXPECT_EQ(answer.metadata("line"), "9");
@@ -92,7 +92,7 @@ TEST_F(CompensateProgramRpc, CutAtAnyByteGivesTheSameAnswer) {
       "N20 G139 G25 V.G.WZ_AKT.R = 5\r\nN30 G41 G01 X10 Y20 F10000\r\nN40 X35 Y30\r\nM8\r\n"
       "N50 X30 Y20\r\nN60 Y10\r\nN70 G40 X20 Y0\r\nN80 G0 X0 Y0\r\nM30\r\n";
   for (const v1::ProgramSetup& setup : {v1::ProgramSetup(), blocks_setup()}) {
-    const Answer whole = run_program(channel(), setup, program);
+    const StreamAnswer whole = run_program(channel(), setup, program);
     ASSERT_TRUE(whole.status.ok()) << whole.status.error_message();
     ASSERT_FALSE(whole.diagnostics.empty());
     for (std::size_t cut = 1; cut < program.size(); ++cut)
@@ -102,20 +102,20 @@ TEST_F(CompensateProgramRpc, CutAtAnyByteGivesTheSameAnswer) {
 }
 
 TEST_F(CompensateProgramRpc, CutIntoManyPiecesGivesTheSameAnswer) {
-  const Answer whole = run_program(channel(), blocks_setup(), g239_program);
+  const StreamAnswer whole = run_program(channel(), blocks_setup(), g239_program);
   std::mt19937 random(20261121);
   for (int round = 0; round < 20; ++round) {
     std::vector<std::size_t> cuts;
     for (std::size_t at = 0; at < g239_program.size(); at += 1 + random() % 7) cuts.push_back(at);
-    const Answer pieces = run_program(channel(), blocks_setup(), g239_program, cuts);
+    const StreamAnswer pieces = run_program(channel(), blocks_setup(), g239_program, cuts);
     EXPECT_EQ(pieces.bytes(), whole.bytes()) << "round " << round;
     EXPECT_GE(pieces.responses, static_cast<int>(cuts.size()));
   }
 }
 
 TEST_F(CompensateProgramRpc, BothLayoutsHoldTheSameBlocks) {
-  const Answer blocks = run_program(channel(), blocks_setup(), g239_program);
-  const Answer columns =
+  const StreamAnswer blocks = run_program(channel(), blocks_setup(), g239_program);
+  const StreamAnswer columns =
       run_program(channel(), blocks_setup(v1::RESPONSE_LAYOUT_COLUMNS), g239_program);
   ASSERT_FALSE(blocks.blocks.empty());
   EXPECT_EQ(columns.bytes(), blocks.bytes());

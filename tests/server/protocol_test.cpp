@@ -52,7 +52,7 @@ v1::PathSetup tool(double radius) {
 TEST(Protocol, LayoutsMayBeMixedInOneStream) {
   const InProcessServer server;
   const std::vector<v1::Block> blocks = square(v1::COMPENSATION_SIDE_RIGHT);
-  const Answer whole =
+  const StreamAnswer whole =
       call_path(server.channel(), {setup_request(tool(2)), batch(0, blocks, true)});
   ASSERT_TRUE(whole.status.ok()) << whole.status.error_message();
   ASSERT_FALSE(whole.blocks.empty());
@@ -60,7 +60,7 @@ TEST(Protocol, LayoutsMayBeMixedInOneStream) {
   const std::vector<v1::Block> first(blocks.begin(), blocks.begin() + 3);
   const std::vector<v1::Block> second(blocks.begin() + 3, blocks.begin() + 6);
   const std::vector<v1::Block> third(blocks.begin() + 6, blocks.end());
-  const Answer mixed =
+  const StreamAnswer mixed =
       call_path(server.channel(), {setup_request(tool(2)), columns_of(batch(0, first, false)),
                                    batch(3, second, false), columns_of(batch(6, third, true))});
   ASSERT_TRUE(mixed.status.ok()) << mixed.status.error_message();
@@ -70,10 +70,10 @@ TEST(Protocol, LayoutsMayBeMixedInOneStream) {
 // Rule 1.5.
 TEST(Protocol, NegativeRadiusInTheSetupSwapsTheSide) {
   const InProcessServer server;
-  const Answer right =
+  const StreamAnswer right =
       call_path(server.channel(),
                 {setup_request(tool(2)), batch(0, square(v1::COMPENSATION_SIDE_RIGHT), true)});
-  const Answer left =
+  const StreamAnswer left =
       call_path(server.channel(),
                 {setup_request(tool(-2)), batch(0, square(v1::COMPENSATION_SIDE_LEFT), true)});
   ASSERT_TRUE(right.status.ok()) << right.status.error_message();
@@ -86,7 +86,7 @@ TEST(Protocol, WrongBlockEndsThePathAtTheSamePlaceInAnyBatching) {
   const InProcessServer server;
   std::vector<v1::Block> blocks = square(v1::COMPENSATION_SIDE_RIGHT);
   blocks[5].mutable_linear()->mutable_end()->set_x(1e300);
-  const Answer whole =
+  const StreamAnswer whole =
       call_path(server.channel(), {setup_request(tool(2)), batch(0, blocks, true)});
   EXPECT_EQ(whole.status.error_code(), grpc::INVALID_ARGUMENT);
   EXPECT_EQ(whole.reason(), "FIELD_INVALID");
@@ -97,7 +97,7 @@ TEST(Protocol, WrongBlockEndsThePathAtTheSamePlaceInAnyBatching) {
   std::vector<v1::CompensatePathRequest> single{setup_request(tool(2))};
   for (std::size_t i = 0; i < blocks.size(); ++i)
     single.push_back(batch(i, {blocks[i]}, i + 1 == blocks.size()));
-  const Answer one_by_one = call_path(server.channel(), single);
+  const StreamAnswer one_by_one = call_path(server.channel(), single);
   EXPECT_EQ(one_by_one.status.error_code(), grpc::INVALID_ARGUMENT);
   EXPECT_EQ(one_by_one.metadata("field"), "batch.blocks[0].linear.end.x");
   EXPECT_EQ(one_by_one.bytes(), whole.bytes());
@@ -111,7 +111,8 @@ TEST(Protocol, SelectionBeyondTheLimitIsALimitAndNoFaultOfTheProgram) {
   setup.set_contour_masking(v1::CONTOUR_MASKING_ON);
   std::vector<v1::Block> blocks{command(v1::COMPENSATION_SIDE_LEFT)};
   for (int i = 0; i < 30; ++i) blocks.push_back(line_to(10.0 * i, i % 2 == 0 ? 0 : 5));
-  const Answer answer = call_path(server.channel(), {setup_request(setup), batch(0, blocks, true)});
+  const StreamAnswer answer =
+      call_path(server.channel(), {setup_request(setup), batch(0, blocks, true)});
   EXPECT_EQ(answer.status.error_code(), grpc::RESOURCE_EXHAUSTED);
   EXPECT_EQ(answer.reason(), "SELECTION_TOO_LONG");
   EXPECT_FALSE(answer.metadata("remedy").empty());
@@ -124,7 +125,7 @@ TEST(Protocol, RequestThatIsTooLargeIsToldWithItsLimit) {
   config.max_message_bytes = 4096;
   const InProcessServer server(config);
   const std::string large(5000, ' ');
-  const Answer program = call_program(
+  const StreamAnswer program = call_program(
       server.channel(), {setup_request(v1::ProgramSetup()), text_request(0, large, true)});
   EXPECT_EQ(program.status.error_code(), grpc::RESOURCE_EXHAUSTED);
   EXPECT_EQ(program.reason(), "MESSAGE_TOO_LARGE");
@@ -154,7 +155,7 @@ TEST(Protocol, CallOfAnRpcThatThereIsNotNamesThoseThereAre) {
     const grpc::ByteBuffer request;
     const auto call = stub.PrepareUnaryCall(&context, path, request, &queue);
     grpc::ByteBuffer response;
-    Answer answer;
+    StreamAnswer answer;
     call->StartCall();
     call->Finish(&response, &answer.status, nullptr);
     void* tag = nullptr;

@@ -53,8 +53,8 @@ class PathStream {
     stream_->Read(&response);
     return response;
   }
-  Answer end() {
-    Answer answer;
+  StreamAnswer end() {
+    StreamAnswer answer;
     stream_->WritesDone();
     v1::CompensatePathResponse response;
     while (stream_->Read(&response)) {
@@ -78,8 +78,8 @@ std::string token_after(const std::shared_ptr<grpc::Channel>& channel,
 }
 
 // How a stream ends that goes on with the token.
-Answer outcome(const std::shared_ptr<grpc::Channel>& channel, v1::PathSetup setup,
-               const std::string& token) {
+StreamAnswer outcome(const std::shared_ptr<grpc::Channel>& channel, v1::PathSetup setup,
+                     const std::string& token) {
   setup.set_resume_token(token);
   PathStream stream(channel);
   stream.ask(setup_request(setup));
@@ -147,7 +147,7 @@ TEST(ResumeToken, AnotherPlaceThanItsOwnIsOutOfSequence) {
   PathStream stream(server.channel());
   stream.ask(setup_request(setup));
   stream.ask(batch(0, zigzag(10), false));
-  const Answer answer = stream.end();
+  const StreamAnswer answer = stream.end();
   EXPECT_EQ(answer.status.error_code(), grpc::OUT_OF_RANGE);
   EXPECT_EQ(answer.metadata("expected"), "11");
 }
@@ -172,7 +172,7 @@ TEST(ResumeToken, OtherSettingsAreRefused) {
   const std::string token = token_after(server.channel());
   v1::PathSetup other = token_setup();
   other.set_tool_radius(3);
-  const Answer answer = outcome(server.channel(), other, token);
+  const StreamAnswer answer = outcome(server.channel(), other, token);
   EXPECT_EQ(answer.status.error_code(), grpc::FAILED_PRECONDITION);
   EXPECT_EQ(answer.reason(), "RESUME_SETUP_DIFFERS");
 }

@@ -116,7 +116,7 @@ TEST(SurveyRadiiRpc, GivesTheLengthsThatSingleRunsGive) {
     v1::ProgramSetup setup = blocks_setup();
     setup.mutable_path()->set_tool_radius(found.radius());
     setup.mutable_path()->set_verify(v1::VERIFICATION_ENFORCE);
-    const Answer single = run_program(server.channel(), setup, slot);
+    const StreamAnswer single = run_program(server.channel(), setup, slot);
     ASSERT_TRUE(single.status.ok());
     EXPECT_EQ(found.compensated_length(), single.path_summary.compensated_length());
     EXPECT_EQ(found.certificate().SerializeAsString(),

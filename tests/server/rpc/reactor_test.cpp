@@ -69,7 +69,7 @@ class FailingWork final : public Work {
 
 TEST(StreamReactor, BugEndsItsOwnStreamOnly) {
   TestService service([](const StreamContext&) { return std::make_unique<FailingWork>(); });
-  const Answer failed = call_path(service.channel(), {batch(0, {}, true)});
+  const StreamAnswer failed = call_path(service.channel(), {batch(0, {}, true)});
   EXPECT_EQ(failed.status.error_code(), grpc::INTERNAL);
   EXPECT_EQ(failed.reason(), "INTERNAL");
   EXPECT_EQ(failed.metadata("incident_id").size(), 16U);
