@@ -169,9 +169,10 @@ std::optional<RefusedWay> Verification::way_that_closes_at(const Clearance& wors
   if (approach == approaches_.rend()) return std::nullopt;
   const std::size_t begin = held_.first_from(approach->source);
   const std::uint32_t rule = programmed[begin].rule;
+  const Rule& at_begin = held_.rule_of(programmed[begin]);
   RefusedWay way{.in_corner = true};
   way.blocks.push_back(*approach);
-  way.shift = held_.rule_of(programmed[begin]).radius;
+  way.shift = at_begin.side == Side::left ? at_begin.radius : -at_begin.radius;
   for (std::size_t place = begin + 1; place < programmed.end(); ++place) {
     const ProgrammedPiece& piece = programmed[place];
     if (held_.rule_of(piece).selection != approach->mode->selection_number) break;

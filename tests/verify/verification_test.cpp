@@ -81,20 +81,27 @@ TEST(Verification, StopsAtAPathThatComesTooNear) {
 
 // Half of the programs that are told of a gouge have the wrong side, or begin in such a corner.
 TEST(Verification, SaysWhyAContourDamagesItselfWhereItCloses) {
-  const auto reason = [](const std::string& start, const std::string& side) {
+  const std::string counter_clockwise = "N40 X80\nN50 Y50\nN60 X0\nN70 Y0\n";
+  const std::string clockwise = "N40 Y50\nN50 X80\nN60 Y0\nN70 X0\n";
+  const auto reason = [](const std::string& start, const std::string& side,
+                         const std::string& contour, const std::string& radius = "6") {
     const Outcome outcome =
-        verified("N10 G00 " + start + "\nN20 G138 V.G.WZ_AKT.R = 6\nN30 " + side +
-                     " G01 X0 Y0 F450\nN40 X80\nN50 Y50\nN60 X0\nN70 Y0\n"
-                     "N80 G40 " +
-                     start + "\nN90 M30\n",
+        verified("N10 G00 " + start + "\nN20 G138 V.G.WZ_AKT.R = " + radius + "\nN30 " + side +
+                     " G01 X0 Y0 F450\n" + contour + "N80 G40 " + start + "\nN90 M30\n",
                  1000);
     return outcome.diagnostics.empty() ? std::string() : outcome.diagnostics.back().detail;
   };
-  EXPECT_EQ(reason("X-18 Y-18", "G41"),
-            "the tool comes from the one side of the contour and cuts on the other");
-  EXPECT_EQ(reason("X40 Y25", "G41"),
-            "the contour closes in an inside corner, where no tool has room");
-  EXPECT_EQ(reason("X-18 Y-18", "G42"), "");
+  const std::string wrong_side =
+      "the tool comes from the one side of the contour and cuts on the other";
+  const std::string corner = "the contour closes in an inside corner, where no tool has room";
+  for (const auto& [inside, contour] :
+       {std::pair("G41", counter_clockwise), std::pair("G42", clockwise)}) {
+    const std::string outside = inside == std::string("G41") ? "G42" : "G41";
+    EXPECT_EQ(reason("X-18 Y-18", inside, contour), wrong_side);
+    EXPECT_EQ(reason("X-18 Y-18", outside, contour, "-6"), wrong_side);
+    EXPECT_EQ(reason("X40 Y25", inside, contour), corner);
+    EXPECT_EQ(reason("X-18 Y-18", outside, contour), "");
+  }
 }
 
 // What the caller asks for is not undone by a line of the program.
