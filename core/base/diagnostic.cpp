@@ -182,7 +182,7 @@ constexpr auto rows = std::to_array<CodeRow>({
     {Code::field_invalid, error, "FIELD_INVALID", "a value is not a number or out of range",
      "Correct the word or the field named."},
     {Code::position_unknown, error, "POSITION_UNKNOWN",
-     "the motion starts from a position that is not known since the coordinates changed",
+     "the motion starts from a position that is not known",
      "Program all axes of the plane absolutely (G90, G00 or G01) behind the change, before G91, "
      "circles or G41."},
 

@@ -250,8 +250,7 @@ constexpr auto rows = std::to_array<GermanRow>({
      .title = "ein Wert ist keine Zahl oder außerhalb des Bereichs",
      .help = "Das genannte Wort oder Feld berichtigen."},
     {.code = Code::position_unknown,
-     .title = "die Bewegung beginnt an einer Stelle, die seit dem Koordinatenwechsel nicht bekannt "
-              "ist",
+     .title = "die Bewegung beginnt an einer Stelle, die nicht bekannt ist",
      .help = "Hinter dem Wechsel zuerst alle Achsen der Ebene absolut programmieren (G90, G00 oder "
              "G01), vor G91, Kreisen oder G41."},
 

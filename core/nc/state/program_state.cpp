@@ -108,6 +108,7 @@ void ProgramState::set_position(const std::array<std::optional<double>, 3>& plac
         known_[axis] && std::abs(*place[axis] - position_[axis]) <= tolerances_.same_point;
     if (axis == third || stands_there) {
       known_[axis] = true;
+      programmed_[axis] = true;
       target_[axis] = *place[axis];
     } else {
       unknown[axis] = true;
@@ -163,10 +164,21 @@ std::optional<Refusal> ProgramState::unknown_start(const MoveRequest& request) c
 }
 
 std::optional<std::size_t> ProgramState::axis_of_assumed_start(const MoveRequest& request) const {
-  if (!setup_.start_is_assumed || !mode_.active() || in_plane_blocks_ > 0) return {};
+  if (!setup_.start_is_assumed || !awaits_approach()) return {};
   const PlaneAxes axes = axes_of(mode_.plane);
   for (const std::size_t axis : {axes.first, axes.second})
     if (request.end[axis] && !programmed_[axis]) return axis;
+  return {};
+}
+
+std::optional<std::size_t> ProgramState::axis_kept_from_assumed_start(
+    const MoveRequest& request) const {
+  if (!setup_.start_is_assumed || setup_.dialect == DialectName::isg || !awaits_approach() ||
+      request.incremental)
+    return {};
+  const PlaneAxes axes = axes_of(mode_.plane);
+  for (const std::size_t axis : {axes.first, axes.second})
+    if (!request.end[axis] && !programmed_[axis]) return axis;
   return {};
 }
 
@@ -235,7 +247,13 @@ bool ProgramState::move_on_circle(const MoveRequest& request, const Position& en
               {{"center_shift", programmed.center_shift},
                {"corrected_radius", radius_of(programmed.arc)}}))
     return false;
-  if (mode_.active() && in_plane_blocks_ == 0 && !check_radius(request.source)) return false;
+  if (awaits_approach()) {
+    const std::optional<std::size_t> named = axis_of_assumed_start(request);
+    const std::optional<std::size_t> assumed =
+        named ? named : axis_kept_from_assumed_start(request);
+    if (assumed) return refuse_assumed_start(request.source, *assumed);
+    if (!check_radius(request.source)) return false;
+  }
   TrackingTravel tracking;
   if (!move_tracking(request, tracking)) return false;
   enter_target(request, end);
@@ -248,11 +266,13 @@ bool ProgramState::move_straight(const MoveRequest& request, const Position& end
   TrackingTravel tracking;
   if (!move_tracking(request, tracking)) return false;
   const std::optional<std::size_t> assumed = axis_of_assumed_start(request);
+  const std::optional<std::size_t> kept = axis_kept_from_assumed_start(request);
   enter_target(request, end);
   Line line{.start = to_plane(mode_.plane, position_), .end = to_plane(mode_.plane, end)};
   if (retract_pending_ && leads_back(request)) line.start = last_equidistant_point();
   if ((line.end - line.start).norm() > tolerances_.same_point) {
-    if (mode_.active() && in_plane_blocks_ == 0 && !check_radius(request.source)) return false;
+    if (kept) return refuse_assumed_start(request.source, *kept);
+    if (awaits_approach() && !check_radius(request.source)) return false;
     displaced_ = false;
     return append_between_corners(request, line, end, std::move(tracking));
   }

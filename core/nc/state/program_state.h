@@ -326,8 +326,12 @@ class ProgramState {
   [[nodiscard]] bool all_known() const { return known_[0] && known_[1] && known_[2]; }
   [[nodiscard]] std::string told_increments() const;
   [[nodiscard]] std::optional<Refusal> unknown_start(const MoveRequest& request) const;
-  // An axis that the first motion of a selection names although its position was never given.
+  // An axis of the plane whose position was never given before the first motion of a selection,
+  // which names it ...
   [[nodiscard]] std::optional<std::size_t> axis_of_assumed_start(const MoveRequest& request) const;
+  // ... or keeps it, so that the contour would begin there.
+  [[nodiscard]] std::optional<std::size_t> axis_kept_from_assumed_start(
+      const MoveRequest& request) const;
   bool refuse_assumed_start(const Source& source, std::size_t axis);
   bool move_straight(const MoveRequest& request, const Position& end);
   bool move_on_circle(const MoveRequest& request, const Position& end);
