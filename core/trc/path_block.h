@@ -79,10 +79,12 @@ struct PathBlock {
   bool masked = false;
   struct Rejoin {
     Point point = Point::Zero();  // where the one before ends
-    Point start =
-        Point::Zero();  // where the block starts; a line leads there if that is not `point`
+    // Where the block starts. If that is not `point`, a line leads there, or an arc about the
+    // centre of the one before.
+    Point start = Point::Zero();
     double cut_before = 0;
     double cut_after = 0;
+    bool leads_on_arc = false;
   };
   std::optional<Rejoin> rejoin{};
 

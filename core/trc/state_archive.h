@@ -16,8 +16,8 @@ void serialize(Archive& archive, Compensation& compensation) {
 
 template <class Archive>
 void serialize(Archive& archive, PathBlock::Rejoin& rejoin) {
-  auto& [point, start, cut_before, cut_after] = rejoin;
-  archive(point, start, cut_before, cut_after);
+  auto& [point, start, cut_before, cut_after, leads_on_arc] = rejoin;
+  archive(point, start, cut_before, cut_after, leads_on_arc);
 }
 
 // Written by hand: clang 14 thinks that a nested struct with default values has no default

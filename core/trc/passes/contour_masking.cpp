@@ -62,9 +62,18 @@ std::optional<PathBlock::Rejoin> join_in_line(const OffsetCurve& before, const O
       .cut_before = back > std::numbers::pi ? back - 2 * std::numbers::pi : back};
 }
 
-// Two lines are in line but for the rounding of their ends, whose effect grows with the distance of
-// the lines and falls with their lengths (D-44). The first one keeps its end, and a line leads over
-// to where the second one begins.
+// How far the begin of the second block may lie beside the way on which the first one goes on, and
+// the end of the first one beside the way back: the effect of rounded ends grows with the distance
+// of the blocks and falls with their lengths (D-44).
+double most_aside(const PathBlock& before, const PathBlock& after, double resolution) {
+  const double way = (after.offset_start - before.offset_end).norm();
+  const double lengths =
+      1 / length_of(before.programmed.path) + 1 / length_of(after.programmed.path);
+  return resolution * (2 + way * lengths);
+}
+
+// Two lines are in line but for the rounding of their ends. The first one keeps its end, and a line
+// leads over to where the second one begins.
 std::optional<PathBlock::Rejoin> join_nearly_in_line(const PathBlock& before,
                                                      const PathBlock& after, double resolution) {
   if (is_arc(before.programmed.path) || is_arc(after.programmed.path)) return std::nullopt;
@@ -73,10 +82,30 @@ std::optional<PathBlock::Rejoin> join_nearly_in_line(const PathBlock& before,
     return std::nullopt;
   const double aside = std::max(std::abs(cross(before.tangent_at_end, way)),
                                 std::abs(cross(after.tangent_at_start, way)));
-  const double lengths =
-      1 / length_of(before.programmed.path) + 1 / length_of(after.programmed.path);
-  if (aside > resolution * (2 + way.norm() * lengths)) return std::nullopt;
+  if (aside > most_aside(before, after, resolution)) return std::nullopt;
   return PathBlock::Rejoin{.point = before.offset_end, .start = after.offset_start};
+}
+
+// Two arcs of one circle, likewise: an arc leads over.
+std::optional<PathBlock::Rejoin> join_nearly_on_circle(const PathBlock& before,
+                                                       const PathBlock& after,
+                                                       const Tolerances& tolerances) {
+  const OffsetCurve first = end_curve(before);
+  const OffsetCurve second = start_curve(after);
+  if (!first.circular || !second.circular || !first.exists() || !second.exists() ||
+      first.counter_clockwise != second.counter_clockwise)
+    return std::nullopt;
+  const auto beside = [](const Circle& circle, const Point& point) {
+    return std::abs((point - circle.center).norm() - circle.radius);
+  };
+  const double aside =
+      std::max(beside(first.circle, second.anchor), beside(second.circle, first.anchor));
+  if (aside > most_aside(before, after, tolerances.input_resolution)) return std::nullopt;
+  const Segment way = refitted(std::get<Arc>(before.programmed.path), first.anchor, second.anchor,
+                               tolerances.same_point);
+  const auto* arc = std::get_if<Arc>(&way);
+  if (arc == nullptr || std::abs(arc->sweep) > std::numbers::pi) return std::nullopt;
+  return PathBlock::Rejoin{.point = first.anchor, .start = second.anchor, .leads_on_arc = true};
 }
 
 }  // namespace
@@ -97,6 +126,7 @@ bool ContourMasking::feed(PathBlockPtr block, PathBlocks& out) {
     // The first block has its own start: from an approach, or from a block before G141.
     held_.push_back(std::move(block));
     kept_ = {Kept{.index = 0}};
+    if (held_.front()->masked) return refuse_to_mask(0, 0);
   } else {
     out.push_back(std::move(block));
   }
@@ -206,6 +236,7 @@ std::optional<PathBlock::Rejoin> ContourMasking::join_anew(std::size_t before_in
   const OffsetCurve curve_after = start_curve(after);
   auto in_line = join_in_line(curve_before, curve_after, tolerances_.same_point);
   if (!in_line) in_line = join_nearly_in_line(before, after, tolerances_.input_resolution);
+  if (!in_line) in_line = join_nearly_on_circle(before, after, tolerances_);
   if (in_line && are_passed(before_index, after_index, *in_line)) return in_line;
   if (const auto joint = nearest_meeting(curve_before, curve_after, tolerances_))
     return PathBlock::Rejoin{joint->point, joint->point, joint->cut_before, joint->cut_after};
@@ -228,14 +259,14 @@ bool ContourMasking::are_passed(std::size_t before, std::size_t after,
                                 const PathBlock::Rejoin& in_line) const {
   if (in_line.cut_before >= 0 && in_line.start == in_line.point) return true;
   const OffsetCurve curve = end_curve(held(before));
-  const double sweep = curve.counter_clockwise ? -in_line.cut_before : in_line.cut_before;
-  const Segment path = curve.circular ? Segment(Arc{.start = curve.anchor,
-                                                    .end = in_line.start,
-                                                    .center = curve.circle.center,
-                                                    .sweep = sweep})
+  const Segment& programmed = held(before).programmed.path;
+  const Segment path = curve.circular ? refitted(std::get<Arc>(programmed), curve.anchor,
+                                                 in_line.start, tolerances_.same_point)
                                       : Line{.start = curve.anchor, .end = in_line.start};
   const double radius = std::abs(held(after).at_start.shift);
-  const double reach = radius - tolerances_.clearance * std::max(radius, 1.0);
+  const bool by_rounding = in_line.start != in_line.point;
+  const double reach = radius - (by_rounding ? tolerances_.on_contour
+                                             : tolerances_.clearance * std::max(radius, 1.0));
   for (std::size_t index = before + 1; index < after; ++index) {
     checkpoint_.pass();
     const Segment& masked = held(index).programmed.path;

@@ -39,6 +39,20 @@ double ContourMasking::wall_length(std::size_t index) const {
   return length_of(part_of(block.programmed.path, walls_.part_of(number)));
 }
 
+// Of the blocks beside masked ones, the part that joining anew cuts off is not touched either. Less
+// than the tool is wide, it mostly is after all: by the transition of the next outside corner.
+double ContourMasking::cut_off_beside(std::size_t first, std::size_t end) const {
+  if (end == base_ + held_.size() || !held(end).rejoin) return 0;
+  const PathBlock::Rejoin& rejoin = *held(end).rejoin;
+  const double tool_width = 2 * std::abs(held(end).at_start.shift);
+  const auto length = [&](std::size_t index, double cut) {
+    const auto* arc = std::get_if<Arc>(&held(index).programmed.path);
+    const double cut_off = cut * (arc != nullptr ? radius_of(*arc) : 1);
+    return cut_off > tool_width ? std::min(cut_off, wall_length(index)) : 0;
+  };
+  return length(first - 1, rejoin.cut_before) + length(end, rejoin.cut_after);
+}
+
 LeftOut ContourMasking::left_out(std::size_t first, std::size_t& end) const {
   LeftOut stretch{
       .first = held(first).programmed.source,
@@ -49,24 +63,19 @@ LeftOut ContourMasking::left_out(std::size_t first, std::size_t& end) const {
     stretch.last = held(index).programmed.source;
   }
   end = index;
+  stretch.length += cut_off_beside(first, end);
   return stretch;
 }
 
 // One note for each run of masked blocks.
 void ContourMasking::report_masked(std::size_t first, std::size_t end) {
   for (std::size_t index = first; index < end; ++index) {
-    if (!held(index).masked) {
-      if (window_ > 0) contour_length_ += wall_length(index);
-      continue;
-    }
+    if (window_ > 0) contour_length_ += wall_length(index);
+    if (!begins_masked(index)) continue;
     std::size_t behind = end;
     const LeftOut stretch = left_out(index, behind);
-    if (window_ > 0) {
-      contour_length_ += stretch.length;
-      longest_left_out_.add(stretch);
-    }
+    if (window_ > 0) longest_left_out_.add(stretch);
     diagnostics_.report(note_of(stretch));
-    index = behind - 1;
   }
 }
 
@@ -85,28 +94,21 @@ bool ContourMasking::check_left_out() {
   LeftOut longest = std::exchange(longest_left_out_, {});
   double of_walls = std::exchange(contour_length_, 0);
   if (largest_masked_share_ >= 1) return true;
-  for (std::size_t index = base_; index < base_ + held_.size(); ++index) {
-    if (!held(index).masked) {
-      of_walls += wall_length(index);
-      continue;
-    }
-    std::size_t behind = base_ + held_.size();
-    const LeftOut stretch = left_out(index, behind);
-    of_walls += stretch.length;
-    longest.add(stretch);
-    index = behind - 1;
+  const std::size_t end = base_ + held_.size();
+  for (std::size_t index = base_; index < end; ++index) {
+    of_walls += wall_length(index);
+    std::size_t behind = end;
+    if (begins_masked(index)) longest.add(left_out(index, behind));
   }
   if (longest.length == 0) return true;
   longest.of_walls = of_walls;
-  const std::size_t end = base_ + held_.size();
   for (std::size_t index = base_; index < end; ++index) {
-    if (!held(index).masked) continue;
+    if (!begins_masked(index)) continue;
     std::size_t behind = end;
     LeftOut stretch = left_out(index, behind);
     stretch.of_walls = of_walls;
     if (holds_a_whole(index, behind, stretch))
       return diagnostics_.report(refusal_of(stretch, std::nullopt));
-    index = behind - 1;
   }
   if (!longest.is_more_than(largest_masked_share_)) return true;
   return diagnostics_.report(refusal_of(longest, largest_masked_share_));

@@ -214,6 +214,10 @@ void Transitions::join_anew(PathBlock& after, PathBlocks& out) {
   before.cut_at_end = rejoin.cut_before;
   complete(before, rejoin.point, tolerances_);
   PathBlockPtr across;
+  Segment way = Line{.start = rejoin.point, .end = rejoin.start};
+  if (rejoin.leads_on_arc)
+    way = refitted(std::get<Arc>(before.programmed.path), rejoin.point, rejoin.start,
+                   tolerances_.same_point);
   if (rejoin.start != rejoin.point) {
     across = insertion_behind(before, after);
     // Masked blocks move the other axes all the same.
@@ -226,9 +230,7 @@ void Transitions::join_anew(PathBlock& after, PathBlocks& out) {
     out.push_back(std::move(masked));
   }
   masked_.clear();
-  if (across)
-    insert(Line{.start = rejoin.point, .end = rejoin.start}, Origin::transition, std::move(across),
-           out);
+  if (across) insert(way, Origin::transition, std::move(across), out);
   open(after, rejoin.start, rejoin.cut_after, tolerances_);
 }
 
