@@ -235,7 +235,7 @@ constexpr auto rows = std::to_array<CodeRow>({
     {Code::clearance_violated, error, "CLEARANCE_VIOLATED",
      "measured anew, the compensated path comes nearer to the contour than the tool radius",
      "Do not machine it. Use a smaller tool or correct the contour, or let G141 with "
-     "REMOVE_MASKED_BLOCKS take the loops out."},
+     "REMOVE_MASKED_BLOCKS take the loops out. Several contours need G40 between them."},
     {Code::side_changed_at_corner, warning, "SIDE_CHANGED_AT_CORNER",
      "the side changes where the motion does not reverse (REVERSE): the tool crosses the corner "
      "nearer than its radius",

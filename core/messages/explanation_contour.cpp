@@ -214,7 +214,7 @@ constexpr auto rows = std::to_array<Explanation>({
                 "Contour violations are ignored (IGNORE_CONT_DAMAGE)."},
      .on_command_line = "Do not machine it. Use a smaller tool (trc radii says which one fits) or "
                         "correct the contour, or let G141 with REMOVE_MASKED_BLOCKS take the loops "
-                        "out.",
+                        "out. Several contours need G40 between them.",
      .example = "N10 G00 X-60 Y-80 F1000\n"
                 "N20 V.G.WZ_AKT.R = 10\n"
                 "N30 G41 G01 X-60 Y-40\n"

@@ -315,10 +315,12 @@ constexpr auto rows = std::to_array<GermanRow>({
     {.code = Code::clearance_violated,
      .title = "nachgemessen kommt die korrigierte Bahn der Kontur näher als der Werkzeugradius",
      .help = "Nicht fertigen. Einen kleineren Fräser nehmen oder die Kontur berichtigen, oder die "
-             "Schleifen durch G141 mit REMOVE_MASKED_BLOCKS herausnehmen lassen.",
+             "Schleifen durch G141 mit REMOVE_MASKED_BLOCKS herausnehmen lassen. Mehrere Konturen "
+             "brauchen G40 dazwischen.",
      .on_command_line = "Nicht fertigen. Einen kleineren Fräser nehmen (trc radii sagt, welcher "
                         "passt) oder die Kontur berichtigen, oder die Schleifen durch G141 mit "
-                        "REMOVE_MASKED_BLOCKS herausnehmen lassen."},
+                        "REMOVE_MASKED_BLOCKS herausnehmen lassen. Mehrere Konturen brauchen G40 "
+                        "dazwischen."},
     {.code = Code::side_changed_at_corner,
      .title = "die Seite wechselt, wo die Bewegung nicht umkehrt (REVERSE): das Werkzeug kreuzt "
               "die Ecke näher als sein Radius",
