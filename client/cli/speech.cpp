@@ -89,6 +89,12 @@ constexpr auto rows = std::to_array<Sentence>({
     {"{} is no row of a table of tools; a CSV begins with a header such as number,radius",
      "{} ist keine Zeile einer Werkzeugtabelle; eine CSV beginnt mit einem Kopf wie "
      "number,radius"},
+    {"{} has no number directly behind it", "hinter {} fehlt die Zahl"},
+    {"{} has no letter in front of it", "vor {} fehlt der Buchstabe"},
+    {"{} is no word of a table of LinuxCNC", "{} ist kein Wort einer Tabelle von LinuxCNC"},
+    {"whether a line with the block skip / counts is not known: remove the / or the line",
+     "ob ein ausblendbarer Satz (/) gilt, ist nicht bekannt: das / oder die Zeile entfernen"},
+    {"G10 L12 and G10 L13 need P and R", "G10 L12 und G10 L13 brauchen P und R"},
     {"{} names no tool and edge, as in {}", "{} nennt kein Werkzeug mit Schneide, wie in {}"},
     {"it has more values than the header; decimals have a point, or semicolons stand between the "
      "values",

@@ -1,6 +1,7 @@
 #include "client/cli/tool_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -75,53 +76,54 @@ class ToolFile {
     }
     if (in_upper_case(line).find("$TC_") < line.find_first_of(";=")) return data_of_edge(line);
     if (sinumerik_) return {};
-    const std::multimap<char, double> words = words_of(line);
-    const auto has = [&](char letter) { return words.contains(letter); };
-    const auto has_function = [&](double number) {
-      const auto [first, last] = words.equal_range('G');
-      return std::any_of(first, last, [&](const auto& word) { return word.second == number; });
-    };
-    if (has_function(20) || has_function(21)) {
-      unit_ = has_function(20) ? mm_per_inch : 1;
+    const LineOfWords words(line);
+    if (const bool inch = words.has_function(20); inch || words.has_function(21)) {
+      unit_ = inch ? mm_per_inch : 1;
       unit_said_ = true;
     }
-    if (has_function(90) || has_function(91)) adds_ = has_function(91);
-    if (has_function(10)) return data_of_memory(words, line);
+    if (const bool adds = words.has_function(91); adds || words.has_function(90)) adds_ = adds;
+    const bool is_modal = std::ranges::any_of(
+        std::array{20, 21, 90, 91}, [&](int function) { return words.has_function(function); });
+    if (is_modal && words.is_skippable()) return words.fault_but_for("");
+    if (words.has_function(10)) return data_of_memory(words);
     // A value that a row of LinuxCNC omits is 0.
-    const bool is_row = has('D') || (has('P') && !has('G') && !has('M') && !has('O'));
-    if (has('T') && is_row) {
-      const auto number = tool_number(words.find('T')->second);
-      if (!number) return "T is no number of a tool";
-      const double diameter = has('D') ? words.find('D')->second : 0;
-      return table_.take({.number = *number}, {.radius = diameter / 2 * unit_});
-    }
-    return has('G') || line == "%" || has('O') || has('M') || has('T')
+    const bool is_row = words.names('D') ||
+                        (words.names('P') && !words.has('G') && !words.has('M') && !words.has('O'));
+    if (words.names('T') && is_row) return row_of_linuxcnc(words);
+    return words.has('G') || line == "%" || words.has('O') || words.has('M') || words.has('T')
                ? std::string()
                : "\"" + std::string(line) +
                      "\" is no row of a table of tools; a CSV begins with a "
                      "header such as number,radius";
   }
 
-  // Whether the value of this word has a decimal point.
-  static bool has_point(std::string_view line, char letter) {
-    const std::size_t at = in_upper_case(line).find(letter);
-    if (at == std::string::npos) return false;
-    const std::string_view value = line.substr(at + 1);
-    return value.substr(0, value.find_first_not_of("+-0123456789. \t")).find('.') !=
-           std::string_view::npos;
+  // Reads T1 P1 D10.
+  std::string row_of_linuxcnc(const LineOfWords& words) {
+    if (std::string fault = words.fault_but_for(""); !fault.empty()) return fault;
+    constexpr std::string_view letters_of_row = "TPDXYZABCUVWIJQ";
+    const std::size_t other = words.letters().find_first_not_of(letters_of_row);
+    if (other != std::string::npos)
+      return std::string(1, words.letters()[other]) + " is no word of a table of LinuxCNC";
+    const auto number = tool_number(words.find('T')->number);
+    if (!number) return "T is no number of a tool";
+    const double diameter = words.has('D') ? words.find('D')->number : 0;
+    return table_.take({.number = *number}, {.radius = diameter / 2 * unit_});
   }
 
   // Reads G10 L12 P1 R5 of Fanuc.
-  std::string data_of_memory(const std::multimap<char, double>& words, std::string_view line) {
-    const auto value = [&](char letter) { return words.find(letter)->second; };
-    if (!words.contains('L') || !words.contains('P') || !words.contains('R')) return {};
-    const bool wear = value('L') == 13;
-    if (!wear && value('L') != 12) return {};
-    const auto number = tool_number(value('P'));
+  std::string data_of_memory(const LineOfWords& words) {
+    const bool wear = words.has('L') && words.find('L')->number == 13;
+    const bool may_be_radius = words.has('L') ? words.find('L')->number == 12 : words.names('L');
+    if (!wear && !may_be_radius) return {};
+    // A line may have several functions.
+    if (std::string fault = words.fault_but_for("GM"); !fault.empty()) return fault;
+    if (!words.has('P') || !words.has('R')) return "G10 L12 and G10 L13 need P and R";
+    const auto number = tool_number(words.find('P')->number);
     if (!number) return "P is no number of a tool";
     if (adds_) return "under G91 its R is added to what the memory holds: give it under G90";
-    double size = value('R') * unit_;
-    if (!has_point(line, 'R')) {
+    const LineOfWords::Word& given = *words.find('R');
+    double size = given.number * unit_;
+    if (given.text.find('.') == std::string_view::npos) {
       constexpr double doubtful = 1000;  // mm
       if (setup_.whole_numbers() == v1::WHOLE_NUMBERS_INCREMENTS)
         size /= unit_ == 1 ? 1e3 : 1e4;

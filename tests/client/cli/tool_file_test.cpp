@@ -140,6 +140,46 @@ TEST(ToolFile, SaysWhatIsWrongInToolDataOfSinumerik) {
   EXPECT_EQ(fault_in("$TC_DP15[4,1]=0.1\n$TC_DP6[5,1]=1\n"), "tool 4 has wear, but no radius");
 }
 
+TEST(ToolFile, IsATableOfLinuxcncWithAllItsWords) {
+  const std::map<std::uint32_t, double> expected{{1, 0.75}, {2, 0.125}, {3, 2.5}};
+  EXPECT_EQ(radii_in("; tools: 3, radius 7,5\n"
+                     "T1 P1 X0 Y-0.5 Z+1.5 A0 B0 C0 U0 V0 W0 D+1.5 I45 J-45 Q2 ;mill, 1,5 (new)\n"
+                     "T2 P2 D.25 ; D10\nt3 p3 d5.\n"),
+            expected);
+}
+
+// A number read in part is another radius.
+TEST(ToolFile, ReadsNoPartOfANumber) {
+  for (const auto& [row, fault] : std::map<std::string, std::string>{
+           {"T1 P1 D10,5 Z-20", "D is \"10,5\", which is no number"},
+           {"T1 P1 D10.5.3", "D is \"10.5.3\", which is no number"},
+           {"T1 P1 D+-5", "D is \"+-5\", which is no number"},
+           {"T1 P1 D1O", "O has no number directly behind it"},
+           {"T1 P1 D1l", "L has no number directly behind it"},
+           {"T1 P1 D 10", "D has no number directly behind it"},
+           {"T1 P1 D10 5", "\"5\" has no letter in front of it"},
+           {"T P1 D10", "T has no number directly behind it"},
+           {"T1 P1 D10 D12", "D a second time"},
+           {"T1 T2 P1 D10", "T a second time"},
+           {"T1 D1E3", "E is no word of a table of LinuxCNC"},
+           {"T1 D5 M6", "M is no word of a table of LinuxCNC"},
+           {"/T1 P1 D10",
+            "whether a line with the block skip / counts is not known: remove the / or the line"},
+           {"G10 L12 P1 R5,5", "R is \"5,5\", which is no number"},
+           {"G10 L12 P1 R5O", "O has no number directly behind it"},
+           {"G10 L12 P1 R5.5.5", "R is \"5.5.5\", which is no number"},
+           {"G10 L12 P1 R#100", "R is \"#100\", which is no number"},
+           {"G10 L12 P1 R[2+3]", "R is \"[2+3]\", which is no number"},
+           {"G10 L#1 P1 R5.", "L is \"#1\", which is no number"},
+           {"G10 L12 P1 R5. R6.", "R a second time"},
+           {"G10 L12 P1", "G10 L12 and G10 L13 need P and R"},
+           {"/G10 L12 P1 R5.",
+            "whether a line with the block skip / counts is not known: remove the / or the line"},
+           {"/G20",
+            "whether a line with the block skip / counts is not known: remove the / or the line"}})
+    EXPECT_EQ(fault_in(row + "\nT9 P9 D1\n"), "line 1: " + fault) << row;
+}
+
 TEST(ToolFile, HoldsTheOffsetsOfFanuc) {
   constexpr const char* table =
       "%\nO9001\nG10 L10 P1 R120.5\nG10 L12 P1 R5.\nG10 L13 P1 R-0.02\nM30\n%\n";
@@ -147,8 +187,10 @@ TEST(ToolFile, HoldsTheOffsetsOfFanuc) {
   EXPECT_EQ(radii.size(), 1u);
   EXPECT_DOUBLE_EQ(radii.at(1), 5);
   EXPECT_DOUBLE_EQ(wear_in(table).at(1), -0.02);
-  for (const char* const line : {"G10 G90 L12 P1 R3.", "G10G90L12P1R3.", "G90 G10 L12 P1 R3.",
-                                 "G21 G90 G10 L12 P1 R3.", "G91\nG10 G90 L12 P1 R3."})
+  for (const char* const line :
+       {"G10 G90 L12 P1 R3.", "G10G90L12P1R3.", "G90 G10 L12 P1 R3.", "G21 G90 G10 L12 P1 R3.",
+        "G91\nG10 G90 L12 P1 R3.", "N5 (R9.) G10 L12 P1 R3. (R4.) M1;",
+        "/ G0 Z100.\nG10 L2 P1 X#500\nG10 L12 P1 R3."})
     EXPECT_EQ(radii_in(line).at(1), 3) << line;
   EXPECT_EQ(fault_in("G91 G10 L12 P1 R3.\n"),
             "line 1: under G91 its R is added to what the memory holds: give it under G90");
