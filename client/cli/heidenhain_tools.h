@@ -28,6 +28,8 @@ class HeidenhainTools {
  private:
   std::string read_columns(std::string_view line);
   [[nodiscard]] std::optional<std::size_t> column_of(std::string_view name) const;
+  // Whether the value of this column begins below its name and is not cut where a column begins.
+  [[nodiscard]] bool lines_up(std::string_view line, std::string_view name) const;
   [[nodiscard]] std::string_view cell(std::string_view line, std::string_view name) const;
 
   ToolTable& table_;

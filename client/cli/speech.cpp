@@ -101,6 +101,14 @@ constexpr auto rows = std::to_array<Sentence>({
      "sie hat mehr Werte als der Kopf; Dezimalstellen haben einen Punkt, oder zwischen den Werten "
      "stehen Semikolons"},
     {"the table has no column {}", "die Tabelle hat keine Spalte {}"},
+    {"it has tabs, and columns are found by their place: replace each with blanks, or make it a "
+     "CSV",
+     "sie enthält Tabulatoren, und Spalten werden an ihrer Lage erkannt: jeden durch Leerzeichen "
+     "ersetzen, oder eine CSV daraus machen"},
+    {"its values do not begin below the name of column {}: restore the blanks between the columns, "
+     "or make it a CSV",
+     "ihre Werte beginnen nicht unter dem Namen der Spalte {}: die Leerzeichen zwischen den "
+     "Spalten wiederherstellen, oder eine CSV daraus machen"},
     {"unknown column {}", "unbekannte Spalte {}"},
     {"the header needs number or name, and one of radius, diameter",
      "der Kopf braucht number oder name, und radius oder diameter"},

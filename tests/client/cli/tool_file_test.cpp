@@ -227,6 +227,30 @@ TEST(ToolFile, IsATableOfHeidenhain) {
   EXPECT_NE(fault_in("BEGIN TOOL .T MM\nT  R\n1  x\n").find("R is \"x\""), std::string::npos);
 }
 
+// As blanks that were collapsed and tabs leave it: a cell is cut where its column begins.
+TEST(ToolFile, IsNoTableOfHeidenhainWhoseColumnsDoNotLineUp) {
+  const auto fault = [](std::string_view rows) {
+    return fault_in("BEGIN TOOL .T MM\n" + std::string(rows) + "[END]\n");
+  };
+  const auto told = [](const std::string& name) {
+    return "line 3: its values do not begin below the name of column " + name +
+           ": restore the blanks between the columns, or make it a CSV";
+  };
+  EXPECT_EQ(fault("T NAME L R R2\n1 MILL10 100 5 0\n"), told("NAME"));
+  EXPECT_EQ(fault("T NAME L R R2\n1 A 100 5 0\n"), told("R"));
+  EXPECT_EQ(fault("T    L        R        R2\n1    +100     12.500   +0\n"), "");
+  EXPECT_EQ(fault("T    L        R        R2\n1    +100    12.500   +0\n"), told("R"));
+  EXPECT_EQ(fault("T    L        R        R2\n1    +100      12.500 +0\n"), told("R"));
+  EXPECT_EQ(fault("T    L        R     R2\n1    +100     12.5005\n"), told("R"));
+  EXPECT_EQ(fault("T    R     NAME\n123456     A\n"), told("T"));
+  EXPECT_EQ(fault("T\tR\n1\t5\n"),
+            "line 2: it has tabs, and columns are found by their place: replace each with blanks, "
+            "or make it a CSV");
+  EXPECT_EQ(fault("T    R\n1\t5\n"),
+            "line 3: it has tabs, and columns are found by their place: replace each with blanks, "
+            "or make it a CSV");
+}
+
 TEST(ToolFile, CountsInTheUnitItNames) {
   EXPECT_DOUBLE_EQ(radii_in("number,radius,unit\n1,0.25,inch\n2,5,MM\n3,4,\n").at(1), 6.35);
   EXPECT_DOUBLE_EQ(radii_in("number,radius,unit\n1,0.25,inch\n2,5,MM\n3,4,\n").at(2), 5);
