@@ -130,6 +130,7 @@ constexpr auto rows = std::to_array<Sentence>({
     {"cannot make {}: {}", "{} lässt sich nicht anlegen: {}"},
     {"-o {}: the name must end in .svg or .html, or --format must say which it is",
      "-o {}: der Name muss auf .svg oder .html enden, oder --format muss es sagen"},
+    {"--picture {}: the name must end in .svg", "--picture {}: der Name muss auf .svg enden"},
     {"-o {} is the program itself; write another file, or say --force",
      "-o {} ist das Programm selbst; eine andere Datei schreiben, oder --force angeben"},
     {"{} is the program itself; write another file",
