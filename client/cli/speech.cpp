@@ -317,6 +317,8 @@ constexpr auto rows = std::to_array<Sentence>({
     {"in a list of servers {} must be an IP address and a port",
      "in einer Liste von Servern muss {} eine IP-Adresse mit Port sein"},
     {"{} mixes IPv4 and IPv6", "{} mischt IPv4 und IPv6"},
+    {"{}: {} is no port: write a number from 1 to 65535",
+     "{}: {} ist kein Port: eine Zahl von 1 bis 65535 schreiben"},
     {"{} has no port: write {}", "{} hat keinen Port: {} schreiben"},
     {"with TLS give one name that stands for all servers, dns:///NAME:PORT: {} has none their "
      "certificates could be checked against",

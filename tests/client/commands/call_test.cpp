@@ -98,6 +98,10 @@ TEST(WrongCall, SaysHowNumbersAreWritten) {
   EXPECT_NE(told({"--set", "tools=1:5,5"}).find("; commas separate tools, decimals have a point\n"),
             std::string::npos);
   EXPECT_EQ(told({"--server", "box"}), "trc: 'box' has no port: write box:50051\n");
+  EXPECT_EQ(told({"--server", "127.0.0.1:99999"}),
+            "trc: '127.0.0.1:99999': '99999' is no port: write a number from 1 to 65535\n");
+  EXPECT_EQ(told({"--server", "127.0.0.1:1,127.0.0.1:port"}),
+            "trc: '127.0.0.1:port': 'port' is no port: write a number from 1 to 65535\n");
 }
 
 TEST(ExitCode, IsToldByTheHelp) {
