@@ -31,6 +31,7 @@ constexpr auto rows = std::to_array<Sentence>({
     {"{}: {} is no number; write {}, with a decimal point",
      "{}: {} ist keine Zahl; {} schreiben, mit Dezimalpunkt"},
     {"{}: {} is no number", "{}: {} ist keine Zahl"},
+    {"{}: its value is empty", "{}: der Wert ist leer"},
     {"{}: it takes {}", "{}: möglich sind {}"},
     {"{}: {} not in {{}}; did you mean {}?", "{}: {} gehört nicht zu {{}}; ist {} gemeint?"},
     {"{}: {} not in {{}}", "{}: {} gehört nicht zu {{}}"},
