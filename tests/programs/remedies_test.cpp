@@ -74,6 +74,8 @@ INSTANTIATE_TEST_SUITE_P(
              "P beside G41, G42, a radius or a diameter", "Leave P out"},
         Told{fanuc, at_start + "G91 G10 L13 P1 R0.1\nG90\nM30\n", "3:5 900003",
              "G10 L13, a sum of a tool radius", "Write the value itself under G90"},
+        Told{sinumerik, "G71 G90 G17\nG0 X-20 Y-20\nG41 G1 X0 Y0 F500\nX=R1\nG40 X-20\nM30\n",
+             "4:1 900003", "X=R1, a variable or an expression", "give it: `variables` of"},
         Told{sinumerik, "G71 G90\nG0 X1=5\nM30\n", "2:4 900011", "X1=5", "X for X1"},
         Told{linuxcnc, "G21 G90\nM72\nM2\n", "2:1 900003", "M72, modes as they were at M70",
              "Program the functions that held before once more"},
