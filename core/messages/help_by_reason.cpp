@@ -564,6 +564,8 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "setup; a subprogram is given in `subprograms`.",
      "Die Schreibweise berichtigen. Wo er den Weg nicht ändert, ihn in pass_words des Setups "
      "angeben; ein Unterprogramm gehört in `subprograms`."},
+    {"text in UTF-16", "Save the program as plain text in UTF-8 or ASCII.",
+     "Das Programm als reinen Text in UTF-8 oder ASCII speichern."},
     {"thread cutting", "A thread is no contour of a mill: take it into a program of its own.",
      "Ein Gewinde ist keine Kontur zum Fräsen: es in ein eigenes Programm auslagern."},
     {"tool offset increase", "Write the coordinates with the offset in them.",

@@ -40,6 +40,35 @@ TEST_P(Remedy, FitsWhatIsRefused) {
   EXPECT_NE(help_of(*found, Language::german), help_of(*found));
 }
 
+// Each line of such a text has several faults.
+TEST(Encoding, IsToldOnceForATextInUtf16) {
+  using namespace std::string_literals;
+  const std::string little =
+      "G\0"
+      "0\0 \0X\0"
+      "0\0\r\0\n\0#\0"
+      "1\0=\0"
+      "2\0\r\0\n\0"s;
+  const std::string big =
+      "\0G\0"
+      "0\0 \0X\0"
+      "0\0\r\0\n\0#\0"
+      "1"s;
+  for (const DialectName dialect : {isg, fanuc, linuxcnc, sinumerik, heidenhain})
+    for (const std::string& text : {"\xFF\xFE" + little, little, "\xFE\xFF" + big})
+      for (const std::size_t piece : {0UL, 1UL, 3UL}) {
+        const ProgramRun ran = to_text(text, computing_setup(dialect, 2), piece);
+        ASSERT_EQ(ran.codes(), "900007 at line 1");
+        EXPECT_EQ(ran.diagnostics.front().detail, "text in UTF-16");
+        EXPECT_EQ(help_of(ran.diagnostics.front()),
+                  "Save the program as plain text in UTF-8 or ASCII.");
+        EXPECT_EQ(ran.text, "");
+      }
+  // A NUL in front of the tape.
+  EXPECT_NE(to_text("\0%\nO1\nG0 X0\nM30\n"s, computing_setup(fanuc)).diagnostics.at(0).detail,
+            "text in UTF-16");
+}
+
 const std::string at_start = "G21 G90 G17\nG0 X-10. Y-10.\n";
 
 INSTANTIATE_TEST_SUITE_P(
