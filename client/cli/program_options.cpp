@@ -268,14 +268,13 @@ bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup) {
 }
 
 bool counts_in_inch(const ProgramOptions& options, const v1::ProgramSetup& setup) {
-  if (setup.unit() == v1::LENGTH_UNIT_INCH) return true;
-  if (!std::filesystem::is_regular_file(options.file)) return false;
+  if (!std::filesystem::is_regular_file(options.file)) return setup.unit() == v1::LENGTH_UNIT_INCH;
   constexpr std::size_t head = 64 * 1024;
   std::ifstream stream(options.file, std::ios::binary);
   std::string text(head, '\0');
   stream.read(text.data(), head);
   text.resize(static_cast<std::size_t>(stream.gcount()));
-  return switches_to_inch(text, setup.dialect());
+  return says_inch(text, setup.dialect(), setup.unit());
 }
 
 void report_clearance(v1::ProgramSetup& setup) {

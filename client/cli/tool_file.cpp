@@ -199,6 +199,16 @@ class ToolFile {
   std::set<std::uint32_t> turning_{};
 };
 
+// Whether the words, in capitals, have this function.
+bool has_function(std::string_view words, std::string_view function) {
+  for (auto at = words.find(function); at != std::string_view::npos;
+       at = words.find(function, at + 1)) {
+    const char behind = sign_at(words, at + function.size());
+    if (!is_digit(behind) && behind != '.') return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::string read_tool_table(std::string_view text, v1::ProgramSetup& setup) {
@@ -216,7 +226,9 @@ std::string read_tool_file(const std::string& path, v1::ProgramSetup& setup, boo
   return fault.empty() ? fault : path + ": " + as_utf8(fault);
 }
 
-bool switches_to_inch(std::string_view program, v1::Dialect dialect) {
+bool says_inch(std::string_view program, v1::Dialect dialect, v1::LengthUnit given) {
+  const bool twenty = dialect == v1::DIALECT_FANUC || dialect == v1::DIALECT_LINUXCNC;
+  bool says_mm = false;
   while (!program.empty()) {
     const auto end = program.find('\n');
     const std::string line = in_upper_case(trimmed(program.substr(0, end)));
@@ -226,15 +238,12 @@ bool switches_to_inch(std::string_view program, v1::Dialect dialect) {
       continue;
     }
     const std::string words = line.substr(0, line.find_first_of(";("));
-    const bool twenty = dialect == v1::DIALECT_FANUC || dialect == v1::DIALECT_LINUXCNC;
-    for (const std::string_view word : {twenty ? "G20" : "G70", twenty ? "G20" : "G700"}) {
-      const auto at = words.find(word);
-      if (at == std::string::npos) continue;
-      const char behind = at + word.size() < words.size() ? words[at + word.size()] : ' ';
-      if ((behind < '0' || behind > '9') && behind != '.') return true;
-    }
+    if (has_function(words, twenty ? "G20" : "G70") || has_function(words, twenty ? "G20" : "G700"))
+      return true;
+    says_mm |=
+        has_function(words, twenty ? "G21" : "G71") || has_function(words, twenty ? "G21" : "G710");
   }
-  return false;
+  return !says_mm && given == v1::LENGTH_UNIT_INCH;
 }
 
 }  // namespace trc::cli

@@ -32,8 +32,9 @@ namespace trc::cli {
 [[nodiscard]] std::string read_tool_file(const std::string& path, v1::ProgramSetup& setup,
                                          bool& unit_unsaid);
 
-// Whether the text of a program switches to inch: G20, G70, G700 or INCH in Klartext. For a note,
-// never for reading it.
-[[nodiscard]] bool switches_to_inch(std::string_view program, v1::Dialect dialect);
+// Whether a program counts in inch, at least in part: its text says so (G20, G70, G700, INCH in
+// Klartext), or it names no unit and the one it is `given` with is the inch. For a note, never for
+// reading it.
+[[nodiscard]] bool says_inch(std::string_view program, v1::Dialect dialect, v1::LengthUnit given);
 
 }  // namespace trc::cli

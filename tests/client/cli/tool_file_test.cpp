@@ -267,12 +267,24 @@ TEST(ToolFile, CountsInTheUnitItNames) {
 }
 
 TEST(ToolFile, SaysWhetherAProgramCountsInInch) {
-  EXPECT_TRUE(switches_to_inch("(G21)\nN1 G90 G20\n", v1::DIALECT_FANUC));
-  EXPECT_FALSE(switches_to_inch("(G20)\nG90 G200 ; G20\n", v1::DIALECT_LINUXCNC));
-  EXPECT_TRUE(switches_to_inch("g700 G90\n", v1::DIALECT_SINUMERIK));
-  EXPECT_TRUE(switches_to_inch("G70\n", v1::DIALECT_ISG));
-  EXPECT_TRUE(switches_to_inch("0 BEGIN PGM A INCH\n", v1::DIALECT_HEIDENHAIN));
-  EXPECT_FALSE(switches_to_inch("0 BEGIN PGM INCH MM\n", v1::DIALECT_HEIDENHAIN));
+  const auto in_inch = [](std::string_view program, v1::Dialect dialect,
+                          v1::LengthUnit given = v1::LENGTH_UNIT_UNSPECIFIED) {
+    return says_inch(program, dialect, given);
+  };
+  EXPECT_TRUE(in_inch("(G21)\nN1 G90 G20\n", v1::DIALECT_FANUC));
+  EXPECT_FALSE(in_inch("(G20)\nG90 G200 ; G20\n", v1::DIALECT_LINUXCNC));
+  EXPECT_TRUE(in_inch("g701 g700 G90\n", v1::DIALECT_SINUMERIK));
+  EXPECT_TRUE(in_inch("G70\n", v1::DIALECT_ISG));
+  EXPECT_TRUE(in_inch("0 BEGIN PGM A INCH\n", v1::DIALECT_HEIDENHAIN));
+  EXPECT_FALSE(in_inch("0 BEGIN PGM INCH MM\n", v1::DIALECT_HEIDENHAIN));
+  // What the program says counts, not what it is given with.
+  constexpr v1::LengthUnit inch = v1::LENGTH_UNIT_INCH;
+  EXPECT_TRUE(in_inch("G90 G0 X1.\n", v1::DIALECT_FANUC, inch));
+  EXPECT_TRUE(in_inch("G90 (G21)\n", v1::DIALECT_FANUC, inch));
+  EXPECT_FALSE(in_inch("G90 G21\n", v1::DIALECT_FANUC, inch));
+  EXPECT_FALSE(in_inch("G71 G90\n", v1::DIALECT_ISG, inch));
+  EXPECT_FALSE(in_inch("G710 G90\n", v1::DIALECT_SINUMERIK, inch));
+  EXPECT_FALSE(in_inch("0 BEGIN PGM A MM\n", v1::DIALECT_HEIDENHAIN, inch));
 }
 
 TEST(ToolFile, SaysInWhichLineItIsWrong) {
