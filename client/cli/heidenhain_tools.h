@@ -21,6 +21,7 @@ class HeidenhainTools {
   // That line, which says what the lengths count in.
   void begin(std::string_view line);
   [[nodiscard]] bool has_begun() const { return has_begun_; }
+  [[nodiscard]] bool has_columns() const { return !columns_.empty(); }
   // The line as it stands in the file: blanks in front count. What is wrong with it; empty:
   // nothing.
   std::string read(std::string_view line);

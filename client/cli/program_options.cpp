@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <sstream>
 
 #include "client/cli/computing_options.h"
 #include "client/cli/file_name.h"
@@ -240,7 +241,8 @@ bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup) {
     bool unit_unsaid = false;
     const std::string fault = read_tool_file(options.tools, setup, unit_unsaid);
     if (!fault.empty()) {
-      complain("--tools: " + fault);
+      std::istringstream faults(fault);
+      for (std::string one; std::getline(faults, one);) complain("--tools: " + one);
       return false;
     }
     if (unit_unsaid && !options.loudness.quiet && counts_in_inch(options, setup))

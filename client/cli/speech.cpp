@@ -78,6 +78,8 @@ constexpr auto rows = std::to_array<Sentence>({
      "sie ist Text in UTF-16; als CSV UTF-8 speichern"},
     {"{}: it is text in UTF-16; save it as CSV UTF-8",
      "{}: ist Text in UTF-16; als CSV UTF-8 speichern"},
+    {"{}: {} more line is wrong", "{}: {} weitere Zeile ist falsch"},
+    {"{}: {} more lines are wrong", "{}: {} weitere Zeilen sind falsch"},
     {"it names no tool with a radius", "sie nennt kein Werkzeug mit einem Radius"},
     {"{}: it names no tool with a radius", "{}: nennt kein Werkzeug mit einem Radius"},
     {"{} has wear, but no radius", "{} hat Verschleiß, aber keinen Radius"},

@@ -32,7 +32,7 @@ class ToolFile {
     // Spreadsheets begin UTF-8 with this mark.
     if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
     std::size_t line_number = 0;
-    while (!text.empty()) {
+    while (!text.empty() && !is_no_table_) {
       const auto end = text.find('\n');
       const std::string_view as_written = text.substr(0, end);
       const std::string_view line = trimmed(as_written);
@@ -40,8 +40,9 @@ class ToolFile {
       ++line_number;
       if (line.empty() || line.front() == '#' || line.front() == ';') continue;
       if (const std::string fault = read_line(line, as_written); !fault.empty())
-        return "line " + std::to_string(line_number) + ": " + fault;
+        note(line_number, fault);
     }
+    if (faults_ > 0) return told_faults();
     take_edges();
     if (table_.empty()) return "it names no tool with a radius";
     if (csv_.has_header())
@@ -55,16 +56,37 @@ class ToolFile {
   [[nodiscard]] bool unit_unsaid() const { return unit_unsaid_; }
 
  private:
+  void note(std::size_t line_number, const std::string& fault) {
+    ++faults_;
+    if (faults_ <= most_faults_told)
+      told_ += (told_.empty() ? "" : "\n") + ("line " + std::to_string(line_number)) + ": " + fault;
+  }
+
+  [[nodiscard]] std::string told_faults() const {
+    const std::size_t left_out = faults_ - std::min(faults_, most_faults_told);
+    if (left_out == 0) return told_;
+    return told_ + "\n" + std::to_string(left_out) +
+           (left_out == 1 ? " more line is wrong" : " more lines are wrong");
+  }
+
+  // The fault of a line without which the others cannot be read.
+  std::string of_the_head(std::string fault) {
+    is_no_table_ = !fault.empty();
+    return fault;
+  }
+
   // `as_written` keeps the leading blanks, which matter in tables with fixed columns.
   std::string read_line(std::string_view line, std::string_view as_written) {
     if (const std::string words = in_upper_case(line); HeidenhainTools::begins_with(words)) {
       heidenhain_.begin(words);
       return {};
     }
+    if (heidenhain_.has_begun() && !heidenhain_.has_columns())
+      return of_the_head(heidenhain_.read(as_written));
     if (heidenhain_.has_begun())
       return line == "[END]" ? std::string() : heidenhain_.read(as_written);
     if (csv_.has_header()) return csv_.read(line);
-    if (const auto begun = csv_.begin(line)) return *begun;
+    if (const auto begun = csv_.begin(line)) return of_the_head(*begun);
     return read_words(line);
   }
 
@@ -90,11 +112,11 @@ class ToolFile {
     const bool is_row = words.names('D') ||
                         (words.names('P') && !words.has('G') && !words.has('M') && !words.has('O'));
     if (words.names('T') && is_row) return row_of_linuxcnc(words);
-    return words.has('G') || line == "%" || words.has('O') || words.has('M') || words.has('T')
-               ? std::string()
-               : "\"" + std::string(line) +
-                     "\" is no row of a table of tools; a CSV begins with a "
-                     "header such as number,radius";
+    if (words.has('G') || line == "%" || words.has('O') || words.has('M') || words.has('T'))
+      return {};
+    return of_the_head("\"" + std::string(line) +
+                       "\" is no row of a table of tools; a CSV begins with a header such as "
+                       "number,radius");
   }
 
   // Reads T1 P1 D10.
@@ -186,8 +208,13 @@ class ToolFile {
     }
   }
 
+  static constexpr std::size_t most_faults_told = 10;
+
   v1::ProgramSetup& setup_;
   double unit_;
+  std::size_t faults_ = 0;
+  std::string told_{};  // of them, a line each
+  bool is_no_table_ = false;
   bool unit_unsaid_ = false;
   bool unit_said_ = false;  // by G20 or G21 of Fanuc
   bool adds_ = false;       // G91
@@ -223,7 +250,12 @@ std::string read_tool_file(const std::string& path, v1::ProgramSetup& setup, boo
   ToolFile file(setup);
   const std::string fault = file.read(text);
   unit_unsaid = file.unit_unsaid();
-  return fault.empty() ? fault : path + ": " + as_utf8(fault);
+  std::string faults = fault.empty() ? fault : path + ": " + as_utf8(fault);
+  const std::string between = "\n" + path + ": ";
+  for (std::size_t at = faults.find('\n', path.size()); at != std::string::npos;
+       at = faults.find('\n', at + between.size()))
+    faults.replace(at, 1, between);
+  return faults;
 }
 
 bool says_inch(std::string_view program, v1::Dialect dialect, v1::LengthUnit given) {

@@ -291,6 +291,18 @@ TEST(ToolFile, SaysInWhichLineItIsWrong) {
   EXPECT_EQ(fault_in("number,radius\n1,five\n"), "line 2: RADIUS is \"five\", which is no number");
   EXPECT_EQ(fault_in("number,tool,radius\n1,2,5\n"), "line 1: column NUMBER a second time");
   EXPECT_EQ(fault_in("number,radius\n1,5\n1,6\n"), "line 3: tool 1 a second time");
+  EXPECT_EQ(fault_in("number,radius\n1,five\n2,5\n2,5\n"),
+            "line 2: RADIUS is \"five\", which is no number\nline 4: tool 2 a second time");
+  std::string many = "number,radius\n";
+  for (int i = 0; i < 13; ++i) many += "x,5\n";
+  const std::string told = fault_in(many);
+  EXPECT_NE(told.find("\nline 11: NUMBER is \"x\", which is no number\n3 more lines are wrong"),
+            std::string::npos)
+      << told;
+  // Without a header the rows are none.
+  EXPECT_EQ(fault_in("1;5\n2;6\n").find('\n'), std::string::npos);
+  EXPECT_EQ(fault_in("number,size\n1,5\n2,6\n"), "line 1: unknown column \"SIZE\"");
+  EXPECT_EQ(fault_in("BEGIN TOOL .T MM\nT L\n1 5\n"), "line 2: the table has no column R");
   // A decimal comma: not a radius of 5.
   EXPECT_NE(fault_in("number,radius\n1,5,5\n").find("line 2: it has more values than"),
             std::string::npos);

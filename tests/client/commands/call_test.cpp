@@ -139,6 +139,8 @@ TEST(WrongCall, IsToldInGerman) {
   const Folder folder;
   folder.write("a.nc", "G0 X0\nM30\n");
   folder.write("bad.csv", "number,radius\n1,x\n");
+  folder.write("many.csv",
+               "number,radius\n1,x\n1,x\n1,x\n1,x\n1,x\n1,x\n1,x\n1,x\n1,x\n1,x\n1,x\n1,x\n");
   folder.write("twice.csv", "number,radius\n1,2\n1,3\n");
   folder.write("column.csv", "number,size\n1,2\n");
   const std::string nc = folder.path("a.nc");
@@ -156,6 +158,7 @@ TEST(WrongCall, IsToldInGerman) {
       {"compensate", nc, "--tools", folder.path("none.csv")},
       {"compensate", nc, "--tools", folder.path("bad.csv")},
       {"compensate", nc, "--tools", folder.path("twice.csv")},
+      {"compensate", nc, "--tools", folder.path("many.csv")},
       {"compensate", nc, "--tools", folder.path("column.csv")},
       {"compensate", nc, "--set", "radus=5"},
       {"compensate", nc, "--set", "tool_radius"},
