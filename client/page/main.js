@@ -24,8 +24,8 @@ addEventListener('dragover', event => { event.preventDefault(); $('stage').class
 addEventListener('dragleave', () => $('stage').classList.remove('dropping'));
 addEventListener('drop', event => {
   event.preventDefault();
-  if (inside) return;
   $('stage').classList.remove('dropping');
+  if (inside) return;
   add([...event.dataTransfer.files]);
 });
 

@@ -638,6 +638,10 @@ const tests = {
       assert.ok(Number(await page.evaluate(() => document.body.dataset.arrows)) > 2, 'its arrows too');
       assert.match(readFileSync(written, 'utf8'), /"contourBlocks":"\d+"/, 'and its contour');
       assert.ok(!await page.locator('#form').isVisible(), 'nothing can be computed here');
+      await page.evaluate(() => {
+        for (const kind of ['dragover', 'drop']) dispatchEvent(new DragEvent(kind, {bubbles: true, cancelable: true}));
+      });
+      assert.equal(await page.getAttribute('#stage', 'class') || '', '', 'what is dropped here is left alone');
       if (name === 'notch.nc') {
         const [, line, code] = /notch\.nc:(\d+):.* error (\d+)/.exec(said);
         const button = page.locator('#diagnostics button.error').first();
