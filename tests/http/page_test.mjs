@@ -233,6 +233,19 @@ const tests = {
     assert.equal(await page.evaluate(() => document.body.dataset.view), before);
   },
 
+  async 'a file that has changed since it was opened is not taken for a lost server'(page) {
+    const bracket = readFileSync(join(top, 'client/samples/bracket.nc'), 'utf8');
+    for (const button of ['#save-nc', '#save-record', '#survey']) {
+      const path = file('changing.nc', bracket);
+      await show(page, path, {tool_radius: ''});
+      writeFileSync(path, `${bracket}(more)\n`);
+      await page.click(button);
+      await page.waitForFunction(() => document.getElementById('state').className === 'error');
+      assert.equal(await page.textContent('#state'), 'the file has changed or cannot be read: open it again');
+    }
+    page.problems = page.problems.filter(problem => !/ERR_UPLOAD_FILE_CHANGED/.test(problem));
+  },
+
   async 'several programs at once, of which each is shown'(page) {
     await page.evaluate(texts => {
       const data = new DataTransfer();
