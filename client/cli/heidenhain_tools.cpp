@@ -19,6 +19,8 @@ std::size_t byte_of_character(std::string_view line, std::size_t character) {
   return byte;
 }
 
+bool is_blank(char sign) { return sign == ' ' || sign == '\r'; }
+
 }  // namespace
 
 bool HeidenhainTools::begins_with(std::string_view line) {
@@ -42,7 +44,14 @@ std::string HeidenhainTools::read_columns(std::string_view line) {
 }
 
 std::string HeidenhainTools::read(std::string_view line) {
+  if (trimmed(line).find('\t') != std::string_view::npos)
+    return "it has tabs, and columns are found by their place: replace each with blanks, or make "
+           "it a CSV";
   if (columns_.empty()) return read_columns(line);
+  for (const char* name : {"T", "NAME", "R", "DR"})
+    if (!lines_up(line, name))
+      return std::string("its values do not begin below the name of column ") + name +
+             ": restore the blanks between the columns, or make it a CSV";
   const std::string_view place = cell(line, "T");
   const auto number = tool_number(number_from(place.substr(0, place.find('.'))));
   // 5.2 is the second index of tool 5.
@@ -69,6 +78,24 @@ std::optional<std::size_t> HeidenhainTools::column_of(std::string_view name) con
   for (std::size_t i = 0; i < columns_.size(); ++i)
     if (columns_[i].first == name) return i;
   return std::nullopt;
+}
+
+bool HeidenhainTools::lines_up(std::string_view line, std::string_view name) const {
+  const auto column = column_of(name);
+  if (!column) return true;
+  const auto is_cut = [&](std::size_t at) {
+    if (at >= columns_.size()) return false;
+    const std::size_t begin = byte_of_character(line, columns_[at].second);
+    // A sign begins a number: a name may fill its column up to it.
+    return begin > 0 && begin < line.size() && !is_blank(line[begin - 1]) &&
+           !is_blank(line[begin]) && line[begin] != '+' && line[begin] != '-';
+  };
+  if (is_cut(*column) || is_cut(*column + 1)) return false;
+  const std::size_t begin = byte_of_character(line, columns_[*column].second);
+  const bool begins_late =
+      begin < line.size() && is_blank(line[begin]) && !cell(line, name).empty();
+  // Nothing stands in front of the numbers of the tools: they may be aligned to the right.
+  return !begins_late || name == "T";
 }
 
 std::string_view HeidenhainTools::cell(std::string_view line, std::string_view name) const {

@@ -21,6 +21,7 @@ class HeidenhainTools {
   // That line, which says what the lengths count in.
   void begin(std::string_view line);
   [[nodiscard]] bool has_begun() const { return has_begun_; }
+  [[nodiscard]] bool has_columns() const { return !columns_.empty(); }
   // The line as it stands in the file: blanks in front count. What is wrong with it; empty:
   // nothing.
   std::string read(std::string_view line);
@@ -28,6 +29,8 @@ class HeidenhainTools {
  private:
   std::string read_columns(std::string_view line);
   [[nodiscard]] std::optional<std::size_t> column_of(std::string_view name) const;
+  // Whether the value of this column begins below its name and is not cut where a column begins.
+  [[nodiscard]] bool lines_up(std::string_view line, std::string_view name) const;
   [[nodiscard]] std::string_view cell(std::string_view line, std::string_view name) const;
 
   ToolTable& table_;

@@ -90,6 +90,10 @@ int run(int argc, char** argv) {
     return static_cast<int>(trc::cli::Exit::wrong_call);
   }
   const CLI::App& command = *app.get_subcommands().front();
+  if (const std::string fault = trc::cli::text_of_wrong_value(command); !fault.empty()) {
+    std::cerr << fault;
+    return static_cast<int>(trc::cli::Exit::wrong_call);
+  }
   if (!is_given(command, "--quiet") && !is_given(command, "--worker"))
     if (const std::string note = trc::cli::note_on_environment(command); !note.empty())
       trc::cli::complain(note);

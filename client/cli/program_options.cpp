@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <sstream>
 
 #include "client/cli/computing_options.h"
 #include "client/cli/file_name.h"
@@ -240,7 +241,8 @@ bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup) {
     bool unit_unsaid = false;
     const std::string fault = read_tool_file(options.tools, setup, unit_unsaid);
     if (!fault.empty()) {
-      complain("--tools: " + fault);
+      std::istringstream faults(fault);
+      for (std::string one; std::getline(faults, one);) complain("--tools: " + one);
       return false;
     }
     if (unit_unsaid && !options.loudness.quiet && counts_in_inch(options, setup))
@@ -268,14 +270,13 @@ bool setup_of(const ProgramOptions& options, v1::ProgramSetup& setup) {
 }
 
 bool counts_in_inch(const ProgramOptions& options, const v1::ProgramSetup& setup) {
-  if (setup.unit() == v1::LENGTH_UNIT_INCH) return true;
-  if (!std::filesystem::is_regular_file(options.file)) return false;
+  if (!std::filesystem::is_regular_file(options.file)) return setup.unit() == v1::LENGTH_UNIT_INCH;
   constexpr std::size_t head = 64 * 1024;
   std::ifstream stream(options.file, std::ios::binary);
   std::string text(head, '\0');
   stream.read(text.data(), head);
   text.resize(static_cast<std::size_t>(stream.gcount()));
-  return switches_to_inch(text, setup.dialect());
+  return says_inch(text, setup.dialect(), setup.unit());
 }
 
 void report_clearance(v1::ProgramSetup& setup) {

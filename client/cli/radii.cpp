@@ -141,6 +141,11 @@ Exit run(const Call& call) {
   read.add(call.program.file, "the program itself");
   if (!may_be_written({{.option = "--picture", .path = call.picture}}, read))
     return Exit::wrong_call;
+  if (!call.picture.empty() && call.picture != "-" &&
+      std::filesystem::path(call.picture).extension() != ".svg") {
+    complain("--picture " + call.picture + ": the name must end in .svg");
+    return Exit::wrong_call;
+  }
   Input input(call.program.file);
   if (!input.open()) return Exit::wrong_call;
   const Loudness& loudness = call.program.loudness;

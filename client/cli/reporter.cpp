@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <iostream>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -75,6 +78,12 @@ constexpr auto words_of_options = std::to_array<std::pair<std::string_view, std:
      {"oder tool_radius im Setup angeben", "oder den Radius angeben: --radius 5"},
      {"Give tool_radius in the setup", "Give the radius: --radius 5"},
      {"tool_radius im Setup angeben", "Den Radius angeben: --radius 5"},
+     {"`tools` of the setup",
+      "--tools tools.csv, --set tools=1:5, by name --set 'tools=\"MILL\":5'"},
+     {"`tools` des Setups",
+      "--tools tools.csv, --set tools=1:5, mit Namen --set 'tools=\"MILL\":5'"},
+     {"`variables` of the setup", "--variable NAME=VALUE"},
+     {"`variables` des Setups", "--variable NAME=WERT"},
      {"tool_radius, without a table", "--radius 5, without a table"},
      {"tool_radius, ohne Werkzeugtabelle", "--radius 5, ohne Werkzeugtabelle"},
      {"in the table of the setup", "in the table of --tools"},
@@ -96,27 +105,46 @@ bool is_number(std::string_view text) {
   return !text.empty() && std::ranges::all_of(text, is_digit);
 }
 
-// Puts the missing tool into the setting that would define it: D7, 7, the name "MILL", D2 of one of
-// these.
-std::string with_missing_tool(std::string help, std::string_view detail) {
+// The tool that a detail names, as --set tools= has it: D7, 7, the name "MILL", D2 of one of these,
+// T1 D2 of Sinumerik, 5.1 of Klartext, which is its second edge. Empty: none.
+std::string named_tool(std::string_view detail) {
   constexpr std::string_view of = " of ";
-  const std::size_t at = help.find("tools=NUM");
-  if (at == std::string::npos) return help;
-  std::string edge;
-  if (const std::size_t end = detail.find(of); end != std::string_view::npos && end > 1) {
-    edge.append("/").append(detail.substr(1, end - 1));
-    if (!is_number(detail.substr(1, end - 1))) return help;
-    detail.remove_prefix(end + of.size());
+  const auto number_behind_letter = [](std::string_view word) {
+    if (!word.empty() && is_letter(word.front())) word.remove_prefix(1);
+    return is_number(word) ? std::string(word) : std::string();
+  };
+  if (const std::size_t at = detail.find(of); at != std::string_view::npos) {
+    const std::string edge = number_behind_letter(detail.substr(0, at));
+    const std::string tool = named_tool(detail.substr(at + of.size()));
+    return edge.empty() || tool.empty() ? std::string() : tool + "/" + edge;
   }
-  const bool is_name = detail.size() > 2 && detail.starts_with('"');
-  if (is_name) detail = detail.substr(0, detail.find('"', 1) + 1);
-  if (!is_name && !detail.empty() && is_letter(detail.front())) detail.remove_prefix(1);
-  if (!is_name && !is_number(detail)) return help;
+  if (detail.size() > 2 && detail.starts_with('"'))
+    return std::string(detail.substr(0, detail.find('"', 1) + 1));
+  if (const std::size_t at = detail.find(" D"); at != std::string_view::npos) {
+    const std::string tool = number_behind_letter(detail.substr(0, at));
+    const std::string edge = number_behind_letter(detail.substr(at + 1));
+    return tool.empty() || edge.empty() ? std::string() : tool + (edge == "1" ? "" : "/" + edge);
+  }
+  const std::size_t point = std::min(detail.find('.'), detail.size());
+  const std::string tool = number_behind_letter(detail.substr(0, point));
+  if (point == detail.size() || tool.empty()) return tool;
+  std::uint32_t index = 0;
+  const char* const end = detail.data() + detail.size();
+  const auto read = std::from_chars(detail.data() + point + 1, end, index);
+  return read.ec == std::errc{} && read.ptr == end ? tool + "/" + std::to_string(index + 1)
+                                                   : std::string();
+}
+
+// Puts the missing tool into the setting that would define it.
+std::string with_missing_tool(std::string help, std::string_view detail) {
+  const std::string tool = named_tool(detail);
+  const std::size_t at = help.find("tools=");
+  if (at == std::string::npos || tool.empty()) return help;
   const std::size_t begin = help.find('=', at) + 1;
-  help.replace(begin, help.find(':', begin) - begin, std::string(detail) + edge);
-  if (!is_name) return help;
-  help.insert(at, "'");
-  return help.insert(help.find_last_not_of('.') + 1, "'");
+  help.replace(begin, help.find(':', begin) - begin, tool);
+  if (tool.front() != '"') return help;
+  help.insert(std::min(help.find_first_of(",.", begin + tool.size()), help.size()), "'");
+  return help.insert(at, "'");
 }
 
 // Puts the wear that is too large into the setting that would allow it.
@@ -150,7 +178,7 @@ Diagnostic for_command_line(Diagnostic found, DialectName dialect) {
       texts.help == help_of({.code = found.code, .words = words}, found.language);
   texts.help = has_own && is_of_row ? in_words_of(words, std::string(own))
                                     : without_names_of_fields(std::move(texts.help));
-  if (found.code == Code::tool_unknown)
+  if (found.code == Code::tool_unknown || found.code == Code::no_tool_radius)
     texts.help = with_missing_tool(std::move(texts.help), found.detail);
   if (found.code == Code::wear_too_large)
     texts.help = with_wear(std::move(texts.help), found.values);

@@ -31,6 +31,7 @@ constexpr auto rows = std::to_array<Sentence>({
     {"{}: {} is no number; write {}, with a decimal point",
      "{}: {} ist keine Zahl; {} schreiben, mit Dezimalpunkt"},
     {"{}: {} is no number", "{}: {} ist keine Zahl"},
+    {"{}: its value is empty", "{}: der Wert ist leer"},
     {"{}: it takes {}", "{}: möglich sind {}"},
     {"{}: {} not in {{}}; did you mean {}?", "{}: {} gehört nicht zu {{}}; ist {} gemeint?"},
     {"{}: {} not in {{}}", "{}: {} gehört nicht zu {{}}"},
@@ -77,6 +78,8 @@ constexpr auto rows = std::to_array<Sentence>({
      "sie ist Text in UTF-16; als CSV UTF-8 speichern"},
     {"{}: it is text in UTF-16; save it as CSV UTF-8",
      "{}: ist Text in UTF-16; als CSV UTF-8 speichern"},
+    {"{}: {} more line is wrong", "{}: {} weitere Zeile ist falsch"},
+    {"{}: {} more lines are wrong", "{}: {} weitere Zeilen sind falsch"},
     {"it names no tool with a radius", "sie nennt kein Werkzeug mit einem Radius"},
     {"{}: it names no tool with a radius", "{}: nennt kein Werkzeug mit einem Radius"},
     {"{} has wear, but no radius", "{} hat Verschleiß, aber keinen Radius"},
@@ -89,12 +92,26 @@ constexpr auto rows = std::to_array<Sentence>({
     {"{} is no row of a table of tools; a CSV begins with a header such as number,radius",
      "{} ist keine Zeile einer Werkzeugtabelle; eine CSV beginnt mit einem Kopf wie "
      "number,radius"},
+    {"{} has no number directly behind it", "hinter {} fehlt die Zahl"},
+    {"{} has no letter in front of it", "vor {} fehlt der Buchstabe"},
+    {"{} is no word of a table of LinuxCNC", "{} ist kein Wort einer Tabelle von LinuxCNC"},
+    {"whether a line with the block skip / counts is not known: remove the / or the line",
+     "ob ein ausblendbarer Satz (/) gilt, ist nicht bekannt: das / oder die Zeile entfernen"},
+    {"G10 L12 and G10 L13 need P and R", "G10 L12 und G10 L13 brauchen P und R"},
     {"{} names no tool and edge, as in {}", "{} nennt kein Werkzeug mit Schneide, wie in {}"},
     {"it has more values than the header; decimals have a point, or semicolons stand between the "
      "values",
      "sie hat mehr Werte als der Kopf; Dezimalstellen haben einen Punkt, oder zwischen den Werten "
      "stehen Semikolons"},
     {"the table has no column {}", "die Tabelle hat keine Spalte {}"},
+    {"it has tabs, and columns are found by their place: replace each with blanks, or make it a "
+     "CSV",
+     "sie enthält Tabulatoren, und Spalten werden an ihrer Lage erkannt: jeden durch Leerzeichen "
+     "ersetzen, oder eine CSV daraus machen"},
+    {"its values do not begin below the name of column {}: restore the blanks between the columns, "
+     "or make it a CSV",
+     "ihre Werte beginnen nicht unter dem Namen der Spalte {}: die Leerzeichen zwischen den "
+     "Spalten wiederherstellen, oder eine CSV daraus machen"},
     {"unknown column {}", "unbekannte Spalte {}"},
     {"the header needs number or name, and one of radius, diameter",
      "der Kopf braucht number oder name, und radius oder diameter"},
@@ -116,6 +133,7 @@ constexpr auto rows = std::to_array<Sentence>({
     {"cannot make {}: {}", "{} lässt sich nicht anlegen: {}"},
     {"-o {}: the name must end in .svg or .html, or --format must say which it is",
      "-o {}: der Name muss auf .svg oder .html enden, oder --format muss es sagen"},
+    {"--picture {}: the name must end in .svg", "--picture {}: der Name muss auf .svg enden"},
     {"-o {} is the program itself; write another file, or say --force",
      "-o {} ist das Programm selbst; eine andere Datei schreiben, oder --force angeben"},
     {"{} is the program itself; write another file",
@@ -302,6 +320,8 @@ constexpr auto rows = std::to_array<Sentence>({
     {"in a list of servers {} must be an IP address and a port",
      "in einer Liste von Servern muss {} eine IP-Adresse mit Port sein"},
     {"{} mixes IPv4 and IPv6", "{} mischt IPv4 und IPv6"},
+    {"{}: {} is no port: write a number from 1 to 65535",
+     "{}: {} ist kein Port: eine Zahl von 1 bis 65535 schreiben"},
     {"{} has no port: write {}", "{} hat keinen Port: {} schreiben"},
     {"with TLS give one name that stands for all servers, dns:///NAME:PORT: {} has none their "
      "certificates could be checked against",

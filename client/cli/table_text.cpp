@@ -1,22 +1,21 @@
 #include "client/cli/table_text.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "core/nc/text/characters.h"
 
 namespace trc::cli {
 namespace {
 
-// A finite number at the start of the text; `length` becomes its bytes.
-std::optional<double> number_at(std::string_view text, std::size_t& length) {
-  const std::size_t sign = text.starts_with('+') ? 1 : 0;
-  double number = 0;
-  const char* const begin = text.data() + sign;
-  const auto [end, error] = std::from_chars(begin, text.data() + text.size(), number);
-  if (error != std::errc{} || !std::isfinite(number)) return {};
-  length = static_cast<std::size_t>(end - text.data());
-  return number;
+constexpr std::string_view ends_of_value = " \t\r;(/";
+
+std::size_t end_of_value(std::string_view line, std::size_t at) {
+  while (at < line.size() && !is_letter(line[at]) && ends_of_value.find(line[at]) == line.npos)
+    ++at;
+  return at;
 }
 
 }  // namespace
@@ -38,9 +37,13 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
 }
 
 std::optional<double> number_from(std::string_view text) {
-  std::size_t length = 0;
-  const auto number = number_at(text, length);
-  return number && length == text.size() ? number : std::nullopt;
+  const bool has_plus = text.starts_with('+');
+  if (has_plus) text.remove_prefix(1);
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool is_whole = error == std::errc{} && end == text.data() + text.size();
+  if (!is_whole || !std::isfinite(number) || (has_plus && text.front() == '-')) return {};
+  return number;
 }
 
 std::optional<std::uint32_t> tool_number(std::optional<double> number) {
@@ -48,20 +51,58 @@ std::optional<std::uint32_t> tool_number(std::optional<double> number) {
   return static_cast<std::uint32_t>(*number);
 }
 
-std::multimap<char, double> words_of(std::string_view line) {
-  std::multimap<char, double> words;
+LineOfWords::LineOfWords(std::string_view line) {
   for (std::size_t at = 0; at < line.size();) {
-    const char letter = in_upper_case(line.substr(at, 1))[0];
-    if (letter == ';' || letter == '(') break;
-    ++at;
-    if (letter < 'A' || letter > 'Z') continue;
-    std::size_t length = 0;
-    const auto number = number_at(line.substr(at), length);
-    if (!number) continue;
-    words.emplace(letter, *number);
-    at += length;
+    const char sign = upper(line[at]);
+    if (sign == ';') break;
+    if (sign == '(') {
+      at = std::min(line.find(')', at), line.size() - 1) + 1;
+      continue;
+    }
+    const bool is_word = is_letter(sign);
+    const std::size_t begin = is_word ? at + 1 : at;
+    const std::size_t end = end_of_value(line, begin);
+    const std::string_view value = line.substr(begin, end - begin);
+    is_skippable_ |= sign == '/';
+    if (is_word)
+      take(sign, value);
+    else if (!value.empty())
+      note('"' + std::string(value) + "\" has no letter in front of it");
+    at = std::max(end, at + 1);
   }
-  return words;
+}
+
+void LineOfWords::take(char letter, std::string_view value) {
+  letters_ += letter;
+  const std::string name(1, letter);
+  if (value.empty()) return note(name + " has no number directly behind it");
+  const auto number = number_from(value);
+  if (!number) return note(name + " is \"" + std::string(value) + "\", which is no number");
+  words_.push_back({.letter = letter, .text = value, .number = *number});
+}
+
+void LineOfWords::note(std::string fault) {
+  if (fault_.empty()) fault_ = std::move(fault);
+}
+
+const LineOfWords::Word* LineOfWords::find(char letter) const {
+  const auto word = std::ranges::find(words_, letter, &Word::letter);
+  return word == words_.end() ? nullptr : &*word;
+}
+
+bool LineOfWords::has_function(double number) const {
+  return std::ranges::any_of(
+      words_, [&](const Word& word) { return word.letter == 'G' && word.number == number; });
+}
+
+std::string LineOfWords::fault_but_for(std::string_view repeatable) const {
+  if (is_skippable_)
+    return "whether a line with the block skip / counts is not known: remove the / or the line";
+  if (!fault_.empty()) return fault_;
+  for (const char letter : letters_)
+    if (repeatable.find(letter) == repeatable.npos && std::ranges::count(letters_, letter) > 1)
+      return std::string(1, letter) + " a second time";
+  return {};
 }
 
 }  // namespace trc::cli

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -20,7 +20,38 @@ namespace trc::cli {
 // Empty unless it is an integer from 0 to 2147483647.
 [[nodiscard]] std::optional<std::uint32_t> tool_number(std::optional<double> number);
 
-// The words of a line of letters and numbers, up to a comment.
-[[nodiscard]] std::multimap<char, double> words_of(std::string_view line);
+// A line of words, a letter with a number each, up to a `;`. Comments in parentheses are left out.
+class LineOfWords {
+ public:
+  struct Word {
+    char letter = 0;
+    std::string_view text{};  // of the number
+    double number = 0;
+  };
+
+  explicit LineOfWords(std::string_view line);
+
+  // Whether the letter occurs, even without a number.
+  [[nodiscard]] bool names(char letter) const { return letters_.find(letter) != letters_.npos; }
+  [[nodiscard]] const std::string& letters() const { return letters_; }
+  // The first one with a number; null: there is none.
+  [[nodiscard]] const Word* find(char letter) const;
+  [[nodiscard]] bool has(char letter) const { return find(letter) != nullptr; }
+  [[nodiscard]] bool has_function(double number) const;
+  // Whether a control leaves the line out if its operator wants so.
+  [[nodiscard]] bool is_skippable() const { return is_skippable_; }
+  // Why the line cannot be read as a whole, as a sentence; empty: it can. Only the letters in
+  // `repeatable` may occur more than once.
+  [[nodiscard]] std::string fault_but_for(std::string_view repeatable) const;
+
+ private:
+  void take(char letter, std::string_view value);
+  void note(std::string fault);
+
+  std::vector<Word> words_{};
+  std::string letters_{};
+  std::string fault_{};  // the first one
+  bool is_skippable_ = false;
+};
 
 }  // namespace trc::cli

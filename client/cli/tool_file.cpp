@@ -1,6 +1,7 @@
 #include "client/cli/tool_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -31,7 +32,7 @@ class ToolFile {
     // Spreadsheets begin UTF-8 with this mark.
     if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
     std::size_t line_number = 0;
-    while (!text.empty()) {
+    while (!text.empty() && !is_no_table_) {
       const auto end = text.find('\n');
       const std::string_view as_written = text.substr(0, end);
       const std::string_view line = trimmed(as_written);
@@ -39,8 +40,9 @@ class ToolFile {
       ++line_number;
       if (line.empty() || line.front() == '#' || line.front() == ';') continue;
       if (const std::string fault = read_line(line, as_written); !fault.empty())
-        return "line " + std::to_string(line_number) + ": " + fault;
+        note(line_number, fault);
     }
+    if (faults_ > 0) return told_faults();
     take_edges();
     if (table_.empty()) return "it names no tool with a radius";
     if (csv_.has_header())
@@ -54,16 +56,37 @@ class ToolFile {
   [[nodiscard]] bool unit_unsaid() const { return unit_unsaid_; }
 
  private:
+  void note(std::size_t line_number, const std::string& fault) {
+    ++faults_;
+    if (faults_ <= most_faults_told)
+      told_ += (told_.empty() ? "" : "\n") + ("line " + std::to_string(line_number)) + ": " + fault;
+  }
+
+  [[nodiscard]] std::string told_faults() const {
+    const std::size_t left_out = faults_ - std::min(faults_, most_faults_told);
+    if (left_out == 0) return told_;
+    return told_ + "\n" + std::to_string(left_out) +
+           (left_out == 1 ? " more line is wrong" : " more lines are wrong");
+  }
+
+  // The fault of a line without which the others cannot be read.
+  std::string of_the_head(std::string fault) {
+    is_no_table_ = !fault.empty();
+    return fault;
+  }
+
   // `as_written` keeps the leading blanks, which matter in tables with fixed columns.
   std::string read_line(std::string_view line, std::string_view as_written) {
     if (const std::string words = in_upper_case(line); HeidenhainTools::begins_with(words)) {
       heidenhain_.begin(words);
       return {};
     }
+    if (heidenhain_.has_begun() && !heidenhain_.has_columns())
+      return of_the_head(heidenhain_.read(as_written));
     if (heidenhain_.has_begun())
       return line == "[END]" ? std::string() : heidenhain_.read(as_written);
     if (csv_.has_header()) return csv_.read(line);
-    if (const auto begun = csv_.begin(line)) return *begun;
+    if (const auto begun = csv_.begin(line)) return of_the_head(*begun);
     return read_words(line);
   }
 
@@ -75,53 +98,54 @@ class ToolFile {
     }
     if (in_upper_case(line).find("$TC_") < line.find_first_of(";=")) return data_of_edge(line);
     if (sinumerik_) return {};
-    const std::multimap<char, double> words = words_of(line);
-    const auto has = [&](char letter) { return words.contains(letter); };
-    const auto has_function = [&](double number) {
-      const auto [first, last] = words.equal_range('G');
-      return std::any_of(first, last, [&](const auto& word) { return word.second == number; });
-    };
-    if (has_function(20) || has_function(21)) {
-      unit_ = has_function(20) ? mm_per_inch : 1;
+    const LineOfWords words(line);
+    if (const bool inch = words.has_function(20); inch || words.has_function(21)) {
+      unit_ = inch ? mm_per_inch : 1;
       unit_said_ = true;
     }
-    if (has_function(90) || has_function(91)) adds_ = has_function(91);
-    if (has_function(10)) return data_of_memory(words, line);
+    if (const bool adds = words.has_function(91); adds || words.has_function(90)) adds_ = adds;
+    const bool is_modal = std::ranges::any_of(
+        std::array{20, 21, 90, 91}, [&](int function) { return words.has_function(function); });
+    if (is_modal && words.is_skippable()) return words.fault_but_for("");
+    if (words.has_function(10)) return data_of_memory(words);
     // A value that a row of LinuxCNC omits is 0.
-    const bool is_row = has('D') || (has('P') && !has('G') && !has('M') && !has('O'));
-    if (has('T') && is_row) {
-      const auto number = tool_number(words.find('T')->second);
-      if (!number) return "T is no number of a tool";
-      const double diameter = has('D') ? words.find('D')->second : 0;
-      return table_.take({.number = *number}, {.radius = diameter / 2 * unit_});
-    }
-    return has('G') || line == "%" || has('O') || has('M') || has('T')
-               ? std::string()
-               : "\"" + std::string(line) +
-                     "\" is no row of a table of tools; a CSV begins with a "
-                     "header such as number,radius";
+    const bool is_row = words.names('D') ||
+                        (words.names('P') && !words.has('G') && !words.has('M') && !words.has('O'));
+    if (words.names('T') && is_row) return row_of_linuxcnc(words);
+    if (words.has('G') || line == "%" || words.has('O') || words.has('M') || words.has('T'))
+      return {};
+    return of_the_head("\"" + std::string(line) +
+                       "\" is no row of a table of tools; a CSV begins with a header such as "
+                       "number,radius");
   }
 
-  // Whether the value of this word has a decimal point.
-  static bool has_point(std::string_view line, char letter) {
-    const std::size_t at = in_upper_case(line).find(letter);
-    if (at == std::string::npos) return false;
-    const std::string_view value = line.substr(at + 1);
-    return value.substr(0, value.find_first_not_of("+-0123456789. \t")).find('.') !=
-           std::string_view::npos;
+  // Reads T1 P1 D10.
+  std::string row_of_linuxcnc(const LineOfWords& words) {
+    if (std::string fault = words.fault_but_for(""); !fault.empty()) return fault;
+    constexpr std::string_view letters_of_row = "TPDXYZABCUVWIJQ";
+    const std::size_t other = words.letters().find_first_not_of(letters_of_row);
+    if (other != std::string::npos)
+      return std::string(1, words.letters()[other]) + " is no word of a table of LinuxCNC";
+    const auto number = tool_number(words.find('T')->number);
+    if (!number) return "T is no number of a tool";
+    const double diameter = words.has('D') ? words.find('D')->number : 0;
+    return table_.take({.number = *number}, {.radius = diameter / 2 * unit_});
   }
 
   // Reads G10 L12 P1 R5 of Fanuc.
-  std::string data_of_memory(const std::multimap<char, double>& words, std::string_view line) {
-    const auto value = [&](char letter) { return words.find(letter)->second; };
-    if (!words.contains('L') || !words.contains('P') || !words.contains('R')) return {};
-    const bool wear = value('L') == 13;
-    if (!wear && value('L') != 12) return {};
-    const auto number = tool_number(value('P'));
+  std::string data_of_memory(const LineOfWords& words) {
+    const bool wear = words.has('L') && words.find('L')->number == 13;
+    const bool may_be_radius = words.has('L') ? words.find('L')->number == 12 : words.names('L');
+    if (!wear && !may_be_radius) return {};
+    // A line may have several functions.
+    if (std::string fault = words.fault_but_for("GM"); !fault.empty()) return fault;
+    if (!words.has('P') || !words.has('R')) return "G10 L12 and G10 L13 need P and R";
+    const auto number = tool_number(words.find('P')->number);
     if (!number) return "P is no number of a tool";
     if (adds_) return "under G91 its R is added to what the memory holds: give it under G90";
-    double size = value('R') * unit_;
-    if (!has_point(line, 'R')) {
+    const LineOfWords::Word& given = *words.find('R');
+    double size = given.number * unit_;
+    if (given.text.find('.') == std::string_view::npos) {
       constexpr double doubtful = 1000;  // mm
       if (setup_.whole_numbers() == v1::WHOLE_NUMBERS_INCREMENTS)
         size /= unit_ == 1 ? 1e3 : 1e4;
@@ -184,8 +208,13 @@ class ToolFile {
     }
   }
 
+  static constexpr std::size_t most_faults_told = 10;
+
   v1::ProgramSetup& setup_;
   double unit_;
+  std::size_t faults_ = 0;
+  std::string told_{};  // of them, a line each
+  bool is_no_table_ = false;
   bool unit_unsaid_ = false;
   bool unit_said_ = false;  // by G20 or G21 of Fanuc
   bool adds_ = false;       // G91
@@ -196,6 +225,16 @@ class ToolFile {
   std::map<ToolKey, ToolSizes> edges_{};
   std::set<std::uint32_t> turning_{};
 };
+
+// Whether the words, in capitals, have this function.
+bool has_function(std::string_view words, std::string_view function) {
+  for (auto at = words.find(function); at != std::string_view::npos;
+       at = words.find(function, at + 1)) {
+    const char behind = sign_at(words, at + function.size());
+    if (!is_digit(behind) && behind != '.') return true;
+  }
+  return false;
+}
 
 }  // namespace
 
@@ -211,10 +250,17 @@ std::string read_tool_file(const std::string& path, v1::ProgramSetup& setup, boo
   ToolFile file(setup);
   const std::string fault = file.read(text);
   unit_unsaid = file.unit_unsaid();
-  return fault.empty() ? fault : path + ": " + as_utf8(fault);
+  std::string faults = fault.empty() ? fault : path + ": " + as_utf8(fault);
+  const std::string between = "\n" + path + ": ";
+  for (std::size_t at = faults.find('\n', path.size()); at != std::string::npos;
+       at = faults.find('\n', at + between.size()))
+    faults.replace(at, 1, between);
+  return faults;
 }
 
-bool switches_to_inch(std::string_view program, v1::Dialect dialect) {
+bool says_inch(std::string_view program, v1::Dialect dialect, v1::LengthUnit given) {
+  const bool twenty = dialect == v1::DIALECT_FANUC || dialect == v1::DIALECT_LINUXCNC;
+  bool says_mm = false;
   while (!program.empty()) {
     const auto end = program.find('\n');
     const std::string line = in_upper_case(trimmed(program.substr(0, end)));
@@ -224,15 +270,12 @@ bool switches_to_inch(std::string_view program, v1::Dialect dialect) {
       continue;
     }
     const std::string words = line.substr(0, line.find_first_of(";("));
-    const bool twenty = dialect == v1::DIALECT_FANUC || dialect == v1::DIALECT_LINUXCNC;
-    for (const std::string_view word : {twenty ? "G20" : "G70", twenty ? "G20" : "G700"}) {
-      const auto at = words.find(word);
-      if (at == std::string::npos) continue;
-      const char behind = at + word.size() < words.size() ? words[at + word.size()] : ' ';
-      if ((behind < '0' || behind > '9') && behind != '.') return true;
-    }
+    if (has_function(words, twenty ? "G20" : "G70") || has_function(words, twenty ? "G20" : "G700"))
+      return true;
+    says_mm |=
+        has_function(words, twenty ? "G21" : "G71") || has_function(words, twenty ? "G21" : "G710");
   }
-  return false;
+  return !says_mm && given == v1::LENGTH_UNIT_INCH;
 }
 
 }  // namespace trc::cli

@@ -24,7 +24,8 @@ namespace trc::cli {
 //     lines are passed over. Tools of turning (`$TC_DP1` 500 to 599) are left out.
 //   - Heidenhain: TOOL.T with its columns T (5.2 is index 2 of tool 5), NAME, R and DR, the wear.
 //
-// Returns what is wrong, as a sentence; empty when all is read.
+// Returns what is wrong, a sentence a line: the first faulty lines of the table and how many more
+// there are. Empty when all is read.
 [[nodiscard]] std::string read_tool_table(std::string_view text, v1::ProgramSetup& setup);
 
 // Reads a file as such a table; - reads nothing here. `unit_unsaid`: it was read in mm as neither
@@ -32,8 +33,9 @@ namespace trc::cli {
 [[nodiscard]] std::string read_tool_file(const std::string& path, v1::ProgramSetup& setup,
                                          bool& unit_unsaid);
 
-// Whether the text of a program switches to inch: G20, G70, G700 or INCH in Klartext. For a note,
-// never for reading it.
-[[nodiscard]] bool switches_to_inch(std::string_view program, v1::Dialect dialect);
+// Whether a program counts in inch, at least in part: its text says so (G20, G70, G700, INCH in
+// Klartext), or it names no unit and the one it is `given` with is the inch. For a note, never for
+// reading it.
+[[nodiscard]] bool says_inch(std::string_view program, v1::Dialect dialect, v1::LengthUnit given);
 
 }  // namespace trc::cli

@@ -137,6 +137,20 @@ std::string more_about(const std::string& name) {
   return told("Run " + name + " --help for more information.") + "\n";
 }
 
+// Why an option cannot have this value, which the parser accepts; empty: it can.
+std::string fault_of_value(const CLI::Option& option, const std::string& value) {
+  // An empty --server means this process.
+  if (value.empty()) return option.check_lname("server") ? "" : "its value is empty";
+  const std::string type = option.get_type_name();
+  const bool is_integer = type.find("INT") != std::string::npos;
+  const bool is_number = is_integer || type == "MM" || type.find("FLOAT") != std::string::npos;
+  const std::size_t digits = std::min(value.find_first_not_of("+-"), value.size());
+  if (!is_number || value[digits] != '0') return {};
+  const char second = value[std::min(digits + 1, value.size())];
+  const bool is_octal = is_integer && second >= '0' && second <= '9';
+  return second == 'x' || second == 'X' || is_octal ? value + " is no number" : "";
+}
+
 }  // namespace
 
 std::string text_of_wrong_call(const CLI::App& app, const CLI::ParseError& fault) {
@@ -154,6 +168,18 @@ std::string text_of_wrong_call(const CLI::App& app, const CLI::ParseError& fault
   if (const std::string number = meant_number(fault.what()); !number.empty())
     return name + ": " + number;
   return name + ": " + told(with_meant_choice(fault.what())) + "\n" + more_about(name);
+}
+
+std::string text_of_wrong_value(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& value : option->results()) {
+      const std::string fault = fault_of_value(*option, value);
+      if (fault.empty()) continue;
+      const std::string name = spelled(command);
+      return name + ": " + told(option->get_name() + ": " + fault) + "\n" + more_about(name);
+    }
+  }
+  return {};
 }
 
 std::string note_on_environment(const CLI::App& command) {

@@ -13,13 +13,13 @@ export function say(text, kind = '') {
   $('state').className = kind;
 }
 
-// A file that is no longer what was opened.
-export class Unreadable extends Error {}
+// A file that has changed since it was opened can no longer be read.
+const isReadable = ({text}) => !(text instanceof Blob) || text.slice(0, 1).arrayBuffer().then(() => true, () => false);
 
-export function fail(error) {
+export async function fail(error, program) {
   const problem = error.problem;
   const setting = problem?.fields && shown.options.refuse(problem.fields);
-  say(setting || (problem ? t('failed') + error.message : t(error instanceof Unreadable ? 'unreadable' : 'offline')), 'error');
+  say(setting || (problem ? t('failed') + error.message : t(await isReadable(program) ? 'offline' : 'unreadable')), 'error');
 }
 
 // Why another setting gives nothing to compare with.

@@ -24,8 +24,8 @@ addEventListener('dragover', event => { event.preventDefault(); $('stage').class
 addEventListener('dragleave', () => $('stage').classList.remove('dropping'));
 addEventListener('drop', event => {
   event.preventDefault();
-  if (inside) return;
   $('stage').classList.remove('dropping');
+  if (inside) return;
   add([...event.dataTransfer.files]);
 });
 
@@ -38,9 +38,10 @@ function save(blob, name) {
 }
 const stem = name => name.replace(/\.[^.]*$/, '');
 $('save-nc').addEventListener('click', async () => {
+  const program = shown.current;
   try {
-    save(await api.compensated(shown.current, shown.current.settings), `${stem(shown.current.name)}_g40.nc`);
-  } catch (error) { fail(error); }
+    save(await api.compensated(program, program.settings), `${stem(program.name)}_g40.nc`);
+  } catch (error) { await fail(error, program); }
 });
 $('save-svg').addEventListener('click', () => {
   const {view, tiles, compare, name} = shown.current;
@@ -50,9 +51,10 @@ $('save-svg').addEventListener('click', () => {
   save(new Blob([svg], {type: 'image/svg+xml'}), `${stem(name)}.svg`);
 });
 $('save-record').addEventListener('click', async () => {
+  const program = shown.current;
   try {
-    save(await api.record(shown.current, shown.current.settings), `${stem(shown.current.name)}_g40.json`);
-  } catch (error) { fail(error); }
+    save(await api.record(program, program.settings), `${stem(program.name)}_g40.json`);
+  } catch (error) { await fail(error, program); }
 });
 
 $('form').addEventListener('submit', event => { event.preventDefault(); compute(); });

@@ -1,6 +1,6 @@
 // Programs, and what the service makes of them: views, compared two at a time.
 import {api, inside} from './api.js';
-import {fail, hasOwnRadius, input, lengthOf, output, reasonOf, say, showSaid, Unreadable} from './found.js';
+import {fail, hasOwnRadius, input, lengthOf, output, reasonOf, say, showSaid} from './found.js';
 import {redraw, seeAllNext, showAllAgain} from './picture.js';
 import {Tiles} from './scene.js';
 import {settingName, settingWord} from './settings_texts.js';
@@ -54,12 +54,10 @@ export async function compute() {
     forget(program);
     program.settings = settings;
     showNothing();
-    return fail(error.problem || await isReadable(program) ? error : new Unreadable());
+    return fail(error, program);
   }
   await Promise.all([show(program), learn(program, program.view), program.compareWith && compare(program)]);
 }
-
-const isReadable = ({text}) => !(text instanceof Blob) || text.slice(0, 1).arrayBuffer().then(() => true, () => false);
 
 function showNothing() {
   for (const name of ['save-nc', 'save-svg', 'save-record', 'survey', 'way', 'play', 'plane']) $(name).disabled = true;

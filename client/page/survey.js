@@ -13,7 +13,7 @@ async function survey() {
   let answer = null;
   try {
     answer = await api.survey(program, program.settings, view.toolRadius ?? 0);
-  } catch (error) { fail(error); }
+  } catch (error) { await fail(error, program); }
   if (shown.current !== program || program.view !== view) return;
   $('survey').disabled = false;
   $('largest').replaceChildren(...(answer ? surveyed(answer, view) : []));

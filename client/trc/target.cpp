@@ -3,8 +3,11 @@
 #include <arpa/inet.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cstdint>
 #include <random>
 #include <sstream>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -32,6 +35,15 @@ Failure refused(std::string message) {
   return {.status = "INVALID_ARGUMENT", .message = std::move(message), .reason = "ADDRESS_INVALID"};
 }
 
+// For HOST:PORT.
+std::optional<Failure> fault_of_port(const std::string& address) {
+  const std::string port = address.substr(address.rfind(':') + 1);
+  std::uint16_t number = 0;
+  const auto [end, error] = std::from_chars(port.data(), port.data() + port.size(), number);
+  if (error == std::errc{} && end == port.data() + port.size() && number > 0) return std::nullopt;
+  return refused("'" + address + "': '" + port + "' is no port: write a number from 1 to 65535");
+}
+
 // Streams go to the servers in turn, except to a server that reports on its own connection that it
 // takes no work.
 std::string in_turn_while_serving() {
@@ -53,6 +65,9 @@ std::optional<Failure> target_of(const std::string& address, bool tls, Target& t
     // Without a port gRPC would use that of HTTPS.
     const bool has_port = address.find(':') != std::string::npos && !address.ends_with(']');
     if (!has_port) return refused("'" + address + "' has no port: write " + address + ":50051");
+    const bool is_socket = address.starts_with("unix:") || address.starts_with("unix-abstract:") ||
+                           address.starts_with("vsock:");
+    if (auto fault = is_socket ? std::nullopt : fault_of_port(address)) return fault;
     target = {.uri = address, .service_config = {}};
     return std::nullopt;
   }
@@ -64,6 +79,7 @@ std::optional<Failure> target_of(const std::string& address, bool tls, Target& t
   for (std::string one; std::getline(list, one, ',');) {
     if (family_of(one) == Family::name)
       return refused("in a list of servers '" + one + "' must be an IP address and a port");
+    if (auto fault = fault_of_port(one)) return fault;
     if (!servers.empty() && family_of(one) != family_of(servers.front()))
       return refused("'" + address + "' mixes IPv4 and IPv6");
     servers.push_back(std::move(one));

@@ -410,15 +410,17 @@ std::string_view help_about_values(const Diagnostic& diagnostic, bool german) {
                     "halben Weg vom Anfang zum Ende messen."
                   : "Correct the radius or the end point: the radius must be at least half of the "
                     "way from the start to the end.";
-  // A tool table does not help a program that names no tool.
+  // Whether the program calls a tool by name or not at all is not known here.
   const bool names_no_tool = diagnostic.detail.starts_with("G41 or G42 in ") ||
                              diagnostic.detail.starts_with("RL or RR in ");
   if (diagnostic.code == Code::no_tool_radius && names_no_tool &&
       diagnostic.detail.find(", ") == std::string::npos)
-    return german ? "tool_radius im Setup angeben, oder vor G41 oder G42 das Werkzeug "
-                    "programmieren, dessen Radius die Werkzeugtabelle hat: hier steht keines."
-                  : "Give tool_radius in the setup, or program the tool in front of G41 or G42 "
-                    "whose radius the tool table holds: there is none here.";
+    return german ? "tool_radius im Setup angeben, oder eine Tabelle mit dem Werkzeug, das das "
+                    "Programm vor G41 oder G42 aufruft (`tools` des Setups); ruft es keines auf, "
+                    "hilft eine Tabelle nicht."
+                  : "Give tool_radius in the setup, or a table with the tool that the program "
+                    "calls in front of G41 or G42 (`tools` of the setup); if it calls none, a "
+                    "table does not help.";
   const bool is_center_word =
       diagnostic.detail == "I" || diagnostic.detail == "J" || diagnostic.detail == "K";
   if (diagnostic.code == Code::nc_unsupported && is_center_word)
@@ -502,15 +504,16 @@ std::string help_of(const Diagnostic& diagnostic, Language language) {
         Code::no_tool_radius,    Code::line_reversed,        Code::arc_wrapped,
         Code::clearance_violated};
     // For these reasons the general help for expressions says little.
-    constexpr std::array<std::string_view, 9> own_reasons{", words behind a statement",
-                                                          ", a block number behind other words",
-                                                          ", set by the program",
-                                                          " or a tool offset of Fanuc",
-                                                          ", which the program itself changes",
-                                                          ", an argument without a decimal point",
-                                                          " beside M98",
-                                                          " beside G65",
-                                                          " beside G66"};
+    constexpr std::array<std::string_view, 10> own_reasons{", words behind a statement",
+                                                           ", a block number behind other words",
+                                                           ", set by the program",
+                                                           " or a tool offset of Fanuc",
+                                                           ", which the program itself changes",
+                                                           ", an argument without a decimal point",
+                                                           " beside M98",
+                                                           " beside G65",
+                                                           " beside G66",
+                                                           "text in UTF-16"};
     const bool has_own_reason = std::ranges::any_of(
         own_reasons, [&](std::string_view reason) { return diagnostic.detail.ends_with(reason); });
     // Klartext has its own help for an unknown position.

@@ -117,7 +117,8 @@ constexpr auto rows = std::to_array<Explanation>({
                 "The table has the tool, but not its name, or not this edge."},
      .on_command_line =
          "Give the table with that tool: --tools tools.csv, with number,name,edge,radius as far "
-         "as the program says them; or that tool alone: --set tools=NUMBER:RADIUS.",
+         "as the program says them; or each tool of the program, that of --radius too: --set "
+         "tools=NUMBER:RADIUS, once for each.",
      .example = "N10 G00 X0 Y0\n"
                 "N20 D77\n"
                 "N30 M30\n"},

@@ -13,7 +13,7 @@ constexpr auto rows = std::to_array<Explanation>({
      .causes = {"The tool table was not given.", "The D or T word stands behind G41."},
      .on_command_line =
          "Give the radius: --radius 5, or those of the tools that the program names: "
-         "--tools tools.csv, --set tools=1:5.",
+         "--tools tools.csv, --set tools=1:5, once for each.",
      .example = "N10 G00 X0 Y0\n"
                 "N20 G41\n"
                 "N30 G01 X10 Y10 F500\n"

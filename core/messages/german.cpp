@@ -202,8 +202,9 @@ constexpr auto rows = std::to_array<GermanRow>({
      .help = "Das Werkzeug in die Tabelle des Setups aufnehmen: Nummer, Name und Schneide, wo das "
              "Programm sie nennt, und seinen Radius.",
      .on_command_line = "Die Tabelle mit dem Werkzeug angeben: --tools tools.csv, mit "
-                        "number,name,edge,radius, soweit das Programm sie nennt; oder dieses "
-                        "Werkzeug allein: --set tools=NUMMER:RADIUS."},
+                        "number,name,edge,radius, soweit das Programm sie nennt; oder jedes "
+                        "Werkzeug des Programms, auch das von --radius: --set "
+                        "tools=NUMMER:RADIUS, einmal für jedes."},
     {.code = Code::program_empty,
      .title = "das Programm hat keinen Satz",
      .help = "Prüfen, ob es die gemeinte Datei ist und ob sie vollständig ist."},
@@ -343,7 +344,7 @@ constexpr auto rows = std::to_array<GermanRow>({
      .help = "Ein D-Wort oder T-Wort programmieren, dessen Radius die Werkzeugtabelle des Setups "
              "hat, oder tool_radius im Setup angeben.",
      .on_command_line = "Den Radius angeben: --radius 5, oder die der Werkzeuge, die das Programm "
-                        "nennt: --tools tools.csv, --set tools=1:5."},
+                        "nennt: --tools tools.csv, --set tools=1:5, einmal für jedes."},
     {.code = Code::tool_radius_zero,
      .title = "der Werkzeugradius ist mit 0 angegeben: korrigiert wird nichts",
      .help = "Prüfen, ob der Radius 0 sein soll."},

@@ -225,6 +225,7 @@ constexpr auto phrases = std::to_array<Phrase>({
     {"the end of a subprogram", "das Ende eines Unterprogramms"},
     {"the end of the line", "das Ende der Zeile"},
     {"the name of a call in a variable", "der Name eines Aufrufs in einer Variablen"},
+    {"text in UTF-16", "Text in UTF-16"},
     {"thread cutting", "Gewindeschneiden"},
     {"thread turning", "Gewindedrehen"},
     {"tilted working plane", "geschwenkte Bearbeitungsebene"},

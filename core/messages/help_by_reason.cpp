@@ -535,6 +535,11 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Program the functions that held before once more: G90 or G91, G20 or G21, the plane, F.",
      "Die Funktionen von vorher noch einmal programmieren: G90 oder G91, G20 oder G21, die Ebene, "
      "F."},
+    {"a variable or an expression",
+     "Write its value in its place, assign it in the program, or give it: `variables` of the "
+     "setup.",
+     "Den Wert an ihre Stelle schreiben, sie im Programm setzen oder ihren Wert angeben: "
+     "`variables` des Setups."},
     {"a variable", "Write its value in its place, or assign it in the program.",
      "Ihren Wert an ihre Stelle schreiben oder sie im Programm setzen."},
     {"turns beside a radius", "Write the centre of the arc, I and J, in place of its radius.",
@@ -559,6 +564,8 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "setup; a subprogram is given in `subprograms`.",
      "Die Schreibweise berichtigen. Wo er den Weg nicht ändert, ihn in pass_words des Setups "
      "angeben; ein Unterprogramm gehört in `subprograms`."},
+    {"text in UTF-16", "Save the program as plain text in UTF-8 or ASCII.",
+     "Das Programm als reinen Text in UTF-8 oder ASCII speichern."},
     {"thread cutting", "A thread is no contour of a mill: take it into a program of its own.",
      "Ein Gewinde ist keine Kontur zum Fräsen: es in ein eigenes Programm auslagern."},
     {"tool offset increase", "Write the coordinates with the offset in them.",

@@ -233,6 +233,19 @@ const tests = {
     assert.equal(await page.evaluate(() => document.body.dataset.view), before);
   },
 
+  async 'a file that has changed since it was opened is not taken for a lost server'(page) {
+    const bracket = readFileSync(join(top, 'client/samples/bracket.nc'), 'utf8');
+    for (const button of ['#save-nc', '#save-record', '#survey']) {
+      const path = file('changing.nc', bracket);
+      await show(page, path, {tool_radius: ''});
+      writeFileSync(path, `${bracket}(more)\n`);
+      await page.click(button);
+      await page.waitForFunction(() => document.getElementById('state').className === 'error');
+      assert.equal(await page.textContent('#state'), 'the file has changed or cannot be read: open it again');
+    }
+    page.problems = page.problems.filter(problem => !/ERR_UPLOAD_FILE_CHANGED/.test(problem));
+  },
+
   async 'several programs at once, of which each is shown'(page) {
     await page.evaluate(texts => {
       const data = new DataTransfer();
@@ -638,6 +651,10 @@ const tests = {
       assert.ok(Number(await page.evaluate(() => document.body.dataset.arrows)) > 2, 'its arrows too');
       assert.match(readFileSync(written, 'utf8'), /"contourBlocks":"\d+"/, 'and its contour');
       assert.ok(!await page.locator('#form').isVisible(), 'nothing can be computed here');
+      await page.evaluate(() => {
+        for (const kind of ['dragover', 'drop']) dispatchEvent(new DragEvent(kind, {bubbles: true, cancelable: true}));
+      });
+      assert.equal(await page.getAttribute('#stage', 'class') || '', '', 'what is dropped here is left alone');
       if (name === 'notch.nc') {
         const [, line, code] = /notch\.nc:(\d+):.* error (\d+)/.exec(said);
         const button = page.locator('#diagnostics button.error').first();

@@ -40,6 +40,35 @@ TEST_P(Remedy, FitsWhatIsRefused) {
   EXPECT_NE(help_of(*found, Language::german), help_of(*found));
 }
 
+// Each line of such a text has several faults.
+TEST(Encoding, IsToldOnceForATextInUtf16) {
+  using namespace std::string_literals;
+  const std::string little =
+      "G\0"
+      "0\0 \0X\0"
+      "0\0\r\0\n\0#\0"
+      "1\0=\0"
+      "2\0\r\0\n\0"s;
+  const std::string big =
+      "\0G\0"
+      "0\0 \0X\0"
+      "0\0\r\0\n\0#\0"
+      "1"s;
+  for (const DialectName dialect : {isg, fanuc, linuxcnc, sinumerik, heidenhain})
+    for (const std::string& text : {"\xFF\xFE" + little, little, "\xFE\xFF" + big})
+      for (const std::size_t piece : {0UL, 1UL, 3UL}) {
+        const ProgramRun ran = to_text(text, computing_setup(dialect, 2), piece);
+        ASSERT_EQ(ran.codes(), "900007 at line 1");
+        EXPECT_EQ(ran.diagnostics.front().detail, "text in UTF-16");
+        EXPECT_EQ(help_of(ran.diagnostics.front()),
+                  "Save the program as plain text in UTF-8 or ASCII.");
+        EXPECT_EQ(ran.text, "");
+      }
+  // A NUL in front of the tape.
+  EXPECT_NE(to_text("\0%\nO1\nG0 X0\nM30\n"s, computing_setup(fanuc)).diagnostics.at(0).detail,
+            "text in UTF-16");
+}
+
 const std::string at_start = "G21 G90 G17\nG0 X-10. Y-10.\n";
 
 INSTANTIATE_TEST_SUITE_P(
@@ -74,6 +103,8 @@ INSTANTIATE_TEST_SUITE_P(
              "P beside G41, G42, a radius or a diameter", "Leave P out"},
         Told{fanuc, at_start + "G91 G10 L13 P1 R0.1\nG90\nM30\n", "3:5 900003",
              "G10 L13, a sum of a tool radius", "Write the value itself under G90"},
+        Told{sinumerik, "G71 G90 G17\nG0 X-20 Y-20\nG41 G1 X0 Y0 F500\nX=R1\nG40 X-20\nM30\n",
+             "4:1 900003", "X=R1, a variable or an expression", "give it: `variables` of"},
         Told{sinumerik, "G71 G90\nG0 X1=5\nM30\n", "2:4 900011", "X1=5", "X for X1"},
         Told{linuxcnc, "G21 G90\nM72\nM2\n", "2:1 900003", "M72, modes as they were at M70",
              "Program the functions that held before once more"},

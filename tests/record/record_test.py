@@ -265,6 +265,8 @@ class Records(unittest.TestCase):
                 self.is_one(record)
                 self.write("square.nc", SQUARE)
                 self.assertEqual(self.verified(record, "square.nc")[0], 0)
+                if name:
+                    self.assertEqual(self.verified(record)[0], 0)
 
     def test_of_what_a_setup_asks_for(self):
         """As any client of the RPCs gets it: here through their JSON, in one request."""

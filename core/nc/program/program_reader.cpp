@@ -64,12 +64,27 @@ ProgramReader::ProgramReader(const ReaderLimits& limits, ProgramState& state,
 ProgramReader::~ProgramReader() = default;
 
 bool ProgramReader::feed(std::string_view text, std::vector<LinePointer>& lines) {
+  if (first_bytes_.size() < bytes_of_utf16 && !check_encoding(text)) return false;
   if (passes_) return interpreter_.feed(text, lines);
   if (computing_) return collect(text, lines);
   if (setup_.dialect == DialectName::isg && is_plain(text)) return pass_plain(text, lines);
   if (partial_.empty()) return split(text, lines);
   const std::string whole = std::exchange(partial_, {}).append(text);
   return split(whole, lines);
+}
+
+// A text in UTF-16 has a fault in each line; it is told once, and as such.
+bool ProgramReader::check_encoding(std::string_view text) {
+  first_bytes_.append(text.substr(0, bytes_of_utf16 - first_bytes_.size()));
+  if (first_bytes_.size() < bytes_of_utf16) return true;
+  const bool has_mark = first_bytes_ == "\xFF\xFE" || first_bytes_ == "\xFE\xFF";
+  const bool begins_with_ascii =
+      first_bytes_[1] == '\0' && first_bytes_[0] > 0 && first_bytes_[0] <= '~';
+  if (!has_mark && !begins_with_ascii) return true;
+  Diagnostic refused = diagnostic(Code::nc_not_text, {}, "text in UTF-16");
+  refused.source.line = 1;
+  refused.column = 1;
+  return interpreter_.stop(std::move(refused));
 }
 
 // Text of lines that compute nothing and end in line feeds goes on as a whole, except for the line

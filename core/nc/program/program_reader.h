@@ -58,7 +58,7 @@ class ProgramReader {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(interpreter_, partial_, before_, lines_before_, before_is_whole_, passes_, computing_,
-            text_, waits_, waiting_, first_program_, first_file_);
+            text_, waits_, waiting_, first_program_, first_file_, first_bytes_);
   }
 
  private:
@@ -72,6 +72,7 @@ class ProgramReader {
   bool stop_waiting(std::vector<LinePointer>& lines);
   bool find_main_program(std::vector<LinePointer>& lines);
   bool refuse_order_of_programs(std::string detail, std::uint64_t line);
+  bool check_encoding(std::string_view text);
   bool check_order_of_files(std::string_view line, std::uint64_t number);
   [[nodiscard]] bool calls_what_stands_first(std::string_view line) const;
   bool split(std::string_view text, std::vector<LinePointer>& lines);
@@ -115,6 +116,9 @@ class ProgramReader {
   std::uint64_t lines_of_text_ = 0;
   bool executed_ = false;
   std::string flat_{};  // of the line that is executed
+
+  static constexpr std::size_t bytes_of_utf16 = 2;  // that tell it
+  std::string first_bytes_{};                       // of the text, as many
 };
 
 }  // namespace trc

@@ -83,12 +83,17 @@ TEST(Reporter, NamesTheToolThatIsMissing) {
   EXPECT_NE(help_for("D7").find("--set tools=7:RADIUS"), std::string::npos) << help_for("D7");
   EXPECT_NE(help_for("12").find("--set tools=12:RADIUS"), std::string::npos);
   EXPECT_NE(help_for("D9 of T1").find("--set tools=1/9:RADIUS"), std::string::npos);
-  EXPECT_NE(help_for("\"MILL\"").find("--set 'tools=\"MILL\":RADIUS'."), std::string::npos)
+  EXPECT_NE(help_for("\"MILL\"").find("--set 'tools=\"MILL\":RADIUS',"), std::string::npos)
       << help_for("\"MILL\"");
   EXPECT_NE(help_for("D2 of \"MILL\"").find("--set 'tools=\"MILL\"/2:RADIUS'"), std::string::npos);
   EXPECT_NE(help_for("\"MIL\", the table has \"MILL\"").find("'tools=\"MIL\":"), std::string::npos);
   EXPECT_NE(help_for("D9").find("--set tools=9:RADIUS"), std::string::npos);
-  EXPECT_NE(help_for("5.2").find("--set tools=NUMBER:RADIUS"), std::string::npos);
+  EXPECT_NE(help_for("5.2").find("--set tools=5/3:RADIUS"), std::string::npos) << help_for("5.2");
+  EXPECT_NE(help_for("5.x").find("--set tools=NUMBER:RADIUS"), std::string::npos);
+  // A table that has one tool needs the others too.
+  EXPECT_NE(help_for("D7").find("that of --radius too: --set tools=7:RADIUS, once for each."),
+            std::string::npos)
+      << help_for("D7");
 }
 
 // A table gives no radius to a program that names no tool.
@@ -101,11 +106,13 @@ TEST(Reporter, HelpsToARadiusAsTheProgramNeedsIt) {
   };
   using enum DialectName;
   EXPECT_EQ(help_for("G41 or G42 in line 2 (N30)", Language::english, isg),
-            "Give the radius: --radius 5, or program the tool in front of G41 or G42 whose radius "
-            "the tool table holds: there is none here.");
+            "Give the radius: --radius 5, or a table with the tool that the program calls in front "
+            "of G41 or G42 (--tools tools.csv, --set tools=1:5, by name --set "
+            "'tools=\"MILL\":5'); if it calls none, a table does not help.");
   EXPECT_EQ(help_for("RL or RR in line 2 (N30)", Language::english, heidenhain),
-            "Give the radius: --radius 5, or program the tool in front of RL or RR whose radius "
-            "the tool table holds: there is none here.");
+            "Give the radius: --radius 5, or a table with the tool that the program calls in front "
+            "of RL or RR (--tools tools.csv, --set tools=1:5, by name --set 'tools=\"MILL\":5'); "
+            "if it calls none, a table does not help.");
   EXPECT_EQ(help_for("G41 or G42 in line 2, T2 without M06", Language::english, isg),
             "Program M06 behind the T word, in front of G41 or G42, or give the radius: --radius "
             "5.");
@@ -113,6 +120,12 @@ TEST(Reporter, HelpsToARadiusAsTheProgramNeedsIt) {
       help_for("G41 or G42 in line 2, D0 or T0 is no tool", Language::english, sinumerik);
   EXPECT_EQ(of_zero.find("--radius"), std::string::npos) << of_zero;
   EXPECT_NE(help_for("D1", Language::english, fanuc).find("--tools"), std::string::npos);
+  EXPECT_NE(help_for("D4", Language::english, fanuc).find("--set tools=4:5, once for each."),
+            std::string::npos);
+  EXPECT_NE(help_for("T2 D1", Language::english, sinumerik).find("--set tools=2:5,"),
+            std::string::npos);
+  EXPECT_NE(help_for("T2 D3", Language::german, sinumerik).find("--set tools=2/3:5,"),
+            std::string::npos);
   EXPECT_EQ(help_for("G41 or G42 in line 2", Language::german, isg).substr(0, 30),
             "Den Radius angeben: --radius 5");
 }

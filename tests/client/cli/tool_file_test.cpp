@@ -140,6 +140,46 @@ TEST(ToolFile, SaysWhatIsWrongInToolDataOfSinumerik) {
   EXPECT_EQ(fault_in("$TC_DP15[4,1]=0.1\n$TC_DP6[5,1]=1\n"), "tool 4 has wear, but no radius");
 }
 
+TEST(ToolFile, IsATableOfLinuxcncWithAllItsWords) {
+  const std::map<std::uint32_t, double> expected{{1, 0.75}, {2, 0.125}, {3, 2.5}};
+  EXPECT_EQ(radii_in("; tools: 3, radius 7,5\n"
+                     "T1 P1 X0 Y-0.5 Z+1.5 A0 B0 C0 U0 V0 W0 D+1.5 I45 J-45 Q2 ;mill, 1,5 (new)\n"
+                     "T2 P2 D.25 ; D10\nt3 p3 d5.\n"),
+            expected);
+}
+
+// A number read in part is another radius.
+TEST(ToolFile, ReadsNoPartOfANumber) {
+  for (const auto& [row, fault] : std::map<std::string, std::string>{
+           {"T1 P1 D10,5 Z-20", "D is \"10,5\", which is no number"},
+           {"T1 P1 D10.5.3", "D is \"10.5.3\", which is no number"},
+           {"T1 P1 D+-5", "D is \"+-5\", which is no number"},
+           {"T1 P1 D1O", "O has no number directly behind it"},
+           {"T1 P1 D1l", "L has no number directly behind it"},
+           {"T1 P1 D 10", "D has no number directly behind it"},
+           {"T1 P1 D10 5", "\"5\" has no letter in front of it"},
+           {"T P1 D10", "T has no number directly behind it"},
+           {"T1 P1 D10 D12", "D a second time"},
+           {"T1 T2 P1 D10", "T a second time"},
+           {"T1 D1E3", "E is no word of a table of LinuxCNC"},
+           {"T1 D5 M6", "M is no word of a table of LinuxCNC"},
+           {"/T1 P1 D10",
+            "whether a line with the block skip / counts is not known: remove the / or the line"},
+           {"G10 L12 P1 R5,5", "R is \"5,5\", which is no number"},
+           {"G10 L12 P1 R5O", "O has no number directly behind it"},
+           {"G10 L12 P1 R5.5.5", "R is \"5.5.5\", which is no number"},
+           {"G10 L12 P1 R#100", "R is \"#100\", which is no number"},
+           {"G10 L12 P1 R[2+3]", "R is \"[2+3]\", which is no number"},
+           {"G10 L#1 P1 R5.", "L is \"#1\", which is no number"},
+           {"G10 L12 P1 R5. R6.", "R a second time"},
+           {"G10 L12 P1", "G10 L12 and G10 L13 need P and R"},
+           {"/G10 L12 P1 R5.",
+            "whether a line with the block skip / counts is not known: remove the / or the line"},
+           {"/G20",
+            "whether a line with the block skip / counts is not known: remove the / or the line"}})
+    EXPECT_EQ(fault_in(row + "\nT9 P9 D1\n"), "line 1: " + fault) << row;
+}
+
 TEST(ToolFile, HoldsTheOffsetsOfFanuc) {
   constexpr const char* table =
       "%\nO9001\nG10 L10 P1 R120.5\nG10 L12 P1 R5.\nG10 L13 P1 R-0.02\nM30\n%\n";
@@ -147,8 +187,10 @@ TEST(ToolFile, HoldsTheOffsetsOfFanuc) {
   EXPECT_EQ(radii.size(), 1u);
   EXPECT_DOUBLE_EQ(radii.at(1), 5);
   EXPECT_DOUBLE_EQ(wear_in(table).at(1), -0.02);
-  for (const char* const line : {"G10 G90 L12 P1 R3.", "G10G90L12P1R3.", "G90 G10 L12 P1 R3.",
-                                 "G21 G90 G10 L12 P1 R3.", "G91\nG10 G90 L12 P1 R3."})
+  for (const char* const line :
+       {"G10 G90 L12 P1 R3.", "G10G90L12P1R3.", "G90 G10 L12 P1 R3.", "G21 G90 G10 L12 P1 R3.",
+        "G91\nG10 G90 L12 P1 R3.", "N5 (R9.) G10 L12 P1 R3. (R4.) M1;",
+        "/ G0 Z100.\nG10 L2 P1 X#500\nG10 L12 P1 R3."})
     EXPECT_EQ(radii_in(line).at(1), 3) << line;
   EXPECT_EQ(fault_in("G91 G10 L12 P1 R3.\n"),
             "line 1: under G91 its R is added to what the memory holds: give it under G90");
@@ -185,6 +227,30 @@ TEST(ToolFile, IsATableOfHeidenhain) {
   EXPECT_NE(fault_in("BEGIN TOOL .T MM\nT  R\n1  x\n").find("R is \"x\""), std::string::npos);
 }
 
+// As blanks that were collapsed and tabs leave it: a cell is cut where its column begins.
+TEST(ToolFile, IsNoTableOfHeidenhainWhoseColumnsDoNotLineUp) {
+  const auto fault = [](std::string_view rows) {
+    return fault_in("BEGIN TOOL .T MM\n" + std::string(rows) + "[END]\n");
+  };
+  const auto told = [](const std::string& name) {
+    return "line 3: its values do not begin below the name of column " + name +
+           ": restore the blanks between the columns, or make it a CSV";
+  };
+  EXPECT_EQ(fault("T NAME L R R2\n1 MILL10 100 5 0\n"), told("NAME"));
+  EXPECT_EQ(fault("T NAME L R R2\n1 A 100 5 0\n"), told("R"));
+  EXPECT_EQ(fault("T    L        R        R2\n1    +100     12.500   +0\n"), "");
+  EXPECT_EQ(fault("T    L        R        R2\n1    +100    12.500   +0\n"), told("R"));
+  EXPECT_EQ(fault("T    L        R        R2\n1    +100      12.500 +0\n"), told("R"));
+  EXPECT_EQ(fault("T    L        R     R2\n1    +100     12.5005\n"), told("R"));
+  EXPECT_EQ(fault("T    R     NAME\n123456     A\n"), told("T"));
+  EXPECT_EQ(fault("T\tR\n1\t5\n"),
+            "line 2: it has tabs, and columns are found by their place: replace each with blanks, "
+            "or make it a CSV");
+  EXPECT_EQ(fault("T    R\n1\t5\n"),
+            "line 3: it has tabs, and columns are found by their place: replace each with blanks, "
+            "or make it a CSV");
+}
+
 TEST(ToolFile, CountsInTheUnitItNames) {
   EXPECT_DOUBLE_EQ(radii_in("number,radius,unit\n1,0.25,inch\n2,5,MM\n3,4,\n").at(1), 6.35);
   EXPECT_DOUBLE_EQ(radii_in("number,radius,unit\n1,0.25,inch\n2,5,MM\n3,4,\n").at(2), 5);
@@ -201,18 +267,42 @@ TEST(ToolFile, CountsInTheUnitItNames) {
 }
 
 TEST(ToolFile, SaysWhetherAProgramCountsInInch) {
-  EXPECT_TRUE(switches_to_inch("(G21)\nN1 G90 G20\n", v1::DIALECT_FANUC));
-  EXPECT_FALSE(switches_to_inch("(G20)\nG90 G200 ; G20\n", v1::DIALECT_LINUXCNC));
-  EXPECT_TRUE(switches_to_inch("g700 G90\n", v1::DIALECT_SINUMERIK));
-  EXPECT_TRUE(switches_to_inch("G70\n", v1::DIALECT_ISG));
-  EXPECT_TRUE(switches_to_inch("0 BEGIN PGM A INCH\n", v1::DIALECT_HEIDENHAIN));
-  EXPECT_FALSE(switches_to_inch("0 BEGIN PGM INCH MM\n", v1::DIALECT_HEIDENHAIN));
+  const auto in_inch = [](std::string_view program, v1::Dialect dialect,
+                          v1::LengthUnit given = v1::LENGTH_UNIT_UNSPECIFIED) {
+    return says_inch(program, dialect, given);
+  };
+  EXPECT_TRUE(in_inch("(G21)\nN1 G90 G20\n", v1::DIALECT_FANUC));
+  EXPECT_FALSE(in_inch("(G20)\nG90 G200 ; G20\n", v1::DIALECT_LINUXCNC));
+  EXPECT_TRUE(in_inch("g701 g700 G90\n", v1::DIALECT_SINUMERIK));
+  EXPECT_TRUE(in_inch("G70\n", v1::DIALECT_ISG));
+  EXPECT_TRUE(in_inch("0 BEGIN PGM A INCH\n", v1::DIALECT_HEIDENHAIN));
+  EXPECT_FALSE(in_inch("0 BEGIN PGM INCH MM\n", v1::DIALECT_HEIDENHAIN));
+  // What the program says counts, not what it is given with.
+  constexpr v1::LengthUnit inch = v1::LENGTH_UNIT_INCH;
+  EXPECT_TRUE(in_inch("G90 G0 X1.\n", v1::DIALECT_FANUC, inch));
+  EXPECT_TRUE(in_inch("G90 (G21)\n", v1::DIALECT_FANUC, inch));
+  EXPECT_FALSE(in_inch("G90 G21\n", v1::DIALECT_FANUC, inch));
+  EXPECT_FALSE(in_inch("G71 G90\n", v1::DIALECT_ISG, inch));
+  EXPECT_FALSE(in_inch("G710 G90\n", v1::DIALECT_SINUMERIK, inch));
+  EXPECT_FALSE(in_inch("0 BEGIN PGM A MM\n", v1::DIALECT_HEIDENHAIN, inch));
 }
 
 TEST(ToolFile, SaysInWhichLineItIsWrong) {
   EXPECT_EQ(fault_in("number,radius\n1,five\n"), "line 2: RADIUS is \"five\", which is no number");
   EXPECT_EQ(fault_in("number,tool,radius\n1,2,5\n"), "line 1: column NUMBER a second time");
   EXPECT_EQ(fault_in("number,radius\n1,5\n1,6\n"), "line 3: tool 1 a second time");
+  EXPECT_EQ(fault_in("number,radius\n1,five\n2,5\n2,5\n"),
+            "line 2: RADIUS is \"five\", which is no number\nline 4: tool 2 a second time");
+  std::string many = "number,radius\n";
+  for (int i = 0; i < 13; ++i) many += "x,5\n";
+  const std::string told = fault_in(many);
+  EXPECT_NE(told.find("\nline 11: NUMBER is \"x\", which is no number\n3 more lines are wrong"),
+            std::string::npos)
+      << told;
+  // Without a header the rows are none.
+  EXPECT_EQ(fault_in("1;5\n2;6\n").find('\n'), std::string::npos);
+  EXPECT_EQ(fault_in("number,size\n1,5\n2,6\n"), "line 1: unknown column \"SIZE\"");
+  EXPECT_EQ(fault_in("BEGIN TOOL .T MM\nT L\n1 5\n"), "line 2: the table has no column R");
   // A decimal comma: not a radius of 5.
   EXPECT_NE(fault_in("number,radius\n1,5,5\n").find("line 2: it has more values than"),
             std::string::npos);

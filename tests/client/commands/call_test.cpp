@@ -79,6 +79,25 @@ TEST(WrongCall, SaysWhichChoiceWasLikelyMeant) {
             std::string::npos);
 }
 
+// An option that is given without a value would otherwise count as not given.
+TEST(WrongCall, GivesAnOptionNoValue) {
+  const Folder folder;
+  const std::string nc = folder.write("part.nc", demo);
+  for (const auto& [command, option] :
+       std::to_array<std::array<std::string, 2>>({{"compensate", "--wear"},
+                                                  {"compensate", "--radius"},
+                                                  {"compensate", "--record"},
+                                                  {"compensate", "-o"},
+                                                  {"compensate", "--output-dir"},
+                                                  {"radii", "--picture"},
+                                                  {"verify", "--record"}})) {
+    const Ended ended = trc({command, nc, option, ""});
+    EXPECT_EQ(ended.code, 2) << option;
+    EXPECT_EQ(ended.out, "") << option;
+    EXPECT_NE(ended.err.find(": its value is empty\n"), std::string::npos) << ended.err;
+  }
+}
+
 TEST(WrongCall, SaysHowNumbersAreWritten) {
   const auto told = [](const std::vector<std::string>& more) {
     std::vector<std::string> call{"compensate", "-"};
@@ -88,6 +107,11 @@ TEST(WrongCall, SaysHowNumbersAreWritten) {
     return ended.err;
   };
   EXPECT_EQ(told({"--radius", "5mm"}), "trc compensate: --radius: 5mm is no number\n");
+  for (const auto& [option, number] : std::to_array<std::array<std::string, 2>>(
+           {{"--radius", "0x10"}, {"--wear", "-0X1p-3"}, {"--max-executed-lines", "010000"}}))
+    EXPECT_NE(told({option, number}).find(option + ": " + number + " is no number\n"),
+              std::string::npos)
+        << option;
   EXPECT_EQ(
       told({"--set", "tool_radius=5,5"}),
       "trc: --set: tool_radius: \"5,5\" is not possible; it takes a number; write 5.5, with a "
@@ -98,6 +122,10 @@ TEST(WrongCall, SaysHowNumbersAreWritten) {
   EXPECT_NE(told({"--set", "tools=1:5,5"}).find("; commas separate tools, decimals have a point\n"),
             std::string::npos);
   EXPECT_EQ(told({"--server", "box"}), "trc: 'box' has no port: write box:50051\n");
+  EXPECT_EQ(told({"--server", "127.0.0.1:99999"}),
+            "trc: '127.0.0.1:99999': '99999' is no port: write a number from 1 to 65535\n");
+  EXPECT_EQ(told({"--server", "127.0.0.1:1,127.0.0.1:port"}),
+            "trc: '127.0.0.1:port': 'port' is no port: write a number from 1 to 65535\n");
 }
 
 TEST(ExitCode, IsToldByTheHelp) {
@@ -111,6 +139,8 @@ TEST(WrongCall, IsToldInGerman) {
   const Folder folder;
   folder.write("a.nc", "G0 X0\nM30\n");
   folder.write("bad.csv", "number,radius\n1,x\n");
+  folder.write("many.csv",
+               "number,radius\n1,x\n1,x\n1,x\n1,x\n1,x\n1,x\n1,x\n1,x\n1,x\n1,x\n1,x\n1,x\n");
   folder.write("twice.csv", "number,radius\n1,2\n1,3\n");
   folder.write("column.csv", "number,size\n1,2\n");
   const std::string nc = folder.path("a.nc");
@@ -128,6 +158,7 @@ TEST(WrongCall, IsToldInGerman) {
       {"compensate", nc, "--tools", folder.path("none.csv")},
       {"compensate", nc, "--tools", folder.path("bad.csv")},
       {"compensate", nc, "--tools", folder.path("twice.csv")},
+      {"compensate", nc, "--tools", folder.path("many.csv")},
       {"compensate", nc, "--tools", folder.path("column.csv")},
       {"compensate", nc, "--set", "radus=5"},
       {"compensate", nc, "--set", "tool_radius"},
@@ -138,6 +169,10 @@ TEST(WrongCall, IsToldInGerman) {
       {"compensate", nc, "--subprograms", folder.path("none")},
       {"compensate", nc, "-o", nc},
       {"compensate", nc, "-q", "-v"},
+      {"compensate", nc, "--wear", ""},
+      {"compensate", nc, "--radius", "0x10"},
+      {"compensate", nc, "--server", "127.0.0.1:99999"},
+      {"radii", nc, "--picture", folder.path("a.pdf")},
       {"compensate", nc, "--worker"},
       {"compensate", nc, nc},
       {"compensate", nc, nc, "--output-dir", folder.path("out")},

@@ -88,6 +88,14 @@ TEST(Radii, AreDrawn) {
   EXPECT_NE(svg.find("R 3.000: reaches all, 12.000 mm of wall uncut"), std::string::npos);
 }
 
+TEST(Radii, AreDrawnAsSvgAlone) {
+  const Folder folder;
+  const Ended ended = trc({"radii", "-", "--radii", "2", "--picture", folder.path("a.pdf")}, slot);
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_EQ(ended.err, "trc: --picture " + folder.path("a.pdf") + ": the name must end in .svg\n");
+  EXPECT_EQ(ended.out, "");
+}
+
 TEST(Radii, RefuseWhatCannotBeRead) {
   EXPECT_EQ(trc({"radii", "-", "--radii", "3"}, "N10 G999\n").code, 1);
   EXPECT_EQ(trc({"radii", "-", "--radii", "3;5"}, slot).code, 2);
