@@ -211,6 +211,14 @@ bool Flow::refuse_contour_behind_end(std::size_t line) {
 
 void Flow::write_text_behind_end(std::string& flat, std::size_t behind) {
   // Without M02 or M30 the lines would be executed; in a call they stand behind the call.
+  const Frame& main = frames_.front();
+  const ProgramText& text = texts_.front();
+  std::size_t line = main.current + 1;
+  while (line < behind && !was_seen(main, line) && !computes(setup_, text.line(line))) ++line;
+  copy_text_behind_end(flat, line);
+}
+
+void Flow::copy_text_behind_end(std::string& flat, std::size_t behind) {
   if (flat.empty() || frames_.size() > 1) return;
   const Frame& main = frames_.front();
   const ProgramText& text = texts_.front();

@@ -163,6 +163,8 @@ class Flow {
   // Writes the lines of the main program between M02 or M30, which has been written, and `behind`,
   // as they stand; no further than to the first one that computes or was executed.
   void write_text_behind_end(std::string& flat, std::size_t behind);
+  // Writes all of these lines, whatever they hold.
+  void copy_text_behind_end(std::string& flat, std::size_t behind);
 
   // The value the setup gives a variable, by its name in capitals without `#`, `<`, `>`; null:
   // none.
