@@ -83,5 +83,13 @@ TEST(ToldTogether, AreNotThoseBehindAnAlarm) {
             "900312 1 #3000=1 (NO TOOL)\n");
 }
 
+// A call is executed behind its line, whose words are told at their own place.
+TEST(ToldTogether, WordsBesideACallStandInItsLine) {
+  EXPECT_EQ(told("O1\nG777 M98 P2000\nM30\nO2000\nG1 X0\nM99\n", DialectName::fanuc),
+            "900002 2 G777\n");
+  EXPECT_EQ(told("FOO KONTUR\nM30\n", DialectName::sinumerik, {{"KONTUR.SPF", "G0 X0\nM17\n"}}),
+            "900003 1 FOO, a name\n");
+}
+
 }  // namespace
 }  // namespace trc::support
