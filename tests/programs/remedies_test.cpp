@@ -41,6 +41,7 @@ TEST_P(Remedy, FitsWhatIsRefused) {
 }
 
 const std::string at_start = "G21 G90 G17\nG0 X-10. Y-10.\n";
+const std::string klartext_start = "BEGIN PGM A MM\nL X-20 Y-20 R0 FMAX\n";
 
 INSTANTIATE_TEST_SUITE_P(
     Programs, Remedy,
@@ -90,7 +91,15 @@ INSTANTIATE_TEST_SUITE_P(
         Told{sinumerik, "G71 G90\nG0 X0 Y0\nG42 G1 X25 F100\nX30\nG2 AP=0 RP=25 CR=25\nM30\n",
              "5:15 900003", "a centre or a radius of an arc beside AP=, RP=", "Leave it out"},
         Told{fanuc, at_start + "G1 X10. F100.\nG2 X20. Y0 R0\nM30\n", "4:12 20036", "",
-             "a radius other than 0"}));
+             "a radius other than 0"},
+        Told{heidenhain, klartext_start + "CC IX+20\nC X+20 Y+40 DR-\nEND PGM A MM\n", "4:1 900003",
+             "C without CC of both axes", "Write CC with both axes"},
+        Told{heidenhain,
+             klartext_start + "L X+0 Y+0 RL F200\nFCT DR- R15 CCX+50\nL X+9 R0\nEND PGM A MM\n",
+             "4:1 900003", "FCT while TRC is active", "convert the free contour"},
+        Told{heidenhain,
+             klartext_start + "L X+0 Y+0 RL F200\nL X+50\nL X+60 RR\nL X+9 R0\nEND PGM A MM\n",
+             "5:8 900003", "RR behind RL without R0 in between", "a motion with R0"}));
 
 // Blocks of Klartext have numbers without N.
 TEST(BlocksOfKlartext, HaveNumbersWithoutN) {
