@@ -23,6 +23,7 @@ constexpr auto fragments = std::to_array<Fragment>({
      "D von G41, G42 ist die Nummer eines Werkzeugs: einen Durchmesser nehmen G41.1, G42.1"},
     {"RL behind RR without R0 in between", "RL hinter RR ohne R0 dazwischen"},
     {"without CC of both axes", "ohne CC mit beiden Achsen"},
+    {"without L", "ohne L"},
     {"RL, RR behind line", "RL, RR hinter Zeile"},
     {"RL, RR in the contour of the cycles of line", "RL, RR in der Kontur der Zyklen von Zeile"},
     {"RR behind RL without R0 in between", "RR hinter RL ohne R0 dazwischen"},

@@ -153,6 +153,8 @@ constexpr auto helps = std::to_array<ReasonHelp>({
     {"in the contour of the cycles of line",
      "Put the label behind the end of the program (M30 or M2), as the cycles expect it.",
      "Das Label hinter das Programmende (M30 oder M2) stellen, wie die Zyklen es erwarten."},
+    {" without L, with RL or RR", "Write L in front of the coordinates: L X+0 Y+0 RL.",
+     "L vor die Koordinaten schreiben: L X+0 Y+0 RL."},
     {"FL with RL or RR", write_free_contour, write_free_contour_in_german},
     {"FLT with RL or RR", write_free_contour, write_free_contour_in_german},
     {"FC with RL or RR", write_free_contour, write_free_contour_in_german},
@@ -590,6 +592,15 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "P weglassen: was es bedeutet, ist je nach Steuerung verschieden. tool_radius im Setup "
      "angeben, oder an seine Stelle ein D-Wort schreiben, dessen Radius die Werkzeugtabelle oder "
      "G10 L12 P R angibt."},
+    {"a correction of LINUXCNC, or a direction",
+     "If this is a program for LinuxCNC, declare it: --dialect linuxcnc, `dialect` in the setup. A "
+     "contour of FANUC has G41 or G42 with the number D of its register.",
+     "Ist dies ein Programm für LinuxCNC, dies angeben: --dialect linuxcnc, `dialect` im Setup. "
+     "Eine Kontur von FANUC hat G41 oder G42 mit der Nummer D ihres Registers."},
+    {"G301, chamfer", write_corner, write_corner_in_german},
+    {"G302, rounding", write_corner, write_corner_in_german},
+    {"#ROTATION ", "Take it out, and write the coordinates as they are after the rotation.",
+     "Es streichen, und die Koordinaten so schreiben, wie sie nach der Drehung sind."},
     {"a sum of a tool radius",
      "Write the value itself under G90: G10 L12 P R the radius, L13 its wear, G10 L1 P R in "
      "LINUXCNC; or leave it out, and give both in the table of the setup.",

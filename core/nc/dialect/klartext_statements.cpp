@@ -251,8 +251,13 @@ bool read_klartext_statement(Reading& reading, ProgramLine& line, std::size_t be
   if (statement.empty())  // only a comment is continued on the next line
     return refuse_klartext(reading, line, begin, "~", Code::nc_syntax);
   const std::string first = first_word(statement);
-  if (has_side(statement))  // D-121
-    return refuse_klartext(reading, line, begin, first + " with RL or RR");
+  if (has_side(statement)) {  // D-121
+    const bool is_coordinate =
+        first.find_first_of("+-0123456789") <= 2 && first.find_first_of("ABCUVWXYZ") <= 1;
+    return refuse_klartext(
+        reading, line, begin,
+        first + (is_coordinate ? " without L, with RL or RR" : " with RL or RR"));
+  }
   if (begins_with_word(statement, "BEGIN")) {
     if (reading.blocks_read > 0)
       return refuse_klartext(reading, line, begin, "BEGIN PGM, a second program in one text");
