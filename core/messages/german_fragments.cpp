@@ -24,6 +24,8 @@ constexpr auto fragments = std::to_array<Fragment>({
     {"RL behind RR without R0 in between", "RL hinter RR ohne R0 dazwischen"},
     {"without CC of both axes", "ohne CC mit beiden Achsen"},
     {"without L", "ohne L"},
+    {"C in a straight motion of a contour", "C in einer geraden Bewegung einer Kontur"},
+    {"where L counts the calls", "die Aufrufe zählt L"},
     {"RL, RR behind line", "RL, RR hinter Zeile"},
     {"RL, RR in the contour of the cycles of line", "RL, RR in der Kontur der Zyklen von Zeile"},
     {"RR behind RL without R0 in between", "RR hinter RL ohne R0 dazwischen"},

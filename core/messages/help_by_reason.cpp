@@ -64,6 +64,9 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "counts hangs on its letter and on the control.",
      "Das Argument mit Dezimalpunkt schreiben, X10. für X10: in welchem Inkrement eine ganze Zahl "
      "zählt, hängt von ihrem Buchstaben und von der Steuerung ab."},
+    {" beside M98, where L counts",
+     "Where it says how often the subprogram runs write L: M98 P2000 L3. Else take it out.",
+     "Wo es sagt, wie oft das Unterprogramm läuft, L schreiben: M98 P2000 L3. Sonst es streichen."},
     {" beside M98",
      "Take the word out: a subprogram is executed from its beginning. Of one that is called from "
      "within, make the lines behind that place a program of its own.",
@@ -597,6 +600,11 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "contour of FANUC has G41 or G42 with the number D of its register.",
      "Ist dies ein Programm für LinuxCNC, dies angeben: --dialect linuxcnc, `dialect` im Setup. "
      "Eine Kontur von FANUC hat G41 oder G42 mit der Nummer D ihres Registers."},
+    {"C in a straight motion of a contour",
+     "To chamfer the corner write ,C with a comma in front of it. An axis C stands in a block in "
+     "front of the contour first.",
+     "Für eine Fase der Ecke ,C mit einem Komma davor schreiben. Eine Achse C steht zuerst in "
+     "einem Satz vor der Kontur."},
     {"G301, chamfer", write_corner, write_corner_in_german},
     {"G302, rounding", write_corner, write_corner_in_german},
     {"#ROTATION ", "Take it out, and write the coordinates as they are after the rotation.",

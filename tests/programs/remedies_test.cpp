@@ -105,9 +105,20 @@ INSTANTIATE_TEST_SUITE_P(
         Told{heidenhain,
              klartext_start + "L X+0 Y+0 RL F200\nFCT DR- R15 CCX+50\nL X+9 R0\nEND PGM A MM\n",
              "4:1 900003", "FCT while TRC is active", "convert the free contour"},
+        Told{fanuc, "O1\nM98 P2000 K3\nM30\nO2000\nG1 X0\nM99\n", "2:11 900309", "K3 beside M98",
+             "M98 P2000 L3"},
+        Told{fanuc, at_start + "G41 D1 G1 X0 Y0 F200\nY40. C5.\nG40 X-20.\nM30\n", "4:6 900003",
+             "C in a straight motion of a contour", "write ,C with a comma"},
         Told{heidenhain,
              klartext_start + "L X+0 Y+0 RL F200\nL X+50\nL X+60 RR\nL X+9 R0\nEND PGM A MM\n",
              "5:8 900003", "RR behind RL without R0 in between", "a motion with R0"}));
+
+// An axis that turns the part has been named in front of the contour.
+TEST(AnAxisC, MayStandInAContour) {
+  EXPECT_EQ(refusal_of(at_start + "G0 C90.\nG41 D1 G1 X0 Y0 F200\nY40. C5.\nG40 X-20.\nM30\n",
+                       computing_setup(fanuc, 2)),
+            std::pair(0, 0U));
+}
 
 // Blocks of Klartext have numbers without N.
 TEST(BlocksOfKlartext, HaveNumbersWithoutN) {
