@@ -24,6 +24,8 @@ constexpr auto fragments = std::to_array<Fragment>({
     {"RL behind RR without R0 in between", "RL hinter RR ohne R0 dazwischen"},
     {"without CC of both axes", "ohne CC mit beiden Achsen"},
     {"without L", "ohne L"},
+    {"a call of", "ein Aufruf von"},
+    {"whose RL and RR are not followed", "dessen RL und RR nicht verfolgt werden"},
     {"C in a straight motion of a contour", "C in einer geraden Bewegung einer Kontur"},
     {"where L counts the calls", "die Aufrufe zählt L"},
     {"RL, RR behind line", "RL, RR hinter Zeile"},

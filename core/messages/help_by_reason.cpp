@@ -600,6 +600,12 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "contour of FANUC has G41 or G42 with the number D of its register.",
      "Ist dies ein Programm für LinuxCNC, dies angeben: --dialect linuxcnc, `dialect` im Setup. "
      "Eine Kontur von FANUC hat G41 oder G42 mit der Nummer D ihres Registers."},
+    {", whose RL and RR are not followed",
+     "Compensate that program on its own, and give the control the result: the call stays as it "
+     "is. "
+     "Where its text is not given, the call passes.",
+     "Jenes Programm für sich korrigieren und der Steuerung das Ergebnis geben: der Aufruf bleibt, "
+     "wie er ist. Wo sein Text nicht angegeben ist, geht der Aufruf durch."},
     {"C in a straight motion of a contour",
      "To chamfer the corner write ,C with a comma in front of it. An axis C stands in a block in "
      "front of the contour first.",
