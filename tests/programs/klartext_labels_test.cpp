@@ -232,6 +232,18 @@ TEST(KlartextLabels, BehindTheEndAreNotLookedThroughWithTheProgram) {
   EXPECT_EQ(ran.codes(), "900003 at line 5");
 }
 
+// Old printouts write the repetitions left behind a blank.
+TEST(KlartextLabels, AreRepeatedAsOftenAsRepSays) {
+  const auto path = [](const std::string& rep) {
+    return to_text(program_of("LBL 1\n" + contour + "CALL LBL 1 " + rep + "\nM30\n"),
+                   computing_setup(heidenhain, 5))
+        .text;
+  };
+  EXPECT_NE(path("REP 2"), "");
+  EXPECT_EQ(path("REP 2/2"), path("REP 2"));
+  EXPECT_EQ(path("REP 2 /2"), path("REP 2"));
+}
+
 // The control calls them, so that they are compensated by themselves (D-121).
 TEST(ProgramsThatKlartextCalls, AreLookedThroughForContours) {
   const auto told = [](const std::string& call, const std::string& called) {

@@ -91,5 +91,14 @@ TEST(ToldTogether, WordsBesideACallStandInItsLine) {
             "900003 1 FOO, a name\n");
 }
 
+// While lines are only examined, a called label stands behind the end of the program.
+TEST(ToldTogether, OfKlartextAContourInALabelIsNoneBehindTheEnd) {
+  EXPECT_EQ(told("BEGIN PGM A MM\nTOOL CALL 1 Z S1\nL X+0 Y-20 R0 FMAX\nCALL LBL 9\nCALL LBL 1\n"
+                 "L Z+100 R0 FMAX M2\nLBL 1\nL X+0 Y+0 RL F200\nL X+50\nL X+60 Y-20 R0\nLBL 0\n"
+                 "END PGM A MM\n",
+                 DialectName::heidenhain),
+            "900306 4 LBL 9\n");
+}
+
 }  // namespace
 }  // namespace trc::support
