@@ -100,5 +100,18 @@ TEST(ToldTogether, OfKlartextAContourInALabelIsNoneBehindTheEnd) {
             "900306 4 LBL 9\n");
 }
 
+TEST(ToldTogether, OfKlartextAMissingRadiusIsOneFaultOfMany) {
+  ProgramSessionSetup setup = computing_setup(DialectName::heidenhain, 0);
+  const ProgramRun ran = to_text(
+      "BEGIN PGM A MM\nTOOL CALL 1 Z S1\nL X-20 Y-20 R0 FMAX\nL X+0 Y+0 RL F200\nL Y+40 M97\nFLT\n"
+      "L X-20 Y-20 R0 M2\nEND PGM A MM\n",
+      setup);
+  ASSERT_EQ(ran.diagnostics.size(), 3U) << ran.report();
+  EXPECT_EQ(ran.diagnostics[0].code, Code::no_tool_radius);
+  EXPECT_EQ(ran.diagnostics[0].detail, "RL or RR in line 4");
+  EXPECT_EQ(ran.diagnostics[1].source.line, 5U);
+  EXPECT_EQ(ran.diagnostics[2].source.line, 6U);
+}
+
 }  // namespace
 }  // namespace trc::support
