@@ -28,6 +28,7 @@ constexpr auto fragments = std::to_array<Fragment>({
     {"whose RL and RR are not followed", "dessen RL und RR nicht verfolgt werden"},
     {"C in a straight motion of a contour", "C in einer geraden Bewegung einer Kontur"},
     {"where L counts the calls", "die Aufrufe zählt L"},
+    {"which suppresses TRC", "unterdrückt die Werkzeugradiuskorrektur"},
     {"RL, RR behind line", "RL, RR hinter Zeile"},
     {"RL, RR in the contour of the cycles of line", "RL, RR in der Kontur der Zyklen von Zeile"},
     {"RR behind RL without R0 in between", "RR hinter RL ohne R0 dazwischen"},

@@ -595,6 +595,11 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "P weglassen: was es bedeutet, ist je nach Steuerung verschieden. tool_radius im Setup "
      "angeben, oder an seine Stelle ein D-Wort schreiben, dessen Radius die Werkzeugtabelle oder "
      "G10 L12 P R angibt."},
+    {"which suppresses TRC",
+     "Take it out, and CUTCONOF with it: end the contour in front of it with G40, and begin it "
+     "anew with G41 or G42 where CUTCONOF stands.",
+     "Es mit CUTCONOF streichen: die Kontur davor mit G40 beenden, und sie dort, wo CUTCONOF "
+     "steht, mit G41 oder G42 neu beginnen."},
     {"a correction of LINUXCNC, or a direction",
      "If this is a program for LinuxCNC, declare it: --dialect linuxcnc, `dialect` in the setup. A "
      "contour of FANUC has G41 or G42 with the number D of its register.",

@@ -92,6 +92,12 @@ INSTANTIATE_TEST_SUITE_P(
              "5:15 900003", "a centre or a radius of an arc beside AP=, RP=", "Leave it out"},
         Told{fanuc, at_start + "G1 X10. F100.\nG2 X20. Y0 R0\nM30\n", "4:12 20036", "",
              "a radius other than 0"},
+        Told{sinumerik, "G71 G90\nG0 X0 Y0\nCUTCONON\nM30\n", "3:1 900003",
+             "CUTCONON, which suppresses TRC", "end the contour in front of it with G40"},
+        Told{sinumerik, "G71 G90\nG0 X0 Y0\nPCALL KONTUR\nM30\n", "3:1 900003",
+             "PCALL, a subprogram call", "Write the lines of the subprogram"},
+        Told{sinumerik, "G71 G90\nG0 X0 Y0\nCALL BLOCK A TO B\nM30\n", "3:1 900003",
+             "CALL, a subprogram call", "Write the lines of the subprogram"},
         Told{fanuc, at_start + "G41.1 D8.\nM30\n", "3:1 900003", "a correction of LINUXCNC",
              "--dialect linuxcnc"},
         Told{isg, "G90\nG302 I5\nM30\n", "2:1 900003", "G302, rounding",
@@ -118,6 +124,11 @@ TEST(AnAxisC, MayStandInAContour) {
   EXPECT_EQ(refusal_of(at_start + "G0 C90.\nG41 D1 G1 X0 Y0 F200\nY40. C5.\nG40 X-20.\nM30\n",
                        computing_setup(fanuc, 2)),
             std::pair(0, 0U));
+}
+
+TEST(AnOrientation, OfTheToolPassesWhileTrcIsOff) {
+  const std::string text = "G71 G90\nORIC\nORID\nG0 X0 Y0\nM30\n";
+  EXPECT_EQ(flat_of(text, computing_setup(sinumerik, 2)), text);
 }
 
 // Blocks of Klartext have numbers without N.
