@@ -419,6 +419,12 @@ std::string_view help_about_values(const Diagnostic& diagnostic, bool german) {
                     "programmieren, dessen Radius die Werkzeugtabelle hat: hier steht keines."
                   : "Give tool_radius in the setup, or program the tool in front of G41 or G42 "
                     "whose radius the tool table holds: there is none here.";
+  if (diagnostic.code == Code::nc_unknown_function && diagnostic.detail.ends_with(" axis words"))
+    return german
+               ? "Sie entfernen, oder an ihre Stelle die Bewegungen schreiben, die sie ausführt: "
+                 "was Achsen bewegt, lässt sich nicht weiterreichen."
+               : "Remove it, or write the motions that it makes in its place: what moves axes "
+                 "cannot be passed on.";
   const bool is_center_word =
       diagnostic.detail == "I" || diagnostic.detail == "J" || diagnostic.detail == "K";
   if (diagnostic.code == Code::nc_unsupported && is_center_word)
@@ -465,13 +471,15 @@ std::string help_to_declare(const Diagnostic& diagnostic, bool german) {
   });
   if (family == families.end()) return {};
   const std::string name(family->dialect);
+  const bool is_of_isg = diagnostic.words == ControlWords::isg;
   if (german)
     return "Ist dies ein Programm " + std::string(family->german) +
-           ", dann dies angeben: --dialect " + name +
-           ", `dialect` im Setup. Ist es eines für ISG, das Wort streichen." +
+           ", dann dies angeben: --dialect " + name + ", `dialect` im Setup. " +
+           (is_of_isg ? "Ist es eines für ISG, das" : "Sonst das") + " Wort streichen." +
            (name == "fanuc" ? " LinuxCNC hat viele dieser Wörter auch: --dialect linuxcnc." : "");
   return "If this is a program " + std::string(family->english) + ", declare it: --dialect " +
-         name + ", `dialect` in the setup. If it is one for ISG, remove the word." +
+         name + ", `dialect` in the setup. " +
+         (is_of_isg ? "If it is one for ISG, remove" : "Else remove") + " the word." +
          (name == "fanuc" ? " LinuxCNC has many of these words too: --dialect linuxcnc." : "");
 }
 

@@ -605,6 +605,9 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "contour of FANUC has G41 or G42 with the number D of its register.",
      "Ist dies ein Programm für LinuxCNC, dies angeben: --dialect linuxcnc, `dialect` im Setup. "
      "Eine Kontur von FANUC hat G41 oder G42 mit der Nummer D ihres Registers."},
+    {"compensation of the tool radius in space",
+     "Let the control compensate in space; contours of a plane have G41 or G42.",
+     "Im Raum die Steuerung korrigieren lassen; Konturen einer Ebene haben G41 oder G42."},
     {", whose RL and RR are not followed",
      "Compensate that program on its own, and give the control the result: the call stays as it "
      "is. "
