@@ -137,6 +137,17 @@ TEST(AnOrientation, OfTheToolPassesWhileTrcIsOff) {
   EXPECT_EQ(flat_of(text, computing_setup(sinumerik, 2)), text);
 }
 
+// G69 beside G40: the axes of the line say where the tool goes (D-142).
+TEST(AMotionThatIsCopied, LeavesTheContourBesideG69) {
+  const ProgramRun ran =
+      to_text(at_start +
+                  "G68 X0 Y0 R30.\nG0 X-10. Y-10.\nG41 D1 G1 X0 Y0 F200\nY40.\nX40.\n"
+                  "G69 G40 X70. Y40.\nM30\n",
+              computing_setup(fanuc, 2));
+  EXPECT_FALSE(ran.stopped) << ran.report();
+  EXPECT_TRUE(ran.diagnostics.empty()) << ran.report();
+}
+
 // Blocks of Klartext have numbers without N.
 TEST(BlocksOfKlartext, HaveNumbersWithoutN) {
   const ProgramRun ran = to_text(
