@@ -125,6 +125,20 @@ INSTANTIATE_TEST_SUITE_P(
              klartext_start + "L X+0 Y+0 RL F200\nL X+50\nL X+60 RR\nL X+9 R0\nEND PGM A MM\n",
              "5:8 900003", "RR behind RL without R0 in between", "a motion with R0"}));
 
+// A mill may come down behind G41, a lathe goes on without Y (D-105).
+TEST(AMillThatComesDownBehindG41, IsNoLathe) {
+  const std::string down =
+      "G41 D1\nG0 Z5.\nG0 X-5. Y0\nG1 Z-5. F100\nX0 Y0\nX80.\nG40 X99. Y-20.\nM30\n";
+  const std::string turned = "G42 D1\nG0 Z5.\nG0 X20.\nG1 Z-20. F1\nX40. Z-40.\nG40 X52.\nM30\n";
+  for (const DialectName dialect : {fanuc, linuxcnc, sinumerik}) {
+    SCOPED_TRACE(dialect_of(dialect).spelling);
+    ProgramSessionSetup setup = computing_setup(dialect, 2);
+    const std::string modes = dialect == sinumerik ? "G71 G90 G17\nT1\n" : "G21 G90 G17\n";
+    EXPECT_EQ(refusal_of(modes + down, setup), std::pair(0, 0U));
+    EXPECT_EQ(refusal_of(modes + turned, setup).first, 900018);
+  }
+}
+
 // An axis that turns the part has been named in front of the contour.
 TEST(AnAxisC, MayStandInAContour) {
   EXPECT_EQ(refusal_of(at_start + "G0 C90.\nG41 D1 G1 X0 Y0 F200\nY40. C5.\nG40 X-20.\nM30\n",
