@@ -151,6 +151,13 @@ TEST(AnOrientation, OfTheToolPassesWhileTrcIsOff) {
   EXPECT_EQ(flat_of(text, computing_setup(sinumerik, 2)), text);
 }
 
+TEST(AFaultInFrontOfTheEnd, LeavesTheTextBehindItAlone) {
+  const ProgramRun ran =
+      to_text("O1\nG21 G90\nM198 P2000\nM30\nO2000\nG1 X0\nM99\n", computing_setup(fanuc, 2));
+  ASSERT_EQ(ran.diagnostics.size(), 1U) << ran.report();
+  EXPECT_EQ(ran.diagnostics.front().detail, "M198, a subprogram call");
+}
+
 // G69 beside G40: the axes of the line say where the tool goes (D-142).
 TEST(AMotionThatIsCopied, LeavesTheContourBesideG69) {
   const ProgramRun ran =
