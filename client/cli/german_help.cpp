@@ -69,9 +69,10 @@ constexpr auto rows = std::to_array<Row>({
      "Was eine Variable enthält, die das Programm nicht selbst setzt, wie in #500=12.5; "
      "auch mehrmals"},
     {"File of a subprogram that the program calls, or a folder of such files; may be "
-     "repeated",
+     "repeated. Those of heidenhain are not followed, only looked through for RL, RR",
      "Datei eines Unterprogramms, das das Programm aufruft, oder ein Ordner solcher "
-     "Dateien; auch mehrmals"},
+     "Dateien; auch mehrmals. Die von heidenhain werden nicht verfolgt, nur nach RL, RR "
+     "durchgesehen"},
     {"Lines that a program with loops and calls executes at most; 10000000 without it",
      "Zeilen, die ein Programm mit Schleifen und Aufrufen höchstens ausführt; ohne "
      "Angabe 10000000"},

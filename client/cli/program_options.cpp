@@ -114,7 +114,7 @@ void add_reading_options(CLI::App& command, ProgramOptions& options) {
   command
       .add_option("--subprograms", options.subprograms,
                   "File of a subprogram that the program calls, or a folder of such files; may be "
-                  "repeated")
+                  "repeated. Those of heidenhain are not followed, only looked through for RL, RR")
       ->type_name("PATH")
       ->check(CLI::ExistingPath)
       ->allow_extra_args(false);

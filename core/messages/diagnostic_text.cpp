@@ -421,6 +421,12 @@ std::string_view help_about_values(const Diagnostic& diagnostic, bool german) {
                   : "Give tool_radius in the setup, or a table with the tool that the program "
                     "calls in front of G41 or G42 (`tools` of the setup); if it calls none, a "
                     "table does not help.";
+  if (diagnostic.code == Code::nc_unknown_function && diagnostic.detail.ends_with(" axis words"))
+    return german
+               ? "Sie entfernen, oder an ihre Stelle die Bewegungen schreiben, die sie ausführt: "
+                 "was Achsen bewegt, lässt sich nicht weiterreichen."
+               : "Remove it, or write the motions that it makes in its place: what moves axes "
+                 "cannot be passed on.";
   const bool is_center_word =
       diagnostic.detail == "I" || diagnostic.detail == "J" || diagnostic.detail == "K";
   if (diagnostic.code == Code::nc_unsupported && is_center_word)
@@ -467,13 +473,15 @@ std::string help_to_declare(const Diagnostic& diagnostic, bool german) {
   });
   if (family == families.end()) return {};
   const std::string name(family->dialect);
+  const bool is_of_isg = diagnostic.words == ControlWords::isg;
   if (german)
     return "Ist dies ein Programm " + std::string(family->german) +
-           ", dann dies angeben: --dialect " + name +
-           ", `dialect` im Setup. Ist es eines für ISG, das Wort streichen." +
+           ", dann dies angeben: --dialect " + name + ", `dialect` im Setup. " +
+           (is_of_isg ? "Ist es eines für ISG, das" : "Sonst das") + " Wort streichen." +
            (name == "fanuc" ? " LinuxCNC hat viele dieser Wörter auch: --dialect linuxcnc." : "");
   return "If this is a program " + std::string(family->english) + ", declare it: --dialect " +
-         name + ", `dialect` in the setup. If it is one for ISG, remove the word." +
+         name + ", `dialect` in the setup. " +
+         (is_of_isg ? "If it is one for ISG, remove" : "Else remove") + " the word." +
          (name == "fanuc" ? " LinuxCNC has many of these words too: --dialect linuxcnc." : "");
 }
 
@@ -504,13 +512,14 @@ std::string help_of(const Diagnostic& diagnostic, Language language) {
         Code::no_tool_radius,    Code::line_reversed,        Code::arc_wrapped,
         Code::clearance_violated};
     // For these reasons the general help for expressions says little.
-    constexpr std::array<std::string_view, 10> own_reasons{", words behind a statement",
+    constexpr std::array<std::string_view, 11> own_reasons{", words behind a statement",
                                                            ", a block number behind other words",
                                                            ", set by the program",
                                                            " or a tool offset of Fanuc",
                                                            ", which the program itself changes",
                                                            ", an argument without a decimal point",
                                                            " beside M98",
+                                                           " beside M98, where L counts the calls",
                                                            " beside G65",
                                                            " beside G66",
                                                            "text in UTF-16"};

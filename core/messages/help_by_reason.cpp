@@ -64,6 +64,9 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "counts hangs on its letter and on the control.",
      "Das Argument mit Dezimalpunkt schreiben, X10. für X10: in welchem Inkrement eine ganze Zahl "
      "zählt, hängt von ihrem Buchstaben und von der Steuerung ab."},
+    {" beside M98, where L counts",
+     "Where it says how often the subprogram runs write L: M98 P2000 L3. Else take it out.",
+     "Wo es sagt, wie oft das Unterprogramm läuft, L schreiben: M98 P2000 L3. Sonst es streichen."},
     {" beside M98",
      "Take the word out: a subprogram is executed from its beginning. Of one that is called from "
      "within, make the lines behind that place a program of its own.",
@@ -153,6 +156,8 @@ constexpr auto helps = std::to_array<ReasonHelp>({
     {"in the contour of the cycles of line",
      "Put the label behind the end of the program (M30 or M2), as the cycles expect it.",
      "Das Label hinter das Programmende (M30 oder M2) stellen, wie die Zyklen es erwarten."},
+    {" without L, with RL or RR", "Write L in front of the coordinates: L X+0 Y+0 RL.",
+     "L vor die Koordinaten schreiben: L X+0 Y+0 RL."},
     {"FL with RL or RR", write_free_contour, write_free_contour_in_german},
     {"FLT with RL or RR", write_free_contour, write_free_contour_in_german},
     {"FC with RL or RR", write_free_contour, write_free_contour_in_german},
@@ -271,6 +276,8 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "der beiden Sätze kein Material, sagen, dass er zum An- oder Abfahren gehört: leads im "
      "Setup."},
     {" without LEN", write_what_is_missing, write_what_is_missing_in_german},
+    {"without R0 in between", "Write a motion with R0 in front of the block.",
+     "Vor den Satz eine Bewegung mit R0 schreiben."},
     {" without R", write_what_is_missing, write_what_is_missing_in_german},
     {" without CCA", write_what_is_missing, write_what_is_missing_in_german},
     {" without its size", write_what_is_missing, write_what_is_missing_in_german},
@@ -285,8 +292,11 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Einen Punkt dazwischen mit I1= und J1= schreiben, abseits der Geraden zum Endpunkt."},
     {"AR= with either", "Write AR= with the end point, or with I and J.",
      "AR= mit dem Endpunkt schreiben, oder mit I und J."},
-    {" without CC, or behind", "Write CC in front of it, behind what moves it.",
-     "Davor CC schreiben, hinter dem, was ihn verschiebt."},
+    {" without CC of both axes",
+     "Write CC with both axes in front of it, behind what moves it: one of them alone counts from "
+     "the CC before.",
+     "Davor CC mit beiden Achsen schreiben, hinter dem, was ihn verschiebt: eine allein zählt vom "
+     "CC davor."},
     {"a chamfer beside an arc", write_corner, write_corner_in_german},
     {"corners that reach out", "Program DISC=0 in its place.",
      "An seine Stelle DISC=0 programmieren."},
@@ -297,8 +307,6 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "runs.",
      "Den Punkt vor APPR und den von DEP auf die Seite der Kontur legen, auf der das Werkzeug "
      "läuft."},
-    {"without R0 in between", "Write a motion with R0 in front of the block.",
-     "Vor den Satz eine Bewegung mit R0 schreiben."},
     {"where the feed before is not known",
      "Write the feed of the contour in a motion in front of the corner.",
      "Den Vorschub der Kontur in eine Bewegung vor der Ecke schreiben."},
@@ -407,6 +415,11 @@ constexpr auto helps = std::to_array<ReasonHelp>({
     {"CT of a contour, which holds behind it",
      "Write CT, G1, G2 or G3 into the first block behind the contour.",
      "CT, G1, G2 oder G3 in den ersten Satz hinter der Kontur schreiben."},
+    {"FL while TRC is active", write_free_contour, write_free_contour_in_german},
+    {"FLT while TRC is active", write_free_contour, write_free_contour_in_german},
+    {"FC while TRC is active", write_free_contour, write_free_contour_in_german},
+    {"FCT while TRC is active", write_free_contour, write_free_contour_in_german},
+    {"FPOL while TRC is active", write_free_contour, write_free_contour_in_german},
     {"CT while TRC is active", "Write the arc with its centre or its radius.",
      "Den Bogen mit seinem Mittelpunkt oder seinem Radius schreiben."},
     {"a variable without a value",
@@ -489,11 +502,6 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "M97 streichen: Stufen, die kleiner sind als der Radius, werden mit ihrer Nummer gemeldet."},
     {"open corners", "Take M98 out, and lead the contour past the open corner by the radius.",
      "M98 streichen und die Kontur um den Radius über die offene Ecke hinausführen."},
-    {"FL while TRC is active", write_free_contour, write_free_contour_in_german},
-    {"FLT while TRC is active", write_free_contour, write_free_contour_in_german},
-    {"FC while TRC is active", write_free_contour, write_free_contour_in_german},
-    {"FCT while TRC is active", write_free_contour, write_free_contour_in_german},
-    {"FPOL while TRC is active", write_free_contour, write_free_contour_in_german},
     {"while TRC is active",
      "It has no place within a contour: end the contour in front of it with "
      "G40, and begin it anew with G41 or G42 behind it.",
@@ -594,6 +602,34 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "P weglassen: was es bedeutet, ist je nach Steuerung verschieden. tool_radius im Setup "
      "angeben, oder an seine Stelle ein D-Wort schreiben, dessen Radius die Werkzeugtabelle oder "
      "G10 L12 P R angibt."},
+    {"which suppresses TRC",
+     "Take it out, and CUTCONOF with it: end the contour in front of it with G40, and begin it "
+     "anew with G41 or G42 where CUTCONOF stands.",
+     "Es mit CUTCONOF streichen: die Kontur davor mit G40 beenden, und sie dort, wo CUTCONOF "
+     "steht, mit G41 oder G42 neu beginnen."},
+    {"a correction of LINUXCNC, or a direction",
+     "If this is a program for LinuxCNC, declare it: --dialect linuxcnc, `dialect` in the setup. A "
+     "contour of FANUC has G41 or G42 with the number D of its register.",
+     "Ist dies ein Programm für LinuxCNC, dies angeben: --dialect linuxcnc, `dialect` im Setup. "
+     "Eine Kontur von FANUC hat G41 oder G42 mit der Nummer D ihres Registers."},
+    {"compensation of the tool radius in space",
+     "Let the control compensate in space; contours of a plane have G41 or G42.",
+     "Im Raum die Steuerung korrigieren lassen; Konturen einer Ebene haben G41 oder G42."},
+    {", whose RL and RR are not followed",
+     "Compensate that program on its own, and give the control the result: the call stays as it "
+     "is. "
+     "Where its text is not given, the call passes.",
+     "Jenes Programm für sich korrigieren und der Steuerung das Ergebnis geben: der Aufruf bleibt, "
+     "wie er ist. Wo sein Text nicht angegeben ist, geht der Aufruf durch."},
+    {"C in a straight motion of a contour",
+     "To chamfer the corner write ,C with a comma in front of it. An axis C stands in a block in "
+     "front of the contour first.",
+     "Für eine Fase der Ecke ,C mit einem Komma davor schreiben. Eine Achse C steht zuerst in "
+     "einem Satz vor der Kontur."},
+    {"G301, chamfer", write_corner, write_corner_in_german},
+    {"G302, rounding", write_corner, write_corner_in_german},
+    {"#ROTATION ", "Take it out, and write the coordinates as they are after the rotation.",
+     "Es streichen, und die Koordinaten so schreiben, wie sie nach der Drehung sind."},
     {"a sum of a tool radius",
      "Write the value itself under G90: G10 L12 P R the radius, L13 its wear, G10 L1 P R in "
      "LINUXCNC; or leave it out, and give both in the table of the setup.",

@@ -43,6 +43,10 @@ TEST(AProgramThatComputes, KeepsTheTextBehindItsEnd) {
             "G0 X2.\nN10 M30\n(A)\nN11 (B)\n");
   EXPECT_EQ(flat(fanuc, head + "N20 M30\n(A)\n#2=1\n(B)\n"), "G0 X2.\nN20 M30\n(A)\n");
   EXPECT_EQ(flat(isg, "P1=2\n$IF P1==2\nM30\n(A)\n$ENDIF\nX1\n"), "M30\n");
+  // A comment of several lines computes nothing, and leads nowhere.
+  const std::string comment = "#COMMENT BEGIN\n[A]\nP1=7\n$GOTO N9\n%L B\n#COMMENT END\n";
+  EXPECT_EQ(flat(isg, "P1=2\nG0 XP1\nM30\n" + comment + "(A)\nP1=8\n(B)\n"),
+            "G0 X2\nM30\n" + comment + "(A)\n");
   EXPECT_EQ(flat(sinumerik, "R1=2\nIF R1==2\nM30\n; A\nENDIF\nX1\n"), "M30\n; A\n");
   EXPECT_EQ(flat(sinumerik, "R1=2\nG0 X=R1\nM30\n; A\nPART: X1\n"), "G0 X=2\nM30\n; A\n");
   EXPECT_EQ(flat(linuxcnc, "#1=2\nG0 X#1\nM2\n(A)\no1 sub\nX1\no1 endsub\n"), "G0 X2\nM2\n(A)\n");

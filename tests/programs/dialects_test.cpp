@@ -519,7 +519,7 @@ TEST(FaultsOfReading, NameAStatementOfSinumerikOnce) {
   setup.session.program.dialect = DialectName::sinumerik;
   const ProgramRun written = to_text("CALL \"SUB\"\nG0 X0\nM30\n", setup);
   ASSERT_EQ(written.diagnostics.size(), 1u) << written.report();
-  EXPECT_EQ(written.diagnostics[0].detail, "CALL, a name");
+  EXPECT_EQ(written.diagnostics[0].detail, "CALL, a subprogram call");
 }
 
 TEST(FaultsOfReading, AreNoMoreThanTheLimit) {

@@ -232,6 +232,35 @@ TEST(KlartextLabels, BehindTheEndAreNotLookedThroughWithTheProgram) {
   EXPECT_EQ(ran.codes(), "900003 at line 5");
 }
 
+// Old printouts write the repetitions left behind a blank.
+TEST(KlartextLabels, AreRepeatedAsOftenAsRepSays) {
+  const auto path = [](const std::string& rep) {
+    return to_text(program_of("LBL 1\n" + contour + "CALL LBL 1 " + rep + "\nM30\n"),
+                   computing_setup(heidenhain, 5))
+        .text;
+  };
+  EXPECT_NE(path("REP 2"), "");
+  EXPECT_EQ(path("REP 2/2"), path("REP 2"));
+  EXPECT_EQ(path("REP 2 /2"), path("REP 2"));
+}
+
+// The control calls them, so that they are compensated by themselves (D-121).
+TEST(ProgramsThatKlartextCalls, AreLookedThroughForContours) {
+  const auto told = [](const std::string& call, const std::string& called) {
+    ProgramSessionSetup setup = computing_setup(heidenhain, 5);
+    setup.session.program.subprograms = {{"sub/KONT.H", called}};
+    const ProgramRun ran = to_text(program_of(start + call + "\nM30\n"), setup);
+    return ran.stopped ? ran.diagnostics.front().detail : std::string();
+  };
+  const std::string with_contour = "BEGIN PGM KONT MM\n1 L X+0 Y-10 RL F300\nEND PGM KONT MM\n";
+  const std::string refused = "a call of KONT, whose RL and RR are not followed";
+  for (const char* call : {"CALL PGM KONT", "4 CALL PGM TNC:\\PART\\kont.h ; A B",
+                           "SEL PGM \"KONT\"", "CYCL DEF 12.1 PGM KONT"})
+    EXPECT_EQ(told(call, with_contour), refused) << call;
+  EXPECT_EQ(told("CALL PGM OTHER", with_contour), "");
+  EXPECT_EQ(told("CALL PGM KONT", "BEGIN PGM KONT MM\nL X+0 R0 ; RL\nEND PGM KONT MM\n"), "");
+}
+
 // As many as a program may have: each is looked at as often as it is called.
 TEST(KlartextLabels, ManyOfThemTakeTimeThatGrowsWithTheirNumber) {
   constexpr int many = 60'000;

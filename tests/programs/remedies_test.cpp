@@ -70,6 +70,7 @@ TEST(Encoding, IsToldOnceForATextInUtf16) {
 }
 
 const std::string at_start = "G21 G90 G17\nG0 X-10. Y-10.\n";
+const std::string klartext_start = "BEGIN PGM A MM\nL X-20 Y-20 R0 FMAX\n";
 
 INSTANTIATE_TEST_SUITE_P(
     Programs, Remedy,
@@ -121,7 +122,83 @@ INSTANTIATE_TEST_SUITE_P(
         Told{sinumerik, "G71 G90\nG0 X0 Y0\nG42 G1 X25 F100\nX30\nG2 AP=0 RP=25 CR=25\nM30\n",
              "5:15 900003", "a centre or a radius of an arc beside AP=, RP=", "Leave it out"},
         Told{fanuc, at_start + "G1 X10. F100.\nG2 X20. Y0 R0\nM30\n", "4:12 20036", "",
-             "a radius other than 0"}));
+             "a radius other than 0"},
+        Told{sinumerik, "G71 G90\nG0 X0 Y0\nCUTCONON\nM30\n", "3:1 900003",
+             "CUTCONON, which suppresses TRC", "end the contour in front of it with G40"},
+        Told{sinumerik, "G71 G90\nG0 X0 Y0\nPCALL KONTUR\nM30\n", "3:1 900003",
+             "PCALL, a subprogram call", "Write the lines of the subprogram"},
+        Told{sinumerik, "G71 G90\nG0 X0 Y0\nCALL BLOCK A TO B\nM30\n", "3:1 900003",
+             "CALL, a subprogram call", "Write the lines of the subprogram"},
+        Told{fanuc, at_start + "G41.2 D1 G1 X0 Y0 F200\nG40 X20.\nM30\n", "3:1 900003",
+             "G41.2, compensation of the tool radius in space", "Let the control compensate"},
+        Told{fanuc, at_start + "G41.1 D8.\nM30\n", "3:1 900003", "a correction of LINUXCNC",
+             "--dialect linuxcnc"},
+        Told{isg, "G90\nG777 X3\nM30\n", "2:1 900002", "G777 with axis words",
+             "cannot be passed on"},
+        Told{isg, "G90\nG302 I5\nM30\n", "2:1 900003", "G302, rounding",
+             "Write the corner as blocks of its own"},
+        Told{isg, "G90\n#ROTATION ON [ANGLE=30]\nM30\n", "2:1 900003", "#ROTATION ON",
+             "write the coordinates as they are after the rotation"},
+        Told{fanuc, "CC X+0 Y+0\nM30\n", "1:1 900016", "CC", "Else remove the word"},
+        Told{isg, "CC X+0 Y+0\nM30\n", "1:1 900016", "CC", "If it is one for ISG"},
+        Told{heidenhain, klartext_start + "CC IX+20\nC X+20 Y+40 DR-\nEND PGM A MM\n", "4:1 900003",
+             "C without CC of both axes", "Write CC with both axes"},
+        Told{heidenhain, klartext_start + "X+0 Y-10 RL F300\nEND PGM A MM\n", "3:1 900003",
+             "X+0 without L, with RL or RR", "Write L in front of the coordinates"},
+        Told{heidenhain,
+             klartext_start + "L X+0 Y+0 RL F200\nFCT DR- R15 CCX+50\nL X+9 R0\nEND PGM A MM\n",
+             "4:1 900003", "FCT while TRC is active", "convert the free contour"},
+        Told{fanuc, "O1\nM98 P2000 K3\nM30\nO2000\nG1 X0\nM99\n", "2:11 900309", "K3 beside M98",
+             "M98 P2000 L3"},
+        Told{fanuc, at_start + "G41 D1 G1 X0 Y0 F200\nY40. C5.\nG40 X-20.\nM30\n", "4:6 900003",
+             "C in a straight motion of a contour", "write ,C with a comma"},
+        Told{heidenhain,
+             klartext_start + "L X+0 Y+0 RL F200\nL X+50\nL X+60 RR\nL X+9 R0\nEND PGM A MM\n",
+             "5:8 900003", "RR behind RL without R0 in between", "a motion with R0"}));
+
+// A mill may come down behind G41, a lathe goes on without Y (D-105).
+TEST(AMillThatComesDownBehindG41, IsNoLathe) {
+  const std::string down =
+      "G41 D1\nG0 Z5.\nG0 X-5. Y0\nG1 Z-5. F100\nX0 Y0\nX80.\nG40 X99. Y-20.\nM30\n";
+  const std::string turned = "G42 D1\nG0 Z5.\nG0 X20.\nG1 Z-20. F1\nX40. Z-40.\nG40 X52.\nM30\n";
+  for (const DialectName dialect : {fanuc, linuxcnc, sinumerik}) {
+    SCOPED_TRACE(dialect_of(dialect).spelling);
+    ProgramSessionSetup setup = computing_setup(dialect, 2);
+    const std::string modes = dialect == sinumerik ? "G71 G90 G17\nT1\n" : "G21 G90 G17\n";
+    EXPECT_EQ(refusal_of(modes + down, setup), std::pair(0, 0U));
+    EXPECT_EQ(refusal_of(modes + turned, setup).first, 900018);
+  }
+}
+
+// An axis that turns the part has been named in front of the contour.
+TEST(AnAxisC, MayStandInAContour) {
+  EXPECT_EQ(refusal_of(at_start + "G0 C90.\nG41 D1 G1 X0 Y0 F200\nY40. C5.\nG40 X-20.\nM30\n",
+                       computing_setup(fanuc, 2)),
+            std::pair(0, 0U));
+}
+
+TEST(AnOrientation, OfTheToolPassesWhileTrcIsOff) {
+  const std::string text = "G71 G90\nORIC\nORID\nG0 X0 Y0\nM30\n";
+  EXPECT_EQ(flat_of(text, computing_setup(sinumerik, 2)), text);
+}
+
+TEST(AFaultInFrontOfTheEnd, LeavesTheTextBehindItAlone) {
+  const ProgramRun ran =
+      to_text("O1\nG21 G90\nM198 P2000\nM30\nO2000\nG1 X0\nM99\n", computing_setup(fanuc, 2));
+  ASSERT_EQ(ran.diagnostics.size(), 1U) << ran.report();
+  EXPECT_EQ(ran.diagnostics.front().detail, "M198, a subprogram call");
+}
+
+// G69 beside G40: the axes of the line say where the tool goes (D-142).
+TEST(AMotionThatIsCopied, LeavesTheContourBesideG69) {
+  const ProgramRun ran =
+      to_text(at_start +
+                  "G68 X0 Y0 R30.\nG0 X-10. Y-10.\nG41 D1 G1 X0 Y0 F200\nY40.\nX40.\n"
+                  "G69 G40 X70. Y40.\nM30\n",
+              computing_setup(fanuc, 2));
+  EXPECT_FALSE(ran.stopped) << ran.report();
+  EXPECT_TRUE(ran.diagnostics.empty()) << ran.report();
+}
 
 // Blocks of Klartext have numbers without N.
 TEST(BlocksOfKlartext, HaveNumbersWithoutN) {

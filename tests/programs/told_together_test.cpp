@@ -83,5 +83,35 @@ TEST(ToldTogether, AreNotThoseBehindAnAlarm) {
             "900312 1 #3000=1 (NO TOOL)\n");
 }
 
+// A call is executed behind its line, whose words are told at their own place.
+TEST(ToldTogether, WordsBesideACallStandInItsLine) {
+  EXPECT_EQ(told("O1\nG777 M98 P2000\nM30\nO2000\nG1 X0\nM99\n", DialectName::fanuc),
+            "900002 2 G777\n");
+  EXPECT_EQ(told("FOO KONTUR\nM30\n", DialectName::sinumerik, {{"KONTUR.SPF", "G0 X0\nM17\n"}}),
+            "900003 1 FOO, a name\n");
+}
+
+// While lines are only examined, a called label stands behind the end of the program.
+TEST(ToldTogether, OfKlartextAContourInALabelIsNoneBehindTheEnd) {
+  EXPECT_EQ(told("BEGIN PGM A MM\nTOOL CALL 1 Z S1\nL X+0 Y-20 R0 FMAX\nCALL LBL 9\nCALL LBL 1\n"
+                 "L Z+100 R0 FMAX M2\nLBL 1\nL X+0 Y+0 RL F200\nL X+50\nL X+60 Y-20 R0\nLBL 0\n"
+                 "END PGM A MM\n",
+                 DialectName::heidenhain),
+            "900306 4 LBL 9\n");
+}
+
+TEST(ToldTogether, OfKlartextAMissingRadiusIsOneFaultOfMany) {
+  ProgramSessionSetup setup = computing_setup(DialectName::heidenhain, 0);
+  const ProgramRun ran = to_text(
+      "BEGIN PGM A MM\nTOOL CALL 1 Z S1\nL X-20 Y-20 R0 FMAX\nL X+0 Y+0 RL F200\nL Y+40 M97\nFLT\n"
+      "L X-20 Y-20 R0 M2\nEND PGM A MM\n",
+      setup);
+  ASSERT_EQ(ran.diagnostics.size(), 3U) << ran.report();
+  EXPECT_EQ(ran.diagnostics[0].code, Code::no_tool_radius);
+  EXPECT_EQ(ran.diagnostics[0].detail, "RL or RR in line 4");
+  EXPECT_EQ(ran.diagnostics[1].source.line, 5U);
+  EXPECT_EQ(ran.diagnostics[2].source.line, 6U);
+}
+
 }  // namespace
 }  // namespace trc::support

@@ -221,7 +221,9 @@ bool check_motion_before(Reading& reading, const ProgramLine& line, const BlockW
 bool leave_contour_by_copy(Reading& reading, const ProgramLine& line, const BlockWords& block) {
   const bool drills_here = block.has(cycle) && reading.contour_open() && !reading.trc_active();
   if (!reading.state.retract_is_lost() && !drills_here) return true;
-  const bool sets = block.has(frame) || block.has(dwell) || block.has(tool_data);
+  // The axes beside G69 are an end point, those beside G68 are not.
+  const bool sets_frame = block.has(frame) && !block.of(frame).function->initial;
+  const bool sets = sets_frame || block.has(dwell) || block.has(tool_data);
   const bool machine_place = block.has(single_move);
   const bool goes = block.axis && !sets && !machine_place && !block.calls_the_machine;
   LineBesideContour says{

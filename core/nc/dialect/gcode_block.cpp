@@ -201,6 +201,30 @@ bool check_circle_words(Reading& reading, const ProgramLine& line, const BlockWo
   return has_center || !block.axis || refused("R in a straight motion");
 }
 
+// C beside a coordinate of the plane: on some controls of Fanuc a chamfer needs no comma. An axis
+// that turns the part has been named in front of the contour.
+bool check_chamfer(Reading& reading, const ProgramLine& line, const BlockWords& block) {
+  if (reading.dialect.name != DialectName::fanuc) return true;
+  const int axis = reading.axis_of_letter['C' - 'A'];
+  const auto index = static_cast<std::size_t>(axis - 3);
+  if (axis < 3 || block.move.tracking.size() <= index || !block.move.tracking[index]) return true;
+  if (!reading.contour_open() && !block.selects()) {
+    reading.gcode.seen.c = true;
+    return true;
+  }
+  const PlaneAxes axes = axes_of(reading.state.programmed_plane());
+  const bool is_corner = kind_of(reading, block) == MotionKind::linear && !block.has(side) &&
+                         (block.move.end[axes.first] || block.move.end[axes.second]);
+  if (reading.gcode.seen.c || !is_corner) return true;
+  const auto word = std::ranges::find_if(line.words, [&](const WordRange& each) {
+    return each.role == WordRole::coordinate && upper(line.text[each.begin]) == 'C';
+  });
+  return reading.refuse(line,
+                        TextFault{.code = Code::nc_unsupported,
+                                  .begin = word == line.words.end() ? *block.axis : word->begin,
+                                  .detail = "C in a straight motion of a contour"});
+}
+
 // G72 S0.5 of Fagor scales; on other controls G72 with I J L drills holes on a line (D-66).
 void take_words_of_few_controls(BlockWords& block) {
   BlockWords::Function& found = block.functions[static_cast<std::size_t>(single_move)];
@@ -323,8 +347,9 @@ bool complete_gcode_block(Reading& reading, ProgramLine& line, BlockWords& block
                                       ? called_name(line.text, block.of(single_move).begin)
                                       : reading.gcode.calls.last);
   pass_over_circle_words(reading, line, block);
-  const bool goes_on =
-      copy_gcode_block(reading, line, block) && check_circle_words(reading, line, block);
+  const bool goes_on = copy_gcode_block(reading, line, block) &&
+                       check_circle_words(reading, line, block) &&
+                       check_chamfer(reading, line, block);
   if (block.has(cycle)) reading.gcode.cycle = true;
   reading.reads_plain_lines = may_read_plain_lines(reading);
   return goes_on && take_tool_data(reading, line, block);

@@ -61,7 +61,10 @@ bool hangs_on_switch(const Reading& reading, std::string_view line, const BlockW
 bool read_gcode_function(Reading& reading, const GcodeWord& word, ProgramLine& line,
                          BlockWords& block) {
   const GFunction* function = reading.dialect.function(word.value);
-  if (function == nullptr && passes_word(reading.state.setup(), line.text, word.begin))
+  // G41.2 … G42.6 of FANUC: no declaration lets them pass, as they compensate.
+  const double whole = std::floor(word.value);
+  const bool may_be_passed = function == nullptr && whole != 41 && whole != 42;
+  if (may_be_passed && passes_word(reading.state.setup(), line.text, word.begin))
     function = &by_name::passing_function;
   if (function == nullptr && reading.state.setup().copies_unknown_words)
     function = &by_name::unknown_function;
@@ -69,6 +72,9 @@ bool read_gcode_function(Reading& reading, const GcodeWord& word, ProgramLine& l
   if (function == nullptr && (word.value == 41.1 || word.value == 42.1))
     return refuse_word(reading, line, word, Code::nc_unsupported,
                        "a correction of LINUXCNC, or a direction of the tool");
+  if (function == nullptr && !may_be_passed)
+    return refuse_word(reading, line, word, Code::nc_unsupported,
+                       "compensation of the tool radius in space");
   if (function == nullptr) return refuse_word(reading, line, word, Code::nc_unknown_function);
   const GGroup group = function->group;
   if (group == refused || group == call)

@@ -223,10 +223,11 @@ struct GcodeModes {
     bool lathe = false;    // a word that only lathes have
     bool y = false;        // a Y word
     bool program = false;  // an O word that names it
+    bool c = false;        // of FANUC: an axis C in front of contours
 
     template <class Archive>
     void serialize(Archive& archive) {
-      archive(points, lathe, y, program);
+      archive(points, lathe, y, program, c);
     }
   };
 

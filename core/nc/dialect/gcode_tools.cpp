@@ -93,8 +93,11 @@ bool check_turning(Reading& reading, const ProgramLine& line, const BlockWords& 
   if (selects && !reading.gcode.seen.y && leads_in_zx)
     return refuse_selection(reading, line, block, Code::turning,
                             "G41, G42 of a lathe, as no Y stands in front of it");
+  // A mill may come down behind G41, in front of the approach.
+  const bool comes_down =
+      !block.move.end[0] && (!reading.faults.empty() || reading.state.awaits_approach());
   if (reading.trc_active() && !reading.gcode.seen.y && reading.state.mode().plane == Plane::xy &&
-      block.move.end[2])
+      block.move.end[2] && !comes_down)
     return reading.refuse(line, TextFault{.code = Code::turning,
                                           .begin = *block.axis,
                                           .detail = "a contour of X and Z in the plane X Y"});

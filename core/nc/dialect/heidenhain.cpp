@@ -201,8 +201,8 @@ bool take_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block, bo
   if (!reading.faults.empty()) {
     if (block.side) reading.scanned_trc = *block.side != Side::off;
     if (block.is(KlartextStatement::departure)) reading.scanned_trc = false;
-    // Labels after the end are not searched for further faults.
-    reading.ended |= line.ends_program;
+    // Labels after the end are not searched for further faults, unless calls of them are followed.
+    reading.ended |= line.ends_program && !reading.reads_flat;
   }
   if (!readable || !reading.faults.empty()) return false;
   line.has_words = true;

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "core/base/length_unit.h"
 #include "core/nc/dialect/block_words.h"
+#include "core/nc/dialect/dialect.h"
 #include "core/nc/dialect/gcode_block.h"
 #include "core/nc/dialect/gcode_tools.h"
 #include "core/nc/dialect/isg_command.h"
@@ -76,6 +79,19 @@ bool read_number(Reading& reading, const Word& word, ProgramLine& line, BlockWor
   return true;
 }
 
+// Whether axis words stand in the line, which a declared function may not have beside it.
+bool names_axis(const ProgramLine& line) {
+  const std::string_view text = line.text;
+  for (std::size_t at = 0; at < text.size() && text[at] != '(' && text[at] != ';'; ++at) {
+    const bool is_letter_alone = at == 0 || !is_letter(text[at - 1]);
+    if (!is_letter_alone || std::string_view("XYZ").find(upper(text[at])) == std::string_view::npos)
+      continue;
+    const std::size_t value = std::min(text.find_first_not_of(" =+-", at + 1), text.size());
+    if (value < text.size() && (is_digit(text[value]) || text[value] == '.')) return true;
+  }
+  return false;
+}
+
 bool read_g_function(Reading& reading, const Word& word, ProgramLine& line, BlockWords& block) {
   const GFunction* function =
       word.has_argument || word.whole ? find_g_function(word.value) : nullptr;
@@ -84,7 +100,12 @@ bool read_g_function(Reading& reading, const Word& word, ProgramLine& line, Bloc
     add(line, word, WordRole::technology);
     return true;
   }
-  if (function == nullptr) return reading.refuse(line, word, Code::nc_unknown_function);
+  if (function == nullptr) {
+    const bool is_of_another = !reading.isg_word_seen && looks_like(line.text);
+    std::string detail(line.word({.begin = word.begin, .end = word.end}));
+    if (!is_of_another && names_axis(line)) detail += " with axis words";
+    return reading.refuse(line, word, Code::nc_unknown_function, std::move(detail));
+  }
   const GGroup group = function->group;
   reading.isg_word_seen |= is_of_isg_alone(group);
   // G20 ends mirroring here, which is the initial state, but means inch elsewhere: the program

@@ -65,7 +65,7 @@ bool move_on_klartext_arc(Reading& reading, ProgramLine& line, KlartextBlock& bl
   }
   if (!reading.klartext_modes.pole)
     return refuse_klartext(reading, line, block.begin,
-                           block.title() + " without CC, or behind what moves it");
+                           block.title() + " without CC of both axes, or behind what moves it");
   line.klartext->needs_pole = true;
   request.center[axes.first] = reading.klartext_modes.pole->x();
   request.center[axes.second] = reading.klartext_modes.pole->y();

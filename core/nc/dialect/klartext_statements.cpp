@@ -11,6 +11,7 @@
 #include "core/nc/dialect/klartext_block.h"
 #include "core/nc/dialect/klartext_effects.h"
 #include "core/nc/dialect/klartext_labels.h"
+#include "core/nc/dialect/klartext_programs.h"
 #include "core/nc/dialect/klartext_tools.h"
 #include "core/nc/dialect/left_contour.h"
 #include "core/nc/dialect/pass_words.h"
@@ -124,6 +125,16 @@ bool check_other_compensations(Reading& reading, const ProgramLine& line, std::s
         return refuse_klartext(reading, line, begin,
                                std::string(side).substr(1) + ", a compensation along one axis");
   return true;
+}
+
+// The control runs the called program as it stands, with its RL and RR (D-121).
+bool check_called_program(Reading& reading, const ProgramLine& line, std::size_t begin,
+                          std::string_view statement) {
+  const std::string called =
+      program_called_by(statement, std::string_view(line.text).substr(begin));
+  return called.empty() || !gives_contour_of(reading.state.setup(), called) ||
+         refuse_klartext(reading, line, begin,
+                         "a call of " + called + ", whose RL and RR are not followed");
 }
 
 // A statement whose end position only the control knows: a cycle, a program call, a datum shift.
@@ -251,8 +262,13 @@ bool read_klartext_statement(Reading& reading, ProgramLine& line, std::size_t be
   if (statement.empty())  // only a comment is continued on the next line
     return refuse_klartext(reading, line, begin, "~", Code::nc_syntax);
   const std::string first = first_word(statement);
-  if (has_side(statement))  // D-121
-    return refuse_klartext(reading, line, begin, first + " with RL or RR");
+  if (has_side(statement)) {  // D-121
+    const bool is_coordinate =
+        first.find_first_of("+-0123456789") <= 2 && first.find_first_of("ABCUVWXYZ") <= 1;
+    return refuse_klartext(
+        reading, line, begin,
+        first + (is_coordinate ? " without L, with RL or RR" : " with RL or RR"));
+  }
   if (begins_with_word(statement, "BEGIN")) {
     if (reading.blocks_read > 0)
       return refuse_klartext(reading, line, begin, "BEGIN PGM, a second program in one text");
@@ -288,7 +304,9 @@ bool read_klartext_statement(Reading& reading, ProgramLine& line, std::size_t be
   forget_parameters(reading, statement);
   take_klartext_effects(reading, effects_of_statement(statement));
   if (!take_labels_of_cycle(reading, line, begin, statement)) return false;
-  if (!check_other_compensations(reading, line, begin, statement)) return false;
+  if (!check_other_compensations(reading, line, begin, statement) ||
+      !check_called_program(reading, line, begin, statement))
+    return false;
   if (acts_at_once(statement) || (is_any(statement, moving) && !is_any(statement, passing)))
     return copy_motion_of_machine(reading, line, begin, statement);
   if (is_any(statement, passing) || reading.state.setup().copies_unknown_words ||

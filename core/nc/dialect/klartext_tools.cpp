@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/messages/diagnostic_text.h"
 #include "core/nc/dialect/block_words.h"
 #include "core/nc/dialect/heidenhain.h"
 #include "core/nc/dialect/klartext_block.h"
@@ -174,6 +175,17 @@ bool choose_called_tool(Reading& reading, const ProgramLine& line, std::size_t b
          reading.state.set_allowance_of_program(modes.radius_delta, line.source);
 }
 
+// A fault of reading, as an unknown tool is, so that all further ones are told with it.
+bool check_radius_is_given(Reading& reading, const ProgramLine& line, std::size_t begin) {
+  if (reading.state.setup().every_radius || reading.state.tool().radius()) return true;
+  const bool no_tool = reading.klartext_modes.tool == 0;
+  reading.refuse_at(reading.place_of_word(line, static_cast<std::uint32_t>(begin)),
+                    Code::no_tool_radius,
+                    "RL or RR " + place_of(line.source) + (no_tool ? ", D0 or T0 is no tool" : ""));
+  reading.scanned_trc = true;
+  return false;
+}
+
 }  // namespace
 
 bool read_tool_call(Reading& reading, ProgramLine& line, std::size_t begin,
@@ -323,7 +335,8 @@ bool select_in_klartext(Reading& reading, const ProgramLine& line, Side side, st
     ++reading.klartext_modes.contours;
     const auto place_of_side = static_cast<std::uint32_t>(begin);
     if (!choose_called_tool(reading, line, begin) ||
-        !warn_of_other_tool(reading, line, place_of_side))
+        !warn_of_other_tool(reading, line, place_of_side) ||
+        !check_radius_is_given(reading, line, begin))
       return false;
   }
   reading.place(line, static_cast<std::uint32_t>(begin));

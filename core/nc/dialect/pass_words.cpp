@@ -15,9 +15,9 @@ constexpr std::string_view axis_and_center_letters = "ABCIJKQRUVWXYZ";
 
 // Statements of one dialect or another: they cannot be declared (D-60).
 constexpr auto statements = std::to_array<std::string_view>(
-    {"APPR", "BEGIN",  "CALL", "CASE",  "CHF",   "CYCL",  "DEF",   "DEP",   "DO",   "ELSE", "END",
-     "FN",   "FOR",    "GOTO", "GOTOB", "GOTOC", "GOTOF", "GOTOS", "IF",    "LBL",  "LOOP", "LP",
-     "PROC", "REPEAT", "RET",  "RND",   "SUB",   "THEN",  "TOOL",  "TRANS", "WHILE"});
+    {"APPR",  "BEGIN", "CALL",   "CASE",  "CHF",   "CYCL",  "DEF",   "DEP",  "DO",    "ELSE", "END",
+     "FN",    "FOR",   "GOTO",   "GOTOB", "GOTOC", "GOTOF", "GOTOS", "IF",   "LBL",   "LOOP", "LP",
+     "PCALL", "PROC",  "REPEAT", "RET",   "RND",   "SUB",   "THEN",  "TOOL", "TRANS", "WHILE"});
 
 // The name of a file with its extension, which only a call of ISG has. G777.1 and X1.5 are words.
 bool is_file_name(std::string_view word) {

@@ -203,8 +203,9 @@ bool read_named_words(Reading& reading, ProgramLine& line, BlockWords& block) {
           return complete_gcode_block(reading, line, block) && faults == 0;
         }
         faults += read_name(reading, word, line, block) ? 0 : 1;
-        // The rest of the line is part of the statement.
-        if (is_sinumerik_statement(word.name)) return false;
+        // The rest of the line is part of the statement, or names what a refused call calls.
+        if (is_sinumerik_statement(word.name) || (faults > 0 && calls_by_name(word.name)))
+          return false;
         break;
       case NamedWord::Kind::call:
         faults += read_named_call(reading, word, line, block) ? 0 : 1;

@@ -53,6 +53,8 @@ bool read_known_name(Reading& reading, SinumerikMeaning meaning, const NamedWord
       if (reading.gcode.coordinates.is_unfollowed(by_name::compensation_in_space.tenths()))
         return stands_for(by_name::compensation_in_space_end);
       break;
+    case SinumerikMeaning::suppression:
+      return refuse_name(reading, line, word, "which suppresses TRC");
     case SinumerikMeaning::unfollowed_end:
       return stands_for(by_name::transformation_end);
     case SinumerikMeaning::single_move:
@@ -76,6 +78,8 @@ bool read_known_name(Reading& reading, SinumerikMeaning meaning, const NamedWord
 }
 
 }  // namespace
+
+bool calls_by_name(std::string_view name) { return name == "CALL" || name == "PCALL"; }
 
 bool read_as(const GFunction& function, const NamedWord& word, ProgramLine& line,
              BlockWords& block) {
@@ -119,7 +123,7 @@ bool read_name(Reading& reading, const NamedWord& word, ProgramLine& line, Block
   }
   if (reading.state.setup().copies_unknown_words)
     return read_as(by_name::unknown_name, word, line, block);
-  return refuse_name(reading, line, word, "a name");
+  return refuse_name(reading, line, word, calls_by_name(name) ? "a subprogram call" : "a name");
 }
 
 bool read_named_call(Reading& reading, const NamedWord& word, ProgramLine& line,

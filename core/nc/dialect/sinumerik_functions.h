@@ -14,6 +14,9 @@ bool read_as(const GFunction& function, const NamedWord& word, ProgramLine& line
 // A name without a value: TRANS, CFC, KONT …
 bool read_name(Reading& reading, const NamedWord& word, ProgramLine& line, BlockWords& block);
 
+// CALL "NAME", CALL BLOCK A TO B, PCALL NAME: calls that only the control resolves.
+[[nodiscard]] bool calls_by_name(std::string_view name);
+
 // NAME(…)
 bool read_named_call(Reading& reading, const NamedWord& word, ProgramLine& line, BlockWords& block);
 

@@ -17,6 +17,7 @@ enum class SinumerikMeaning : std::uint8_t {
   spline,      // and polynomials and involutes, up to the next G00 … G03
   spatial,     // TRC in space
   spatial_end,
+  suppression,  // of TRC: CUTCONON
   unfollowed_end,
   single_move,  // SUPA
   modal_cycle,  // MCALL

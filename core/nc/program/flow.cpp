@@ -22,19 +22,19 @@ Flow::Flow(const ProgramSetup& setup, CallPlaces& calls) : setup_(setup), calls_
 
 std::uint32_t Flow::line_in_program() const {
   // A given subprogram has its own text; its caller is in an outer frame.
-  for (auto frame = frames_.rbegin(); frame != frames_.rend(); ++frame)
+  for (auto frame = executed_frame(); frame != frames_.rend(); ++frame)
     if (frame->text == 0) return texts_[0].number(frame->current);
   return 0;
 }
 
 std::int64_t Flow::number_in_program() const {
-  for (auto frame = frames_.rbegin(); frame != frames_.rend(); ++frame)
+  for (auto frame = executed_frame(); frame != frames_.rend(); ++frame)
     if (frame->text == 0) return head_of(texts_[0].line(frame->current)).number;
   return Source::no_number;
 }
 
 std::uint32_t Flow::line_within() const {
-  const Frame& frame = frames_.back();
+  const Frame& frame = *executed_frame();
   return frame.text == 0 ? 0 : texts_[frame.text].number(frame.current);
 }
 
@@ -91,6 +91,7 @@ bool Flow::enter(Frame callee) {
     return true;
   }
   frames_.push_back(std::move(callee));
+  has_entered_ = true;
   return true;
 }
 
@@ -104,7 +105,7 @@ Flow::Step Flow::step(std::string& flat) {
   settings_.clear();
   kept_text_ = {};
   call_leaves_.reset();
-  calls_the_machine_ = machine_follows_ = false;
+  calls_the_machine_ = machine_follows_ = has_entered_ = false;
   return looks_ahead_ ? look_at_next(flat) : execute_next(flat);
 }
 
@@ -210,12 +211,18 @@ bool Flow::refuse_contour_behind_end(std::size_t line) {
 }
 
 void Flow::write_text_behind_end(std::string& flat, std::size_t behind) {
-  // Without M02 or M30 the lines would be executed; in a call they stand behind the call.
-  if (flat.empty() || frames_.size() > 1) return;
   const Frame& main = frames_.front();
   const ProgramText& text = texts_.front();
-  for (std::size_t line = main.current + 1; line < behind; ++line) {
-    if (was_seen(main, line) || computes(setup_, text.line(line))) return;
+  std::size_t line = main.current + 1;
+  while (line < behind && !was_seen(main, line) && !computes(setup_, text.line(line))) ++line;
+  copy_text_behind_end(flat, line);
+}
+
+void Flow::copy_text_behind_end(std::string& flat, std::size_t behind) {
+  // Without M02 or M30 the lines would be executed; in a call they stand behind the call.
+  if (flat.empty() || frames_.size() > 1) return;
+  const ProgramText& text = texts_.front();
+  for (std::size_t line = frames_.front().current + 1; line < behind; ++line) {
     is_as_written_ = false;
     flat.append(text.line(line));
     flat.append(text.line_end(line).empty() ? line_end() : text.line_end(line));

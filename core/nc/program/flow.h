@@ -86,7 +86,7 @@ class Flow {
   [[nodiscard]] std::uint32_t line_in_program() const;
   // The N word of that line, or Source::no_number.
   [[nodiscard]] std::int64_t number_in_program() const;
-  [[nodiscard]] CallPlaces::Chain chain() const { return frames_.back().chain; }
+  [[nodiscard]] CallPlaces::Chain chain() const { return executed_frame()->chain; }
   [[nodiscard]] std::uint32_t line_within() const;
   [[nodiscard]] std::uint64_t executed_lines() const { return executed_; }
   // The errors of the last step, without place; at most one while lines are executed.
@@ -163,6 +163,8 @@ class Flow {
   // Writes the lines of the main program between M02 or M30, which has been written, and `behind`,
   // as they stand; no further than to the first one that computes or was executed.
   void write_text_behind_end(std::string& flat, std::size_t behind);
+  // Writes all of these lines, whatever they hold.
+  void copy_text_behind_end(std::string& flat, std::size_t behind);
 
   // The value the setup gives a variable, by its name in capitals without `#`, `<`, `>`; null:
   // none.
@@ -189,6 +191,10 @@ class Flow {
     bool knows_values = false;  // the frames of the refusal, whose variables are known
   };
   Step look_at_next(std::string& flat);
+  // The frame of the line executed last: nothing of what that line calls has been executed.
+  [[nodiscard]] std::vector<Frame>::const_reverse_iterator executed_frame() const {
+    return frames_.rbegin() + (has_entered_ ? 1 : 0);
+  }
   // Whether the line of the innermost frame was seen.
   [[nodiscard]] std::vector<bool>::reference seen_line();
 
@@ -198,6 +204,7 @@ class Flow {
   std::vector<Diagnostic> warnings_{};
   std::set<std::string> warned_of_{};
   std::vector<std::vector<bool>> seen_{};  // by text: lines that were executed or looked at
+  bool has_entered_ = false;               // the line executed last has entered a call
   bool looks_ahead_ = false;
   std::deque<Stretch> ahead_{};
   bool supposes_ = false;        // the line that is looked at has a variable

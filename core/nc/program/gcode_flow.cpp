@@ -170,6 +170,14 @@ std::optional<GcodeFlow::ProgramCall> GcodeFlow::take_call(ComputedWord& word, s
         std::string(line_.substr(other->begin, other->end - other->begin)).append(" beside M98"));
     return {};
   }
+  // K of an arc belongs to a motion.
+  const bool moves = word_of('X') != nullptr || word_of('Y') != nullptr || word_of('Z') != nullptr;
+  if (const ComputedWord* const other = word_of('K'); other != nullptr && !moves) {
+    refuse(Code::value_invalid, other->begin,
+           std::string(line_.substr(other->begin, other->end - other->begin))
+               .append(" beside M98, where L counts the calls"));
+    return {};
+  }
   word.left_out = number->left_out = true;
   if (times != nullptr) times->left_out = true;
   called_alone_ = !has_words_left();

@@ -1,5 +1,7 @@
 #include "core/nc/program/isg_flow.h"
 
+#include <algorithm>
+
 #include "core/nc/program/gcode_line.h"
 #include "core/nc/text/characters.h"
 
@@ -167,6 +169,19 @@ bool IsgFlow::pass_line(std::string& flat) {
   return true;
 }
 
+// By their numbers: whether they belong to a comment of several lines, or bound one.
+std::vector<bool> IsgFlow::comment_lines(const ProgramText& text, std::size_t begin,
+                                         std::size_t end) {
+  std::vector<bool> found(end);
+  bool in_comment = false;
+  for (std::size_t line = begin; line < end; ++line) {
+    const bool bounds = bounds_isg_comment(text.line(line));
+    if (bounds) in_comment = begins_isg_comment(text.line(line));
+    found[line] = in_comment || bounds;
+  }
+  return found;
+}
+
 // A subprogram needs no word at its end.
 bool IsgFlow::end_of_frame(std::string& flat) {
   return frames_.size() == 1 ? end_of_program(flat) : return_from(flat);
@@ -180,16 +195,13 @@ bool IsgFlow::end_of_program(std::string& flat) {
   if (main.begin == main.end && units_.front().text == 0 && !units_.front().name.empty())
     return refuse_behind_end(text.size() - 1, Code::block_structure,
                              "%, the beginning of the program behind its subprograms");
+  const std::vector<bool> is_comment = comment_lines(text, main.current + 1, main.end);
   for (std::size_t line = main.current + 1; line < main.end; ++line) {
     const std::string_view content = text.line(line);
     const bool is_header = !isg_subprogram_of(content).empty() || begins_isg_program(content);
-    if (is_header && !ends_tape(text, line))
+    if (is_header && !is_comment[line] && !ends_tape(text, line))
       return refuse_behind_end(line, Code::nc_unsupported, name_of_second(content));
   }
-  const auto is_target = [&](std::size_t line) {
-    const IsgHead head = isg_head_of(text.line(line));
-    return head.is_target || !head.label.empty();
-  };
   // $IF … M30 $ENDIF: other values lead to the lines after it.
   std::ptrdiff_t branches = 0;
   for (const auto& [line, structure] : outline_of(main).structures) {
@@ -198,11 +210,19 @@ bool IsgFlow::end_of_program(std::string& flat) {
     branches -= structure == Structure::end_branch ? 1 : 0;
   }
   if (branches > 0) return true;
-  std::size_t behind = main.current + 1;
-  while (behind < main.end && !is_target(behind)) ++behind;
-  const std::size_t lost = first_with('G', 41, 42, main.current + 1, behind);
-  if (lost < behind) return refuse_contour_behind_end(lost);
-  write_text_behind_end(flat, behind);
+  std::size_t copied = main.end;
+  for (std::size_t line = main.current + 1; line < main.end; ++line) {
+    const std::string_view content = text.line(line);
+    const IsgHead head = isg_head_of(content);
+    const bool is_target = !is_comment[line] && (head.is_target || !head.label.empty());
+    if (is_target) copied = std::min(copied, line);
+    if (is_target) break;
+    // In a comment of several lines, too, as in a program that does not compute.
+    if (first_with('G', 41, 42, line, line + 1) == line) return refuse_contour_behind_end(line);
+    const bool computes_there = !is_comment[line] && computes(setup_, content);
+    if (was_seen(main, line) || computes_there) copied = std::min(copied, line);
+  }
+  copy_text_behind_end(flat, copied);
   return true;
 }
 

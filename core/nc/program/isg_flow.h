@@ -105,6 +105,8 @@ class IsgFlow : public Flow, private Variables {
   [[nodiscard]] static std::string name_of_second(std::string_view line);
   void take_line_in_front(std::string_view line);
   void take_line();
+  [[nodiscard]] static std::vector<bool> comment_lines(const ProgramText& text, std::size_t begin,
+                                                       std::size_t end);
   bool end_of_frame(std::string& flat);
   bool end_of_program(std::string& flat);
   bool refuse_behind_end(std::size_t line, Code code, std::string detail);

@@ -52,9 +52,13 @@ LabelStatement label_statement_in(std::string_view line, std::string_view words)
   const std::size_t digits = std::min(words.find_first_not_of(' ', behind + 4), words.size());
   std::uint64_t times = 0;
   const char* const end = words.data() + words.size();
-  // REP 3/2: the number after the stroke counts the repetitions left. REP alone repeats once.
+  // REP 3/2, REP 3 /2: the number after the stroke counts the repetitions left. REP alone repeats
+  // once.
   const auto read = std::from_chars(words.data() + digits, end, times);
-  const bool is_number = read.ec == std::errc{} && (read.ptr == end || *read.ptr == '/');
+  const std::string_view behind_number(read.ptr, static_cast<std::size_t>(end - read.ptr));
+  const std::size_t stroke = behind_number.find_first_not_of(' ');
+  const bool is_number =
+      read.ec == std::errc{} && (stroke == std::string_view::npos || behind_number[stroke] == '/');
   if (digits == words.size()) found.repetitions = 1;
   if (is_number) found.repetitions = times;
   return found;

@@ -94,15 +94,26 @@ std::optional<FoundSlip> decimal_comma(std::string_view line, std::size_t at) {
   return FoundSlip{.slip = slipped, .begin = begin, .word = word};
 }
 
+// IX+O: an increment of Klartext has two letters.
+bool begins_increment(std::string_view line, std::size_t at) {
+  return at + 2 < line.size() && upper(line[at]) == 'I' &&
+         std::string_view("ABCUVWXYZ").find(upper(line[at + 1])) != std::string_view::npos &&
+         (line[at + 2] == '+' || line[at + 2] == '-') &&
+         (at == 0 || !(is_letter(line[at - 1]) || line[at - 1] == '_'));
+}
+
 // YO, GO1, G0l: at the letter or at its word.
 std::optional<FoundSlip> letter_for_digit(std::string_view line, std::size_t at) {
+  if (begins_increment(line, at)) ++at;
   const auto sign = [&](std::size_t place) { return place < line.size() ? line[place] : ' '; };
   std::size_t begin = at;
   while (begin > 0 && (is_letter_for_digit(line[begin]) || belongs_to_number(line[begin])) &&
          (belongs_to_number(line[begin - 1]) || is_letter(line[begin - 1])))
     --begin;
   if (!is_letter(line[begin]) || is_letter_for_digit(line[begin])) return std::nullopt;
-  if (begin > 0 && (is_letter(line[begin - 1]) || line[begin - 1] == '_')) return std::nullopt;
+  const bool is_increment = begin > 0 && begins_increment(line, begin - 1);
+  if (begin > 0 && !is_increment && (is_letter(line[begin - 1]) || line[begin - 1] == '_'))
+    return std::nullopt;
   std::size_t first = begin + 1;
   if (sign(first) == '+' || sign(first) == '-') ++first;
   // A letter that could begin a word is a slip only at the fault, or directly before the fault,
@@ -127,7 +138,9 @@ std::optional<FoundSlip> letter_for_digit(std::string_view line, std::size_t at)
   const bool statement = is_o(sign(begin + 1)) && (letter == 'D' || letter == 'T');  // DO1, TO
   // G00 with both zeros mistyped; other names may end in OO.
   const bool is_rapid = letter == 'G' && word.size() == 3 && is_o(word[1]) && is_o(word[2]);
-  if (name_follows || statement || (!digits && word.size() != 2 && !is_rapid)) return std::nullopt;
+  // XO, X+O
+  const bool is_zero = word.size() == first - begin + 1;
+  if (name_follows || statement || (!digits && !is_zero && !is_rapid)) return std::nullopt;
   Slip slipped{.instead = word};
   for (std::size_t i = 1; i < slipped.instead.size(); ++i) {
     char& one = slipped.instead[i];
@@ -138,7 +151,9 @@ std::optional<FoundSlip> letter_for_digit(std::string_view line, std::size_t at)
   }
   // G10l2: no function has so many digits.
   if (letter == 'G' && std::ranges::count_if(slipped.instead, is_digit) > 3) return std::nullopt;
-  return FoundSlip{.slip = slipped, .begin = begin, .word = word};
+  if (!is_increment) return FoundSlip{.slip = slipped, .begin = begin, .word = word};
+  slipped.instead.insert(0, 1, line[begin - 1]);
+  return FoundSlip{.slip = slipped, .begin = begin - 1, .word = line[begin - 1] + word};
 }
 
 }  // namespace

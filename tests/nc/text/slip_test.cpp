@@ -49,6 +49,8 @@ INSTANTIATE_TEST_SUITE_P(
         Slipped{"N10 G1 X10,5 Y2", "1:8 900008", "X10,5", SlipKind::decimal_comma, "X10.5"},
         Slipped{"G1 X-0,25", "1:4 900008", "X-0,25", SlipKind::decimal_comma, "X-0.25"},
         Slipped{"G1 X10 YO", "1:8 900008", "YO", SlipKind::letter_o, "Y0"},
+        Slipped{"G1 X+O Y2", "1:4 900008", "X+O", SlipKind::letter_o, "X+0"},
+        Slipped{"G1 X10 Y-O", "1:8 900008", "Y-O", SlipKind::letter_o, "Y-0"},
         Slipped{"GO1 X10", "1:1 900008", "GO1", SlipKind::letter_o, "G01"},
         Slipped{"N10 GO X10", "1:5 900008", "GO", SlipKind::letter_o, "G0"},
         Slipped{"G0l X10", "1:1 900008", "G0l", SlipKind::letter_l, "G01"},
@@ -70,6 +72,12 @@ TEST(SlipOfTyping, IsNamedInKlartext) {
   EXPECT_EQ(first("L X+10,5 Y+0 R0 F500").slip.instead, "X+10.5");
   EXPECT_EQ(first("L X+1O Y+0 R0 F500").slip.instead, "X+10");
   EXPECT_EQ(first("L X\u221210 Y+0 R0 F500").slip.instead, "X-10");
+  EXPECT_EQ(first("L X+O Y-20 R0 F500").slip.instead, "X+0");
+  EXPECT_EQ(first("L IX+O Y-20 R0 F500").slip.instead, "IX+0");
+  EXPECT_EQ(first("L IX-1O Y-20 R0 F500").slip.instead, "IX-10");
+  EXPECT_EQ(read("BEGIN PGM A MM\nL IX+O Y-20 R0 F500\n", {.dialect = DialectName::heidenhain})
+                .diagnostics.size(),
+            1U);
 }
 
 TEST(SlipOfTyping, OfQuotesInSinumerik) {
