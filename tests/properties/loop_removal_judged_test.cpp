@@ -438,6 +438,37 @@ TEST(LoopRemovalSlot, IsGoneIntoWhereItIsAsWideAsTheTool) {
     }
 }
 
+// Its walls and its round end are off by less than D-36 allows.
+TEST(LoopRemovalSlot, IsGoneIntoToItsRoundEnd) {
+  for (const double radius : {0.5, 2.5, 10.0, 250.0})
+    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+      Random random(seed);
+      // No block may be travelled backwards by more than D-14 allows either.
+      const double most = std::min(1.6e-7 * std::max(radius, 1.0), 1e-5);
+      const auto off = [&](double x, double y) {
+        return Point(x + random.between(-most, most), y);
+      };
+      const std::vector<Point> corners{
+          {-3 * radius, 0},    off(0, 0),
+          off(0, -5 * radius), off(2 * radius, -5 * radius + random.between(-most, most)),
+          off(2 * radius, 0),  {5 * radius, 0}};
+      SmallContour made = slot(radius, 2 * radius, 0);
+      for (std::size_t k = 0; k + 1 < corners.size(); ++k)
+        made.contour.blocks[k] = Line{.start = corners[k], .end = corners[k + 1]};
+      made.contour.blocks[2] = Arc{.start = corners[2],
+                                   .end = corners[3],
+                                   .center = (corners[2] + corners[3]) / 2,
+                                   .sweep = std::numbers::pi};
+      const Outcome outcome = compensate(made.contour, made.mode);
+      ASSERT_FALSE(outcome.stopped) << story_of(made, seed);
+      expect_sound(outcome, made);
+      double deepest = 0;
+      for (const CompensatedBlock& block : travelled(outcome))
+        deepest = std::max(deepest, -point_at(block.path, 1).y());
+      EXPECT_NEAR(deepest, 5 * radius, 3e-6 * std::max(radius, 1.0)) << story_of(made, seed);
+    }
+}
+
 // Technology words, the third main axis and a tracking axis (rule 5.1): words come
 // out once and in order, each where the axes stand as programmed; what is not
 // travelled is told.

@@ -185,7 +185,7 @@ void LoopRelease::report_masked(const PathPlace& next, const Point& place) {
   while (first <= last && !path_.is_contour(first)) ++first;
   while (last > first && !path_.is_contour(last)) --last;
   if (first > last) return;
-  LeftOut stretch = left_out(left_to_.block + 1 == next_ ? left_to_ : PathPlace{next_, 0}, next);
+  LeftOut stretch = left_out(left_up_to(), next);
   stretch.first = path_.source_of(number_of(first));
   stretch.last = path_.source_of(number_of(last));
   stretch.is_a_part = is_most_left_out_ || (stretch.length > stretch.tool_radius / 2 &&
@@ -294,7 +294,7 @@ bool LoopRelease::check_left_out() {
   };
   std::optional<LeftOut> whole_part;
   double left_out_in_all = 0;
-  PathPlace reached{next_, 0};
+  PathPlace reached = left_up_to();
   const auto consider = [&](const PathPlace& next) {
     if (next.block <= reached.block) return;
     LeftOut stretch = left_out(reached, next);

@@ -72,6 +72,10 @@ class LoopRelease {
   [[nodiscard]] std::size_t end_of_path() const { return path_.end(); }
   [[nodiscard]] std::size_t number_of(std::size_t block) const { return path_.number_of(block); }
 
+  // Up to here the path has left or been left out.
+  [[nodiscard]] PathPlace left_up_to() const {
+    return left_to_.block + 1 == next_ ? left_to_ : PathPlace{next_, 0};
+  }
   [[nodiscard]] bool next_stands_for_itself() const;
   [[nodiscard]] std::size_t end_of_portion() const;
   void release(std::size_t number, PathBlocks& out);

@@ -336,8 +336,11 @@ bool LoopWalk::violates_soon(const PathPlace& from, const PathPlace& to,
             .comes_nearer(obstacles_.wall(obstacle), obstacles_.reach_to(obstacle, block, limit)))
       return true;
     const bool whole = block != from.block && block != to.block;
-    if (whole && (path_.is_unreachable(block) || runs_backwards(block))) return true;
+    const bool has_no_path = path_.is_unreachable(block) && length > tolerances_.on_contour;
+    if (whole && (has_no_path || runs_backwards(block))) return true;
     if (obstacles_.comes_nearer(block, begin, end, Nearness::passable)) return true;
+    // Rounding may leave something of the rest on the block that it ends on.
+    if (end < all) return false;
     rest -= end - begin;
   }
   return false;

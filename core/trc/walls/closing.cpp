@@ -53,15 +53,17 @@ std::optional<Closing> closing_of_some(const ContourView& contour, std::size_t f
                                        std::size_t end, double closing_tolerance,
                                        double tool_radius);
 
-// For the same lap at several depths, with links longer than the lap: the last lap, which no link
-// follows, shows which of the two is the lap.
-std::optional<Closing> closing_of_repeated(const ContourView& contour, double closing_tolerance,
-                                           double tool_radius) {
+// For the same lap at several depths: the last lap, which no link follows, shows which part is the
+// lap. It is needed where the links are longer than the lap, and where `known`, the closing of the
+// whole contour, takes the last of two laps for an overrun of the first.
+std::optional<Closing> closing_of_repeated(const ContourView& contour,
+                                           const std::optional<Closing>& known,
+                                           double closing_tolerance, double tool_radius) {
   const auto repeated = repeated_laps(contour);
   if (!repeated) return std::nullopt;
   auto closing =
       closing_of_some(contour, repeated->last, contour.count, closing_tolerance, tool_radius);
-  if (!closing || closing->overrun) return std::nullopt;
+  if (!closing) return std::nullopt;
   const auto length_between = [&](ContourPlace from, const ContourPlace& to) {
     double length = to.along - from.along;
     for (; from.number < to.number; ++from.number) {
@@ -70,10 +72,21 @@ std::optional<Closing> closing_of_repeated(const ContourView& contour, double cl
     }
     return length;
   };
-  const ContourPlace before{closing->first.number - repeated->blocks, closing->first.along};
   const double lap = length_between(closing->first, closing->second);
-  if (2 * lap > length_between(before, closing->first)) return std::nullopt;
-  closing->first.number -= repeated->last;
+  const auto in_lap_before = [&](ContourPlace place, std::size_t blocks) {
+    place.number -= blocks;
+    return place;
+  };
+  const ContourPlace first = in_lap_before(closing->first, repeated->last);
+  const bool is_lap_for_overrun = known && known->overrun && known->first.number >= first.number &&
+                                  length_between(first, known->first) >= 0.5 * lap;
+  const bool has_long_links =
+      !closing->overrun &&
+      2 * lap <= length_between(in_lap_before(closing->first, repeated->blocks), closing->first);
+  if (!is_lap_for_overrun && !has_long_links) return std::nullopt;
+  closing->first = first;
+  if (closing->overrun)
+    closing->overrun->first = in_lap_before(closing->overrun->first, repeated->last);
   closing->is_alone = false;
   closing->repeated_laps = repeated->last / repeated->blocks + 1;
   return closing;
@@ -99,8 +112,8 @@ std::optional<Closing> closing_of_all(const ContourView& contour, double closing
   }
   // Leads of few blocks may cross in one point, which then hides the laps.
   constexpr std::size_t few = 1000;
-  if (!closing || !closing->is_alone || contour.count <= few)
-    if (auto repeated = closing_of_repeated(contour, closing_tolerance, tool_radius))
+  if (!closing || !closing->is_alone || closing->overrun || contour.count <= few)
+    if (auto repeated = closing_of_repeated(contour, closing, closing_tolerance, tool_radius))
       return repeated;
   const auto long_leads = between_long_leads(contour, meetings, closing_tolerance, tool_radius);
   if (!closing ||

@@ -83,11 +83,11 @@ TEST(ClosingPrograms, AnOverrunMayGoPastAFilletTheToolDoesNotFitInto) {  // D-38
   EXPECT_NEAR(outcome.clearance_to({right, bottom}), 2.5, 1e-9);
 }
 
-// The lap in three depths, N10 to N90, N110 …; `back` leads from one to the next.
-std::string in_three_depths(const std::vector<std::string>& lap, const std::string& back) {
+// The lap in that many depths, N10 to N90, N110 …; `back` leads from one to the next.
+std::string in_depths(int count, const std::vector<std::string>& lap, const std::string& back) {
   std::string contour;
-  for (int depth = 0; depth < 3; ++depth) {
-    if (depth > 0) contour += "G1 " + back + "\nZ-" + std::to_string(depth) + "\n";
+  for (int depth = 0; depth < count; ++depth) {
+    if (depth > 0) contour += back + "\nZ-" + std::to_string(depth) + "\n";
     for (std::size_t block = 0; block < lap.size(); ++block)
       contour += "N" + std::to_string(100 * depth + 10 * static_cast<int>(block + 1)) + " " +
                  lap[block] + "\n";
@@ -95,11 +95,15 @@ std::string in_three_depths(const std::vector<std::string>& lap, const std::stri
   return contour;
 }
 
+std::string in_three_depths(const std::vector<std::string>& lap, const std::string& back) {
+  return in_depths(3, lap, "G1 " + back);
+}
+
 // All of the lap is, but for its first and last block, which are leads.
-void expect_all_depths(const Result& outcome, int blocks) {
+void expect_all_depths(const Result& outcome, int blocks, int depths = 3) {
   ASSERT_TRUE(outcome.whole);
   const std::set<std::int64_t> travelled = outcome.travelled();
-  for (int depth = 0; depth < 3; ++depth)
+  for (int depth = 0; depth < depths; ++depth)
     for (int block = 2; block < blocks; ++block)
       EXPECT_TRUE(travelled.contains(100 * depth + 10 * block))
           << "depth " << depth << ' ' << block;
@@ -130,6 +134,34 @@ TEST(ClosingPrograms, DepthsMayHaveLeadsLongerThanALap) {  // D-107
     expect_all_depths(outcome, 6);
     EXPECT_TRUE(outcome.diagnostics.empty()) << modes;
   }
+}
+
+// A bore of 40 mm and a post of 40 mm, one circle a lap.
+TEST(ClosingPrograms, TwoDepthsMayBeOfOneCircleEach) {  // D-107
+  struct Lap {
+    const char* name;
+    const char* begin;
+    std::vector<std::string> blocks;
+    const char* link;
+  };
+  const std::vector<Lap> laps{{"bore",
+                               "G0 X2 Y-14 F800\nG41 G1 X6 Y-14\n",
+                               {"G3 X20 Y0 I0 J14", "G3 X20 Y0 I-20 J0", "G3 X6 Y14 I-14 J0"},
+                               "X6 Y-14"},
+                              {"post",
+                               "G0 X38 Y14 F800\nG41 G1 X34 Y14\n",
+                               {"G3 X20 Y0 I0 J-14", "G2 X20 Y0 I-20 J0", "G3 X34 Y-14 I14 J0"},
+                               "X34 Y14"}};
+  for (const Lap& lap : laps)
+    for (const char* modes : {removing, "G141 G26", "G140 G26"})
+      for (const char* motion : {"G1 ", "G0 "}) {
+        const Result outcome = run(
+            modes, 4,
+            lap.begin + in_depths(2, lap.blocks, motion + std::string(lap.link)) + "G40 G1 Y0\n",
+            Verify::enforce);
+        expect_all_depths(outcome, 3, 2);
+        EXPECT_TRUE(outcome.diagnostics.empty()) << lap.name << ' ' << modes << ' ' << motion;
+      }
 }
 
 // A post of 40 mm and a tool of 36, whose leads cross on their way to the second depth.

@@ -278,6 +278,41 @@ TEST(Walls, LeadsBetweenDepthsAreLeadsWhereTheLastOneOverruns) {
   EXPECT_EQ((Ranges{{0, 2}, {6, 9}, {16, 17}}), over_a_corner.leads);
 }
 
+// With so few blocks in a lap the whole second lap lies among the last blocks, as an overrun does.
+TEST(Walls, TheSecondOfTwoDepthsOfABoreIsNoOverrun) {  // D-107
+  for (const std::size_t arcs : {1U, 2U, 3U}) {
+    Drawing contour(6, -14);
+    for (int depth = 0; depth < 2; ++depth) {
+      if (depth > 0) contour.line(6, -14);
+      contour.arc(6, 0, pi / 2);
+      for (std::size_t arc = 0; arc < arcs; ++arc)
+        contour.arc(0, 0, 2 * pi / static_cast<double>(arcs));
+      contour.arc(6, 0, pi / 2);
+    }
+    const Walls walls = contour.tool(Side::left).walls();
+    const std::size_t end = arcs + 1;
+    EXPECT_EQ((Ranges{{0, 1}, {end, end + 3}, {2 * end + 2, 2 * end + 3}}), walls.leads) << arcs;
+    EXPECT_EQ((Numbers{end, end + 3}), walls.rings) << arcs;
+  }
+}
+
+// The overruns of both laps are repeated as well.
+TEST(Walls, TwoDepthsOfABoreMayOverrun) {  // D-107
+  Drawing contour(6, -14);
+  const auto lap = [&] {
+    contour.arc(6, 0, pi / 2).arc(0, 0, 2 * pi).arc(0, 0, pi / 2).arc(0, 6, pi / 2);
+  };
+  lap();
+  contour.line(6, -14);
+  lap();
+  const Walls walls = contour.tool(Side::left).walls();
+  EXPECT_EQ((Ranges{{0, 1}, {2, 6}, {8, 9}}), walls.leads);
+  ASSERT_EQ(1U, walls.parts.size());
+  EXPECT_EQ(1U, walls.parts[0].number);
+  EXPECT_NEAR(walls.parts[0].from, 10 * pi, 0.005);
+  EXPECT_EQ((Numbers{2, 6}), walls.rings);
+}
+
 // A finishing lap with round corners, whose overrun leaves the roughing lap in the first of them.
 TEST(Walls, AnOverrunOfTheFinishingLapMayGoRoundItsCorner) {
   const Walls walls = Drawing(-5.5, 25.5)
