@@ -81,7 +81,6 @@ std::optional<Closing> closing_of_repeated(const ContourView& contour,
   const bool is_lap_for_overrun = known && known->overrun && known->first.number >= first.number &&
                                   length_between(first, known->first) >= 0.5 * lap;
   const bool has_long_links =
-      !closing->overrun &&
       2 * lap <= length_between(in_lap_before(closing->first, repeated->blocks), closing->first);
   if (!is_lap_for_overrun && !has_long_links) return std::nullopt;
   closing->first = first;

@@ -313,6 +313,23 @@ TEST(Walls, TwoDepthsOfABoreMayOverrun) {  // D-107
   EXPECT_EQ((Numbers{2, 6}), walls.rings);
 }
 
+// The links are longer than the lap, and each lap overruns.
+TEST(Walls, DepthsOfASmallPostMayOverrun) {  // D-107
+  constexpr double overrun = 1.0 / 12;       // rad
+  Drawing contour(20, 14);
+  for (int depth = 0; depth < 3; ++depth) {
+    if (depth > 0) contour.line(20, 14);
+    contour.arc(20, 0, pi / 2).arc(0, 0, -2 * pi).arc(0, 0, -overrun);
+    contour.arc(20 * std::cos(overrun), -20 * std::sin(overrun), pi / 2);
+  }
+  const Walls walls = contour.tool(Side::left).walls();
+  EXPECT_EQ((Ranges{{0, 1}, {2, 6}, {7, 11}, {13, 14}}), walls.leads);
+  ASSERT_EQ(1U, walls.parts.size());
+  EXPECT_EQ(1U, walls.parts[0].number);
+  EXPECT_NEAR(walls.parts[0].from, 6 * overrun, 0.005);
+  EXPECT_EQ((Numbers{2, 6, 7, 11}), walls.rings);
+}
+
 // A finishing lap with round corners, whose overrun leaves the roughing lap in the first of them.
 TEST(Walls, AnOverrunOfTheFinishingLapMayGoRoundItsCorner) {
   const Walls walls = Drawing(-5.5, 25.5)
