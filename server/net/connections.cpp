@@ -48,11 +48,16 @@ std::optional<std::uint64_t> cookie_of(int descriptor) {
   return cookie;
 }
 
-std::optional<std::uint64_t> bytes_received(int descriptor) {
+// The bytes from the other side, and those that it has acknowledged.
+struct Exchanged {
+  std::uint64_t received = 0;
+  std::uint64_t heard = 0;
+};
+std::optional<Exchanged> bytes_exchanged(int descriptor) {
   tcp_info info{};
   socklen_t size = sizeof(info);
   if (getsockopt(descriptor, IPPROTO_TCP, TCP_INFO, &info, &size) != 0) return std::nullopt;
-  return info.tcpi_bytes_received;
+  return Exchanged{.received = info.tcpi_bytes_received, .heard = info.tcpi_bytes_acked};
 }
 
 // Bytes that have arrived and that gRPC has not read.
@@ -186,13 +191,14 @@ class Connections::Connection {
 
  private:
   void count(Clock::time_point now) {
-    const auto received = bytes_received(descriptor_);
-    if (!received) return;
+    const auto exchanged = bytes_exchanged(descriptor_);
+    if (!exchanged) return;
     const double seconds = std::chrono::duration<double>(now - looked_at_).count();
-    const auto more = static_cast<double>(*received - received_);
+    const auto more = static_cast<double>(exchanged->received - received_);
     const auto carried = static_cast<double>(carried_.exchange(0));
     looked_at_ = now;
-    received_ = *received;
+    received_ = exchanged->received;
+    count_unheard(*exchanged);
     overhead_ += more - bytes_for_a_byte * carried -
                  seconds * static_cast<double>(all_.limits_.overhead_bytes_per_s);
     overhead_ = std::max(overhead_, 0.0);
@@ -204,6 +210,19 @@ class Connections::Connection {
         all_.limits_.read_ahead + calls_ * all_.limits_.read_ahead_of_call;
     if (overhead_ > static_cast<double>(read_ahead)) close(Reason::overhead);
     unasked_ += std::max(more - bytes_for_a_byte * carried, 0.0);
+  }
+
+  // A client may send no more than the window of a message before gRPC tells it that there is room
+  // again. A header has no window: one that never ends is all that may go on without an answer.
+  void count_unheard(const Exchanged& exchanged) {
+    if (exchanged.heard != heard_) {
+      heard_ = exchanged.heard;
+      received_when_heard_ = exchanged.received;
+    }
+    const std::uint64_t unheard = exchanged.received - received_when_heard_;
+    const std::uint64_t most = all_.limits_.unheard;
+    if (unheard > most && unheard > most + static_cast<std::uint64_t>(bytes_unread(descriptor_)))
+      close(Reason::overhead);
   }
 
   // gRPC reads a connection that was shut down to its end, and a flood leaves megabytes behind.
@@ -234,6 +253,8 @@ class Connections::Connection {
   // Used only by the thread that calls look().
   Clock::time_point looked_at_ = Clock::now();
   std::uint64_t received_ = 0;
+  std::uint64_t heard_ = 0;
+  std::uint64_t received_when_heard_ = 0;
   double overhead_ = 0;
   double unfinished_ = 0;
   // Bytes besides messages that may have begun streams since gRPC was asked about them.

@@ -28,6 +28,8 @@ class Connections {
   struct Limits {
     std::uint32_t early_cancels = 200;  // within a window, see below
     std::uint64_t overhead_bytes_per_s = 2U << 20U;
+    // Bytes that come while the server says nothing: above what the windows let a client send.
+    std::uint64_t unheard = (2U << 20U) + (256U << 10U);
     // Bytes beyond a message that may have come without being one yet: per call, and in total.
     std::uint64_t read_ahead_of_call = 1U << 20U;
     std::uint64_t read_ahead = 24U << 20U;

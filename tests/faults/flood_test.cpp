@@ -175,6 +175,38 @@ TEST(Floods, FramesThatCarryNothingHoldNobodyUp) {
   EXPECT_TRUE(!memory_tells || result.resident_mib < flood_memory_mib) << result.resident_mib;
 }
 
+// A header that never ends: gRPC keeps some fifty bytes for each of its fields, and a field of its
+// table is one byte. No rate of bytes tells it from a message that comes slowly, but gRPC has
+// nothing to say meanwhile.
+TEST(Floods, ASlowHeaderWithoutAnEndEndsItsConnection) {
+  const ServerProcess server({"--admin-listen", "127.0.0.1:0"});
+  const RawConnection connection(server.address());
+  const std::string fields(8000, '\x90');  // accept-encoding: gzip, deflate
+  const std::string fields_frame = http2::frame(http2::continuation, 0, 1, fields);
+  ASSERT_TRUE(connection.send_bytes(
+      http2::greeting() +
+      http2::frame(http2::headers_frame, 0, 1, http2::header_block(compensate_path))));
+  constexpr double bytes_per_s = 1 << 20;  // half of what max-overhead-kib-per-s lets pass
+  const auto begin = std::chrono::steady_clock::now();
+  std::size_t sent = 0;
+  double resident_mib = 0;
+  bool sends = true;
+  while (sends && sent < std::size_t{12} << 20U) {
+    sends = connection.is_open() && connection.send_bytes(fields_frame);
+    sent += fields_frame.size();
+    resident_mib = std::max(resident_mib, server.resident_mib());
+    std::this_thread::sleep_until(
+        begin + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                    std::chrono::duration<double>(static_cast<double>(sent) / bytes_per_s)));
+  }
+  EXPECT_FALSE(sends);
+  EXPECT_TRUE(!memory_tells || resident_mib < 256) << resident_mib;
+  EXPECT_EQ(closed_for_floods(server), 1);
+  EXPECT_TRUE(!memory_tells ||
+              eventually([&] { return server.resident_mib() < given_back_mib; }, 60))
+      << server.resident_mib();
+}
+
 struct Kind {
   const char* name;
   std::string head;

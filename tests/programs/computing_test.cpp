@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <ctime>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -117,6 +118,57 @@ TEST(AProgramThatComputes, IsInterruptedInALoopWithoutEnd) {
   EXPECT_TRUE(session.feed("N10 GOTO 10\n", answers));
   EXPECT_THROW(session.finish(answers), std::runtime_error);
   EXPECT_LT(session.executed_lines(), 10'000u);
+}
+
+// A long text is looked at before its first line is executed.
+TEST(AProgramThatComputes, IsInterruptedBeforeItsFirstLine) {
+  const auto lines = [](const std::string& first, const std::string& line, const std::string& end) {
+    std::string text = first;
+    for (const std::string& each : {line, end})
+      for (int count = 0; count < 200 && !each.empty(); ++count) text += each;
+    return text;
+  };
+  const auto executed = [](DialectName dialect, const std::string& text) {
+    ProgramSessionSetup setup = computing_setup(dialect);
+    setup.session.compensator.interrupt = [] { throw std::runtime_error("cancelled"); };
+    ProgramSession session(setup);
+    Answers answers;
+    EXPECT_TRUE(session.feed(text, answers));
+    EXPECT_THROW(session.finish(answers), std::runtime_error) << text;
+    return session.executed_lines();
+  };
+  using enum DialectName;
+  EXPECT_LE(executed(isg, lines("P1=2\n", "$IF P1 == 2\n", "$ENDIF\n")), 2u);
+  EXPECT_LE(executed(isg, lines("$SWITCH 1\n", "$CASE 2\n", "") + "$ENDSWITCH\n"), 2u);
+  EXPECT_LE(executed(fanuc, lines("#1=2\n", "O1\n", "O2\n")), 2u);
+  EXPECT_LE(executed(fanuc, lines("#1=2\n", "IF [#1 EQ 2] THEN\n", "ENDIF\n")), 2u);
+  EXPECT_LE(executed(linuxcnc, lines("#1=2\n", "o1 if [#1]\n", "o1 endif\n")), 2u);
+  EXPECT_LE(executed(sinumerik, lines("R1=2\n", "IF R1 == 2\n", "ENDIF\n")), 2u);
+}
+
+// The time that a text takes is that of its lines, however deep they stand in branches.
+TEST(AProgramThatComputes, TakesNoLongerWhereItsBranchesAreDeep) {
+  const auto repeated = [](const std::string& text, int times) {
+    std::string whole;
+    while (times-- > 0) whole += text;
+    return whole;
+  };
+  using enum DialectName;
+  const auto seconds = [](DialectName dialect, const std::string& text) {
+    const std::clock_t begin = std::clock();
+    static_cast<void>(flat_of(text, computing_setup(dialect)));
+    return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  };
+  constexpr int many = 60'000;
+  constexpr double times = 6;
+  const double flat = seconds(isg, repeated("$IF 0\n$ENDIF\n", many) + "M30\n");
+  const auto isg_takes = [&](const std::string& first, const std::string& then) {
+    return seconds(isg, repeated(first, many) + repeated(then, many) + "M30\n") / flat;
+  };
+  EXPECT_LT(isg_takes("$IF 0\n", "$ENDIF\n"), times);
+  EXPECT_LT(isg_takes("$SWITCH 1\n", "$ELSE\n"), times);
+  EXPECT_LT(isg_takes("$SWITCH 1\n$CASE 1\n", "$CONTINUE\n"), times);
+  EXPECT_LT(seconds(linuxcnc, "o1 repeat [0]\n" + repeated("o1 break\n", many)), times * flat);
 }
 
 TEST(AProgramThatComputes, ComesOutInPieces) {

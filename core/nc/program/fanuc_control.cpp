@@ -38,6 +38,7 @@ const FanucFlow::Outline& FanucFlow::outline_of(const Frame& frame) {
   std::vector<std::pair<std::size_t, std::size_t>> open;  // number of the loop, line
   std::vector<std::size_t> branches;                      // their IF or ELSE
   for (std::size_t line = unit->begin; line < unit->end; ++line) {
+    checkpoint_.pass();
     std::string_view content = text.line(line);
     std::string behind_o;
     if (may_begin_program(content)) {

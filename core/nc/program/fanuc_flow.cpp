@@ -77,9 +77,9 @@ bool fanuc_computes(std::string_view line) {
   return false;
 }
 
-FanucFlow::FanucFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text,
+FanucFlow::FanucFlow(const ProgramSetup& setup, const Lent& lent, ProgramText text,
                      std::size_t start)
-    : GcodeFlow(setup, calls, fanuc_grammar()) {
+    : GcodeFlow(setup, lent, fanuc_grammar()) {
   texts_.push_back(std::move(text));
   add_units(0);
   // The line of the O itself belongs to the program that it names.
@@ -117,11 +117,10 @@ std::int64_t FanucFlow::number_of_program(const ProgramHead& head) {
 }
 
 std::int64_t FanucFlow::number_of_named(std::string_view name) {
-  const std::string capitals = in_upper_case(name);
-  const auto known = std::ranges::find(names_, capitals);
-  const auto index = known - names_.begin();
-  if (known == names_.end()) names_.push_back(capitals);
-  return first_named + index;
+  const auto [known, is_new] =
+      numbers_of_names_.try_emplace(in_upper_case(name), first_named + std::ssize(names_));
+  if (is_new) names_.push_back(known->first);
+  return known->second;
 }
 
 // Divides a text at each O.
@@ -131,6 +130,7 @@ void FanucFlow::add_units(std::size_t text) {
   const std::size_t known = units_.size();
   bool begun = false;  // a line other than a name has been seen
   for (std::size_t line = 0; line < lines.size(); ++line) {
+    checkpoint_.pass();
     const ProgramHead head = program_head_of(lines.line(line));
     const std::int64_t number = number_of_program(head);
     if (number >= 0 && begun) {

@@ -35,7 +35,7 @@ namespace trc::program {
 //     N, it is refused.
 class FanucFlow : public GcodeFlow {
  public:
-  FanucFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text, std::size_t start);
+  FanucFlow(const ProgramSetup& setup, const Lent& lent, ProgramText text, std::size_t start);
 
  private:
   [[nodiscard]] Step execute_next(std::string& flat) override;
@@ -159,6 +159,7 @@ class FanucFlow : public GcodeFlow {
   bool has_ended_ = false;  // but for what is copied
   std::vector<Unit> units_{};
   std::vector<std::string> names_{};  // of programs without a number, in capitals
+  std::map<std::string, std::int64_t> numbers_of_names_{};
   std::map<std::int64_t, std::vector<std::size_t>> units_of_number_{};
   std::map<std::pair<std::size_t, std::size_t>, Outline> outlines_{};
   std::vector<bool> entered_{};  // by unit

@@ -15,7 +15,8 @@
 
 namespace trc::program {
 
-Flow::Flow(const ProgramSetup& setup, CallPlaces& calls) : setup_(setup), calls_(calls) {
+Flow::Flow(const ProgramSetup& setup, const Lent& lent)
+    : setup_(setup), calls_(lent.calls), checkpoint_(lent.checkpoint) {
   for (const auto& [name, value] : setup.variables)
     given_[plain_variable_name(name, setup.dialect)] = value;
 }
@@ -250,17 +251,17 @@ bool computes(const ProgramSetup& setup, std::string_view line) {
   return false;
 }
 
-std::unique_ptr<Flow> make_flow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text,
+std::unique_ptr<Flow> make_flow(const ProgramSetup& setup, const Lent& lent, ProgramText text,
                                 std::size_t start, FirstBlock first_block) {
   if (setup.dialect == DialectName::linuxcnc)
-    return std::make_unique<LinuxcncFlow>(setup, calls, std::move(text), start);
+    return std::make_unique<LinuxcncFlow>(setup, lent, std::move(text), start);
   if (setup.dialect == DialectName::sinumerik)
-    return std::make_unique<SinumerikFlow>(setup, calls, std::move(text), start);
+    return std::make_unique<SinumerikFlow>(setup, lent, std::move(text), start);
   if (setup.dialect == DialectName::isg)
-    return std::make_unique<IsgFlow>(setup, calls, std::move(text), first_block);
+    return std::make_unique<IsgFlow>(setup, lent, std::move(text), first_block);
   if (setup.dialect == DialectName::heidenhain)
-    return std::make_unique<KlartextFlow>(setup, calls, std::move(text), start);
-  return std::make_unique<FanucFlow>(setup, calls, std::move(text), start);
+    return std::make_unique<KlartextFlow>(setup, lent, std::move(text), start);
+  return std::make_unique<FanucFlow>(setup, lent, std::move(text), start);
 }
 
 }  // namespace trc::program

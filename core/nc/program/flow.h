@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/base/call_places.h"
+#include "core/base/checkpoint.h"
 #include "core/base/diagnostic.h"
 #include "core/base/length_unit.h"
 #include "core/nc/dialect/klartext_effects.h"
@@ -46,13 +47,20 @@ struct ModalState {
 // of it, which have come out already.
 enum class FirstBlock : std::uint8_t { in_text, before_text };
 
+// What the reader of a program lends to its flow. All of a text is looked at before its first line
+// is executed, so this passes the checkpoint too.
+struct Lent {
+  CallPlaces& calls;
+  Checkpoint& checkpoint;
+};
+
 // Executes a program that computes, a line at a time: follows its jumps, loops and calls, and makes
 // the lines of the flat program.
 class Flow {
  public:
   enum class Step : std::uint8_t { goes_on, ended, refused };
 
-  Flow(const ProgramSetup& setup, CallPlaces& calls);
+  Flow(const ProgramSetup& setup, const Lent& lent);
   virtual ~Flow() = default;
   Flow(const Flow&) = delete;
   Flow& operator=(const Flow&) = delete;
@@ -172,6 +180,7 @@ class Flow {
 
   const ProgramSetup& setup_;
   CallPlaces& calls_;
+  Checkpoint& checkpoint_;
   std::vector<ProgramText> texts_{};  // the program first
   std::vector<Frame> frames_{};
   ModalState modes_{};
@@ -216,7 +225,7 @@ class Flow {
 [[nodiscard]] bool computes(const ProgramSetup& setup, std::string_view line);
 
 // The program is executed from the line `start` of `text` on (0-based).
-[[nodiscard]] std::unique_ptr<Flow> make_flow(const ProgramSetup& setup, CallPlaces& calls,
+[[nodiscard]] std::unique_ptr<Flow> make_flow(const ProgramSetup& setup, const Lent& lent,
                                               ProgramText text, std::size_t start,
                                               FirstBlock first_block);
 

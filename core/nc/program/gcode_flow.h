@@ -16,8 +16,8 @@ namespace trc::program {
 // lines they become.
 class GcodeFlow : public Flow, protected Variables {
  protected:
-  GcodeFlow(const ProgramSetup& setup, CallPlaces& calls, const Grammar& grammar)
-      : Flow(setup, calls), grammar_(grammar) {}
+  GcodeFlow(const ProgramSetup& setup, const Lent& lent, const Grammar& grammar)
+      : Flow(setup, lent), grammar_(grammar) {}
 
   // Takes the next line of the frame.
   void begin_line();

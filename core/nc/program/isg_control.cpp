@@ -136,6 +136,7 @@ bool IsgFlow::branch(std::string& flat, ExpressionReader& expression) {
   if (!finish_statement(flat, expression.at())) return false;
   std::size_t at = frame().current;
   while (!holds) {
+    checkpoint_.pass();
     at = outline.next.at(at);
     const Structure structure = outline.structures.at(at);
     holds = structure != Structure::other_branch;
@@ -170,6 +171,7 @@ bool IsgFlow::choose(std::string& flat, ExpressionReader& expression) {
   const auto choices = outline.choices.find(frame().current);
   for (std::size_t index = 0;
        choices != outline.choices.end() && !is_found && index < choices->second.size(); ++index) {
+    checkpoint_.pass();
     const std::size_t line = choices->second[index];
     if (outline.structures.at(line) == Structure::by_default) {
       target = line;
@@ -243,13 +245,9 @@ bool IsgFlow::count(std::string& flat, Structure structure) {
 bool IsgFlow::leave(std::string& flat, Exit exit) {
   const bool leaves = exit == Exit::of_loop;
   const Outline& outline = outline_of(frame());
+  const auto around = outline.around.find(frame().current);
   std::optional<std::size_t> head;
-  for (std::size_t line = frame().current; !head;) {
-    const auto around = outline.around.find(line);
-    if (around == outline.around.end()) break;
-    line = around->second;
-    if (leaves || outline.structures.at(line) != Structure::choice) head = line;
-  }
+  if (around != outline.around.end()) head = leaves ? around->second.left : around->second.repeated;
   const auto foot = head ? outline.feet.find(*head) : outline.feet.end();
   if (foot == outline.feet.end())
     return refuse(Code::block_structure, head_.behind,

@@ -7,9 +7,9 @@
 
 namespace trc::program {
 
-IsgFlow::IsgFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text,
+IsgFlow::IsgFlow(const ProgramSetup& setup, const Lent& lent, ProgramText text,
                  FirstBlock first_block)
-    : Flow(setup, calls) {
+    : Flow(setup, lent) {
   texts_.push_back(std::move(text));
   add_units(0, first_block);
   const Unit main = units_.back();
@@ -29,6 +29,7 @@ IsgFlow::IsgFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text,
 bool IsgFlow::calls_the_unknown() const {
   for (const ProgramText& text : texts_)
     for (std::size_t line = 0; line < text.size(); ++line) {
+      checkpoint_.pass();
       const std::string_view content = text.line(line);
       const std::size_t begin = isg_head_of(content).behind;
       const IsgCall call = isg_call_at(content, begin);
@@ -48,6 +49,7 @@ void IsgFlow::add_units(std::size_t text, FirstBlock first_block) {
   bool has_begun = first_block == FirstBlock::before_text;
   bool in_comment = false;
   for (std::size_t line = 0; line < lines.size() && !has_begun; ++line) {
+    checkpoint_.pass();
     const std::string_view content = lines.line(line);
     if (bounds_isg_comment(content)) in_comment = begins_isg_comment(content);
     const std::string name = isg_subprogram_of(content);

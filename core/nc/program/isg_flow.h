@@ -31,7 +31,7 @@ namespace trc::program {
 //   - Where the order of two adjacent operators is not documented, brackets are required.
 class IsgFlow : public Flow, private Variables {
  public:
-  IsgFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text, FirstBlock first_block);
+  IsgFlow(const ProgramSetup& setup, const Lent& lent, ProgramText text, FirstBlock first_block);
 
   void know(std::string_view lines) override;
 
@@ -69,10 +69,16 @@ class IsgFlow : public Flow, private Variables {
     std::string detail{};
     bool whole = false;  // the detail names the statement
   };
+  // The heads of what is around a line.
+  struct Around {
+    std::optional<std::size_t> left{};      // a loop or a choice: $BREAK
+    std::optional<std::size_t> repeated{};  // a loop: $CONTINUE
+  };
   struct Open {
     Structure structure = Structure::none;
     std::size_t head = 0;
     std::vector<std::size_t> branches{};
+    Around around{};  // of a line in it
   };
   // Where the lines of a unit lead.
   struct Outline {
@@ -84,7 +90,7 @@ class IsgFlow : public Flow, private Variables {
     std::map<std::size_t, std::size_t> feet{};   // by head, and by each branch of it: the end
     std::map<std::size_t, std::size_t> heads{};  // by the end
     std::map<std::size_t, std::vector<std::size_t>> choices{};  // by $SWITCH: $CASE and $DEFAULT
-    std::map<std::size_t, std::size_t> around{};  // the head of the loop or choice around a line
+    std::map<std::size_t, Around> around{};
   };
   // Part of a line of words.
   struct Piece {

@@ -46,16 +46,14 @@ const IsgFlow::Outline& IsgFlow::outline_of(const Frame& frame) {
   std::vector<Open> open;
   bool in_comment = false;
   for (std::size_t line = frame.begin; line < frame.end; ++line) {
+    checkpoint_.pass();
     if (bounds_isg_comment(text.line(line))) in_comment = begins_isg_comment(text.line(line));
     if (in_comment) continue;
     const IsgHead head = isg_head_of(text.line(line));
     if (head.is_target) outline.numbers[head.number].push_back(line);
     if (!head.label.empty()) outline.labels[head.label].push_back(line);
     const Structure structure = structure_of(text.line(line));
-    const auto around = std::ranges::find_if(open.rbegin(), open.rend(), [](const Open& each) {
-      return each.structure != Structure::branch;
-    });
-    if (around != open.rend()) outline.around[line] = around->head;
+    if (!open.empty()) outline.around[line] = open.back().around;
     check_statement(outline, open, line, text.line(line));
     if (structure != Structure::none)
       add_structure(outline, open, structure, line);
@@ -78,7 +76,10 @@ void IsgFlow::add_structure(Outline& outline, std::vector<Open>& open, Structure
   const bool begins = structure == branch || structure == choice || structure == counting ||
                       structure == condition || structure == endless || structure == repetition;
   if (begins) {
-    open.push_back({.structure = structure, .head = line, .branches = {line}});
+    Around around = open.empty() ? Around() : open.back().around;
+    if (structure != branch) around.left = line;
+    if (structure != branch && structure != choice) around.repeated = line;
+    open.push_back({.structure = structure, .head = line, .branches = {line}, .around = around});
     return;
   }
   const bool is_of_choice = structure == chosen || structure == by_default;
@@ -115,10 +116,12 @@ void IsgFlow::add_structure(Outline& outline, std::vector<Open>& open, Structure
 }
 
 // A barred statement bars all statements around it, because they decide which lines are executed.
+// Whatever is around one that is barred already is barred too.
 void IsgFlow::misplace(Outline& outline, const std::vector<Open>& open, std::size_t line,
                        const Misplaced& misplaced) {
   outline.misplaced.try_emplace(line, misplaced);
-  for (const Open& each : open) outline.misplaced.try_emplace(each.head, misplaced);
+  for (auto each = open.rbegin(); each != open.rend(); ++each)
+    if (!outline.misplaced.try_emplace(each->head, misplaced).second) return;
 }
 
 // No path leads to a line between $SWITCH and its first $CASE.

@@ -17,9 +17,9 @@ bool klartext_computes(std::string_view line) {
          label_statement_in(line).kind == LabelStatement::Kind::call;
 }
 
-KlartextFlow::KlartextFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text,
+KlartextFlow::KlartextFlow(const ProgramSetup& setup, const Lent& lent, ProgramText text,
                            std::size_t start)
-    : Flow(setup, calls) {
+    : Flow(setup, lent) {
   texts_.push_back(std::move(text));
   frames_.push_back({.end = texts_.front().size(), .next = start, .current = start});
 }

@@ -15,7 +15,7 @@ namespace trc::program {
 // written out; else the program comes out as it is (D-82).
 class KlartextFlow : public Flow {
  public:
-  KlartextFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text, std::size_t start);
+  KlartextFlow(const ProgramSetup& setup, const Lent& lent, ProgramText text, std::size_t start);
 
  protected:
   [[nodiscard]] Step execute_next(std::string& flat) override;

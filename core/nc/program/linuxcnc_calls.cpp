@@ -52,23 +52,20 @@ bool LinuxcncFlow::call_sub(const std::string& label, std::size_t at, std::strin
   }
   if (expression.failed()) return refuse(expression.fault());
   for (std::size_t text = 0; text < texts_.size(); ++text) {
-    const auto labelled = o_words_[text].find({0, label});
-    if (labelled == o_words_[text].end()) continue;
-    const std::vector<OWord>& words = labelled->second;
-    const auto begin = std::ranges::find(words, Statement::sub, &OWord::statement);
-    if (begin == words.end()) continue;
-    const auto again = std::ranges::find(begin + 1, words.end(), Statement::sub, &OWord::statement);
-    if (again != words.end())
+    const std::span<const std::size_t> heads = lines_of(text, 0, label, Statement::sub);
+    if (heads.empty()) continue;
+    if (heads.size() > 1)
       return refuse(Code::subprogram_unknown, head_.behind,
                     "o" + label + " sub, which is there twice");
-    const auto end = std::ranges::find(begin, words.end(), Statement::endsub, &OWord::statement);
-    if (end == words.end())
+    const std::span<const std::size_t> feet = lines_of(text, 0, label, Statement::endsub);
+    const auto foot = std::ranges::upper_bound(feet, heads.front());
+    if (foot == feet.end())
       return refuse(Code::block_structure, head_.behind, "o" + label + " sub without endsub");
     return enter_sub({.text = text,
-                      .begin = begin->line + 1,
-                      .end = end->line + 1,
-                      .next = begin->line + 1,
-                      .current = begin->line,
+                      .begin = heads.front() + 1,
+                      .end = *foot + 1,
+                      .next = heads.front() + 1,
+                      .current = heads.front(),
                       .name = "o" + label,
                       .own_variables = true},
                      expression.at(), std::move(locals), flat);
@@ -140,17 +137,16 @@ bool LinuxcncFlow::call_program(ComputedWord& word, std::string& flat) {
   if (!call) return false;
   const std::string label = std::to_string(call->number);
   for (std::size_t text = 0; text < texts_.size(); ++text) {
-    const auto labelled = o_words_[text].find({0, label});
-    if (labelled == o_words_[text].end()) continue;
-    const auto begin = std::ranges::find(labelled->second, Statement::none, &OWord::statement);
-    if (begin == labelled->second.end()) continue;
+    const std::span<const std::size_t> begins = lines_of(text, 0, label, Statement::none);
+    if (begins.empty()) continue;
+    const std::size_t begin = begins.front();
     if (call->times == 0) return true;
     write_call(flat, "o" + label);
     return enter({.text = text,
                   .end = texts_[text].size(),
-                  .next = begin->line + 1,
-                  .current = begin->line,
-                  .restart = begin->line + 1,
+                  .next = begin + 1,
+                  .current = begin,
+                  .restart = begin + 1,
                   .repetitions_left = call->times - 1,
                   .name = "o" + label});
   }

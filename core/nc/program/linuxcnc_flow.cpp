@@ -101,9 +101,9 @@ bool linuxcnc_computes(std::string_view line) {
   return false;
 }
 
-LinuxcncFlow::LinuxcncFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text,
+LinuxcncFlow::LinuxcncFlow(const ProgramSetup& setup, const Lent& lent, ProgramText text,
                            std::size_t start)
-    : GcodeFlow(setup, calls, linuxcnc_grammar()) {
+    : GcodeFlow(setup, lent, linuxcnc_grammar()) {
   texts_.push_back(std::move(text));
   add_o_words(0);
   for (const auto& [name, given_text] : setup.subprograms) {
@@ -118,18 +118,18 @@ void LinuxcncFlow::add_o_words(std::size_t text) {
   Labelled& words = o_words_.emplace_back();
   std::size_t scope = 0;
   for (std::size_t line = 0; line < lines.size(); ++line) {
+    checkpoint_.pass();
     const std::string_view content = lines.line(line);
     const std::size_t at = head_of(content).behind;
     if (!is_o_word_at(content, at)) continue;
-    OWord word{.line = line};
     std::string label;
     std::size_t behind = behind_label(content, at, label);
     if (behind == 0) continue;
-    word.statement = statement_at(content, behind);
+    const Statement statement = statement_at(content, behind);
     // Both ends of a subprogram belong to the scope around it.
-    if (word.statement == Statement::endsub) scope = 0;
-    words[{scope, label}].push_back(word);
-    if (word.statement == Statement::sub) scope = line + 1;
+    if (statement == Statement::endsub) scope = 0;
+    words[{scope, label, statement}].push_back(line);
+    if (statement == Statement::sub) scope = line + 1;
   }
 }
 
@@ -234,8 +234,8 @@ bool LinuxcncFlow::follow(Statement statement, const std::string& label, std::si
       if (!loop_while(label, holds)) return false;
       break;
     case endwhile: {
-      const OWord* head = last_of(label, {while_true});
-      if (head == nullptr) return skip_behind(nullptr, "endwhile");
+      const auto head = last_of(label, {while_true});
+      if (!head) return skip_behind({}, "endwhile");
       frame().next = head->line;
       break;
     }
@@ -249,8 +249,8 @@ bool LinuxcncFlow::follow(Statement statement, const std::string& label, std::si
       break;
     }
     case endrepeat: {
-      const OWord* head = last_of(label, {repeat});
-      if (head == nullptr) return skip_behind(nullptr, "endrepeat");
+      const auto head = last_of(label, {repeat});
+      if (!head) return skip_behind({}, "endrepeat");
       if (--repetitions_of(head->line) > 0) frame().next = head->line + 1;
       break;
     }
@@ -276,35 +276,41 @@ bool LinuxcncFlow::condition(std::size_t& at, bool& holds) {
   return !expression.failed() || refuse(expression.fault());
 }
 
-const std::vector<LinuxcncFlow::OWord>* LinuxcncFlow::words_of(std::size_t scope,
-                                                               const std::string& label) const {
-  const Labelled& words = o_words_[frames_.back().text];
-  const auto found = words.find({scope, label});
-  return found == words.end() ? nullptr : &found->second;
+std::span<const std::size_t> LinuxcncFlow::lines_of(std::size_t text, std::size_t scope,
+                                                    const std::string& label,
+                                                    Statement statement) const {
+  const auto found = o_words_[text].find({scope, label, statement});
+  return found == o_words_[text].end() ? std::span<const std::size_t>() : found->second;
 }
 
-const LinuxcncFlow::OWord* LinuxcncFlow::next_of(
+std::optional<LinuxcncFlow::OWord> LinuxcncFlow::next_of(
     const std::string& label, std::initializer_list<Statement> statements) const {
-  const std::vector<OWord>* const words = words_of(frames_.back().begin, label);
-  if (words == nullptr) return nullptr;
-  for (auto word = std::ranges::upper_bound(*words, frames_.back().current, {}, &OWord::line);
-       word != words->end(); ++word)
-    if (std::ranges::find(statements, word->statement) != statements.end()) return &*word;
-  return nullptr;
+  const Frame& at = frames_.back();
+  std::optional<OWord> next;
+  for (const Statement statement : statements) {
+    const std::span<const std::size_t> lines = lines_of(at.text, at.begin, label, statement);
+    const auto line = std::ranges::upper_bound(lines, at.current);
+    if (line != lines.end() && (!next || *line < next->line)) next = {*line, statement};
+  }
+  return next;
 }
 
-const LinuxcncFlow::OWord* LinuxcncFlow::last_of(
+std::optional<LinuxcncFlow::OWord> LinuxcncFlow::last_of(
     const std::string& label, std::initializer_list<Statement> statements) const {
-  const std::vector<OWord>* const words = words_of(frames_.back().begin, label);
-  if (words == nullptr) return nullptr;
-  auto word = std::ranges::lower_bound(*words, frames_.back().current, {}, &OWord::line);
-  while (word != words->begin())
-    if (std::ranges::find(statements, (--word)->statement) != statements.end()) return &*word;
-  return nullptr;
+  const Frame& at = frames_.back();
+  std::optional<OWord> last;
+  for (const Statement statement : statements) {
+    const std::span<const std::size_t> lines = lines_of(at.text, at.begin, label, statement);
+    const auto behind = std::ranges::lower_bound(lines, at.current);
+    if (behind == lines.begin()) continue;
+    const std::size_t line = *std::prev(behind);
+    if (!last || line > last->line) last = {line, statement};
+  }
+  return last;
 }
 
-bool LinuxcncFlow::skip_behind(const OWord* word, std::string_view statement) {
-  if (word == nullptr) {
+bool LinuxcncFlow::skip_behind(const std::optional<OWord>& word, std::string_view statement) {
+  if (!word) {
     const bool of_loop = statement == "break" || statement == "continue";
     const std::string other = of_loop                        ? "a loop"
                               : statement.starts_with("end") ? std::string(statement.substr(3))
@@ -321,8 +327,9 @@ bool LinuxcncFlow::choose(const std::string& label) {
   using enum Statement;
   const std::size_t begin = frame().current;
   for (;;) {
-    const OWord* word = next_of(label, {elseif, otherwise, endif});
-    if (word == nullptr || word->statement != elseif) {
+    checkpoint_.pass();
+    const auto word = next_of(label, {elseif, otherwise, endif});
+    if (!word || word->statement != elseif) {
       frame().current = begin;
       return skip_behind(word, "if");
     }
@@ -344,25 +351,25 @@ bool LinuxcncFlow::choose(const std::string& label) {
 // A `while` ends a loop that begins with `do`, or begins a loop that ends with `endwhile`.
 bool LinuxcncFlow::loop_while(const std::string& label, bool holds) {
   using enum Statement;
-  const OWord* const before = last_of(label, {do_once, while_true, endwhile});
-  if (before != nullptr && before->statement == do_once) {
+  const auto before = last_of(label, {do_once, while_true, endwhile});
+  if (before && before->statement == do_once) {
     if (holds) frame().next = before->line + 1;
     return true;
   }
-  const OWord* const end = next_of(label, {endwhile});
-  if (end == nullptr || !holds) return skip_behind(end, "while");
+  const auto end = next_of(label, {endwhile});
+  if (!end || !holds) return skip_behind(end, "while");
   return true;
 }
 
 bool LinuxcncFlow::leave_or_go_on(Statement statement, const std::string& label) {
   using enum Statement;
-  const OWord* const head = last_of(label, {while_true, do_once, repeat});
-  if (head == nullptr) return skip_behind(nullptr, statement == leave ? "break" : "continue");
+  const auto head = last_of(label, {while_true, do_once, repeat});
+  if (!head) return skip_behind({}, statement == leave ? "break" : "continue");
   const bool is_do = head->statement == do_once;
-  const OWord* const end = next_of(label, {is_do                       ? while_true
-                                           : head->statement == repeat ? endrepeat
-                                                                       : endwhile});
-  if (end == nullptr || statement == leave) return skip_behind(end, "break");
+  const auto end = next_of(label, {is_do                       ? while_true
+                                   : head->statement == repeat ? endrepeat
+                                                               : endwhile});
+  if (!end || statement == leave) return skip_behind(end, "break");
   frame().next = head->statement == while_true ? head->line : end->line;
   return true;
 }

@@ -10,6 +10,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -34,7 +35,7 @@ namespace trc::program {
 //   - M98 and M99 as of Fanuc, with the parameters of the caller.
 class LinuxcncFlow : public GcodeFlow {
  public:
-  LinuxcncFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text, std::size_t start);
+  LinuxcncFlow(const ProgramSetup& setup, const Lent& lent, ProgramText text, std::size_t start);
 
  private:
   [[nodiscard]] Step execute_next(std::string& flat) override;
@@ -91,16 +92,17 @@ class LinuxcncFlow : public GcodeFlow {
   void add_o_words(std::size_t text);
   // The label after the O at `at`; `at` moves past the label. Nothing where it is refused.
   std::optional<std::string> label_at(std::size_t& at);
-  // The O words of the label, "100" or "<name>", in the scope: the line after its `sub`, 0 outside
-  // of all. Null: none.
-  [[nodiscard]] const std::vector<OWord>* words_of(std::size_t scope,
-                                                   const std::string& label) const;
+  // The lines of a text with this statement of the label, "100" or "<name>", in the scope: the line
+  // after its `sub`, 0 outside of all.
+  [[nodiscard]] std::span<const std::size_t> lines_of(std::size_t text, std::size_t scope,
+                                                      const std::string& label,
+                                                      Statement statement) const;
   // The next O word of the label and the scope behind (or in front of) the current line whose
-  // statement is one of these; null: none.
-  [[nodiscard]] const OWord* next_of(const std::string& label,
-                                     std::initializer_list<Statement> statements) const;
-  [[nodiscard]] const OWord* last_of(const std::string& label,
-                                     std::initializer_list<Statement> statements) const;
+  // statement is one of these.
+  [[nodiscard]] std::optional<OWord> next_of(const std::string& label,
+                                             std::initializer_list<Statement> statements) const;
+  [[nodiscard]] std::optional<OWord> last_of(const std::string& label,
+                                             std::initializer_list<Statement> statements) const;
 
   [[nodiscard]] std::int64_t& repetitions_of(std::size_t line) {
     return locals_.back().repetitions[{frame().text, line}];
@@ -114,7 +116,7 @@ class LinuxcncFlow : public GcodeFlow {
   bool choose(const std::string& label);
   bool loop_while(const std::string& label, bool holds);
   bool leave_or_go_on(Statement statement, const std::string& label);
-  bool skip_behind(const OWord* word, std::string_view statement);
+  bool skip_behind(const std::optional<OWord>& word, std::string_view statement);
   bool condition(std::size_t& at, bool& holds);
   bool call_sub(const std::string& label, std::size_t at, std::string& flat);
   bool enter_sub(Frame sub, std::size_t at, Locals locals, std::string& flat);
@@ -149,8 +151,9 @@ class LinuxcncFlow : public GcodeFlow {
   Value read(ExpressionReader& expression) override;
   bool exists(ExpressionReader& expression) override;
 
-  using Labelled = std::map<std::pair<std::size_t, std::string>, std::vector<OWord>>;
-  std::vector<Labelled> o_words_{};  // of each text: by scope and label, in order
+  using Labelled =
+      std::map<std::tuple<std::size_t, std::string, Statement>, std::vector<std::size_t>>;
+  std::vector<Labelled> o_words_{};  // of each text: lines by scope, label and statement
   std::vector<Locals> locals_{1};
   std::map<std::int64_t, double> common_{};
   std::map<std::string, double, std::less<>> globals_{};

@@ -307,11 +307,14 @@ bool ProgramReader::begin_to_execute(std::vector<LinePointer>& lines) {
   program::ProgramText text({}, std::exchange(before_, {}).append(std::exchange(text_, {})),
                             static_cast<std::uint32_t>(first_line));
   lines_of_text_ = first_line - 1 + text.size();
-  for (std::size_t line = start; line < text.size(); ++line)
+  for (std::size_t line = start; line < text.size(); ++line) {
+    checkpoint_.pass();
     if (!check_order_of_files(text.line(line), text.number(line))) return false;
+  }
   const auto first_block = interpreter_.blocks_read() > 0 ? program::FirstBlock::before_text
                                                           : program::FirstBlock::in_text;
-  flow_ = program::make_flow(setup_, diagnostics_.calls(), std::move(text), start, first_block);
+  flow_ = program::make_flow(setup_, {.calls = diagnostics_.calls(), .checkpoint = checkpoint_},
+                             std::move(text), start, first_block);
   flow_->know(told);
   return true;
 }

@@ -308,12 +308,10 @@ bool SinumerikFlow::repeat(std::string& flat, std::size_t at, Repeated repeated)
     const auto ends = all.find("ENDLABEL");
     const bool is_before = *first < here;
     end = is_before ? here : 0;
-    if (ends != all.end())
-      for (const std::size_t line : ends->second)
-        if (line >= *first && (!is_before || line < here)) {
-          end = line + 1;
-          break;
-        }
+    if (ends != all.end()) {
+      const auto line = std::ranges::lower_bound(ends->second, *first);
+      if (line != ends->second.end() && (!is_before || *line < here)) end = *line + 1;
+    }
   }
   if (end <= *first || (*first <= here && here < end))
     return refuse(Code::block_structure, at, "REPEAT of what has no end, or of itself");

@@ -29,9 +29,9 @@ constexpr auto beside_the_program = std::to_array<std::string_view>(
 
 }  // namespace
 
-SinumerikFlow::SinumerikFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text,
+SinumerikFlow::SinumerikFlow(const ProgramSetup& setup, const Lent& lent, ProgramText text,
                              std::size_t start)
-    : Flow(setup, calls) {
+    : Flow(setup, lent) {
   texts_.push_back(std::move(text));
   add_units(0);
   const Unit main =
@@ -58,6 +58,7 @@ void SinumerikFlow::add_units(std::size_t text) {
   Unit unit{.text = text};
   bool begun = false;
   for (std::size_t line = 0; line < lines.size(); ++line) {
+    checkpoint_.pass();
     const std::string_view content = lines.line(line);
     const std::size_t at = named_head_of(content).behind;
     const std::string header = program_of_header(content);
@@ -80,17 +81,18 @@ void SinumerikFlow::add_units(std::size_t text) {
   }
   unit.end = lines.size();
   units_.push_back(unit);
-  if (text == 0) return;
-  // The control calls it by the name of its file.
+  // The control calls a given text by the name of its file.
   Unit file = units_[known];
   file.name = name_of_file(lines.name());
-  if (file.name != units_[known].name) units_.push_back(file);
+  if (text > 0 && file.name != units_[known].name) units_.push_back(file);
+  for (std::size_t index = known; index < units_.size(); ++index)
+    unit_of_name_.try_emplace(units_[index].name, index);
 }
 
 // A program in the text itself takes precedence over a given one.
 const SinumerikFlow::Unit* SinumerikFlow::unit_named(std::string_view name) const {
-  const auto found = std::ranges::find(units_, name, &Unit::name);
-  return name.empty() || found == units_.end() ? nullptr : &*found;
+  const auto found = unit_of_name_.find(name);
+  return name.empty() || found == unit_of_name_.end() ? nullptr : &units_[found->second];
 }
 
 SinumerikFlow::Structure SinumerikFlow::structure_of(std::string_view line, std::size_t at) {
@@ -129,6 +131,7 @@ const SinumerikFlow::Outline& SinumerikFlow::outline_of(const Frame& frame) {
   if (!is_new) return outline;
   OpenStructures open;
   for (std::size_t line = unit->begin; line < unit->end; ++line) {
+    checkpoint_.pass();
     const std::string_view content = texts_[unit->text].line(line);
     const NamedHead head = named_head_of(content);
     if (!head.label.empty()) outline.labels[head.label].push_back(line);

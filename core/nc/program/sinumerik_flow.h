@@ -27,7 +27,7 @@ namespace trc::program {
 //     line while TRC is off (D-55).
 class SinumerikFlow : public Flow, private Variables {
  public:
-  SinumerikFlow(const ProgramSetup& setup, CallPlaces& calls, ProgramText text, std::size_t start);
+  SinumerikFlow(const ProgramSetup& setup, const Lent& lent, ProgramText text, std::size_t start);
 
  private:
   [[nodiscard]] Step execute_next(std::string& flat) override;
@@ -221,6 +221,7 @@ class SinumerikFlow : public Flow, private Variables {
   }
 
   std::vector<Unit> units_{};
+  std::map<std::string, std::size_t, std::less<>> unit_of_name_{};     // the first one
   std::map<std::pair<std::size_t, std::size_t>, Outline> outlines_{};  // by text and end
   std::vector<Scope> scopes_{1};
   std::map<std::int64_t, double> parameters_{};  // R

@@ -90,10 +90,12 @@ void SinumerikFlow::know_external(std::string_view line, std::size_t at) {
 void SinumerikFlow::find_what_calls_are_given(const Unit& main) {
   for (const ProgramText& text : texts_)
     for (std::size_t line = 0; line < text.size(); ++line) {
+      checkpoint_.pass();
       const std::size_t at = named_head_of(text.line(line)).behind;
       if (name_at(text.line(line), at) == "EXTERN") know_external(text.line(line), at + 6);
     }
   for (std::size_t number = main.begin; number < main.end; ++number) {
+    checkpoint_.pass();
     const std::string_view line = texts_[main.text].line(number);
     std::size_t at = named_head_of(line).behind;
     if (name_at(line, at) == "EXTERN") continue;

@@ -26,8 +26,8 @@ class Execution {
  public:
   explicit Execution(std::string text, ProgramSetup setup = of_fanuc())
       : setup_(std::move(setup)),
-        flow_(make_flow(setup_, calls_, ProgramText("", std::move(text)), 0, FirstBlock::in_text)) {
-  }
+        flow_(make_flow(setup_, {.calls = calls_, .checkpoint = checkpoint_},
+                        ProgramText("", std::move(text)), 0, FirstBlock::in_text)) {}
 
   [[nodiscard]] Flow& flow() { return *flow_; }
   // What the next line becomes.
@@ -54,6 +54,7 @@ class Execution {
  private:
   ProgramSetup setup_;
   CallPlaces calls_;
+  Checkpoint checkpoint_{{}};
   std::unique_ptr<Flow> flow_;
   Flow::Step last_ = Flow::Step::goes_on;
 };
