@@ -130,6 +130,7 @@ void exit_at_next(const sigset_t& signals, std::chrono::seconds drain_timeout, c
     if (signal == SIGTERM || signal == SIGINT) _exit(1);
     if (std::chrono::steady_clock::now() >= latest) {
       trc::server::do_round([&] { log.error(LogLine("drain_overrun")); });
+      Log::flush(longest_flush);
       _exit(1);
     }
     service_manager::alive();

@@ -137,7 +137,12 @@ CommandLine read_command_line(int argc, const char* const* argv) {
     const bool extra = fault.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
     const std::string text =
         extra ? fault_of_extras(app, argc, argv, fault.what()) : std::string(fault.what());
-    result.exit = CommandLine::Exit{.code = 2, .text = guard.value_or(one_line(text))};
+    const bool names_no_file =
+        file != nullptr && *file == '\0' && app.get_config_ptr()->count() == 0;
+    result.exit = CommandLine::Exit{
+        .code = 2,
+        .text = names_no_file ? "TRCD_CONFIG is set but empty; name a file or unset it"
+                              : guard.value_or(one_line(text))};
     return result;
   }
   if (const auto fault = fault_of_environment(app)) {

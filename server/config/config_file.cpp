@@ -45,10 +45,45 @@ std::string toml_scalar(const std::string& file, const toml::node& node, const s
   refuse_file(file, line_of(node), "'" + key + "'" + std::string(must_be_plain));
 }
 
+// The dots that may part a key: those outside of quotes and comments. All count where a quotation
+// does not end in its line.
+std::ptrdiff_t dots_of_keys(std::string_view line) {
+  char quote = '\0';
+  std::ptrdiff_t dots = 0;
+  for (std::size_t at = 0; at < line.size(); ++at) {
+    const char sign = line[at];
+    if (quote == '"' && sign == '\\') {
+      ++at;
+    } else if (quote != '\0') {
+      if (sign == quote) quote = '\0';
+    } else if (sign == '"' || sign == '\'') {
+      quote = sign;
+    } else if (sign == '#') {
+      break;
+    } else if (sign == '.') {
+      ++dots;
+    }
+  }
+  return quote == '\0' ? dots : std::ranges::count(line, '.');
+}
+
+// toml++ recurses for each part of a dotted key, however many there are.
+std::string toml_text(const std::string& file, std::istream& input) {
+  constexpr std::ptrdiff_t most_dots = 16;
+  std::string text;
+  int line = 0;
+  for (std::string one; std::getline(input, one); text += one + '\n') {
+    ++line;
+    if (dots_of_keys(one) > most_dots)
+      refuse_file(file, line, "has a key with more than 16 dots; no setting has one");
+  }
+  return text;
+}
+
 std::vector<FileEntry> toml_entries(const std::string& file, std::istream& input) {
   std::vector<FileEntry> entries;
   try {
-    for (const auto& [key_node, value] : toml::parse(input)) {
+    for (const auto& [key_node, value] : toml::parse(toml_text(file, input))) {
       FileEntry entry{.name = std::string(key_node.str()), .line = line_of(value)};
       if (const toml::array* list = value.as_array()) {
         for (const toml::node& one : *list)
@@ -142,6 +177,8 @@ class ConfigFile : public CLI::ConfigTOML {
     ValueCheck check;
     for (const FileEntry& entry : yaml ? yaml_entries(file, input) : toml_entries(file, input)) {
       const std::string value = value_of(file, entry);
+      if (std::ranges::any_of(value, [](unsigned char sign) { return sign < ' '; }))
+        refuse_file(file, entry.line, "'" + entry.name + "' holds a control character");
       if (is_guard(entry.name) && is_empty_value(value))
         refuse_file(file, entry.line,
                     "'" + entry.name + "' is empty; give it a value or leave it out");

@@ -244,12 +244,13 @@ void Api::decorate(const Request& request, Head& head) {
   add("Access-Control-Max-Age", "600");
 }
 
-void Api::log(const Request& request, unsigned status, std::uint64_t bytes, double ms) {
+void Api::log(const Request& request, unsigned status, std::uint64_t bytes, double ms, End end) {
   LogLine line("http");
   line.text("method", request.method).text("path", request.path).text("peer", request.peer);
   // A request refused by its head has no trace.
   if (!request.trace.trace_id.empty()) add_trace(line, request.trace);
   line.number("status", std::uint64_t{status}).number("bytes_out", bytes).number("ms", ms);
+  if (end == End::broken_off) line.text("ended", "broken_off");
   backend_.telemetry.log.info(line);
 }
 

@@ -70,7 +70,8 @@ class Api final : public Service {
   bool make_room() override { return views_.give_up_one(); }
   void handle(const ExchangePointer& exchange) override;
   void decorate(const Request& request, Head& head) override;
-  void log(const Request& request, unsigned status, std::uint64_t bytes, double ms) override;
+  void log(const Request& request, unsigned status, std::uint64_t bytes, double ms,
+           End end) override;
 
   [[nodiscard]] Backend& backend() { return backend_; }
   [[nodiscard]] Memory& memory() { return memory_; }

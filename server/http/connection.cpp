@@ -96,7 +96,7 @@ class Connection final : public Exchange,
   }
 
   void break_off() override {
-    record();
+    record(Service::End::broken_off);
     gone_ = nullptr;
     close_socket();
   }
@@ -159,6 +159,7 @@ class Connection final : public Exchange,
     works();
     started_ = Clock::now();
     sent_ = 0;
+    recorded_ = false;
     if (fault == bhttp::error::header_limit)
       return refuse(431, "HEAD_TOO_LARGE", "The head of the request is too large");
     if (fault.category() == make_error_code(bhttp::error::bad_method).category() &&
@@ -301,23 +302,25 @@ class Connection final : public Exchange,
     lowest().expires_never();
     const Written then = std::exchange(written_, nullptr);
     if (!taken) {
-      record();
+      record(Service::End::broken_off);
       lose();
     }
     if (then) then(taken);
   }
 
   void finish() {
-    record();
+    record(Service::End::whole);
     gone_ = nullptr;
     request_.body = {};
     if (keep_alive_) return await_request();
     say_farewell();
   }
 
-  void record() {
+  // Once for a request: what breaks off the answer may be told of its end once more.
+  void record(Service::End end) {
+    if (std::exchange(recorded_, true)) return;
     const std::chrono::duration<double, std::milli> took = Clock::now() - started_;
-    service_.log(request_, status_, sent_, took.count());
+    service_.log(request_, status_, sent_, took.count(), end);
   }
 
   void say_farewell() {
@@ -362,6 +365,7 @@ class Connection final : public Exchange,
   Clock::time_point started_{};
   unsigned status_ = 0;
   std::uint64_t sent_ = 0;
+  bool recorded_ = false;
   std::string begun_;  // head of an answer, not sent yet
   std::string outgoing_;
   Written written_;

@@ -29,7 +29,9 @@ class Service {
   virtual void handle(const ExchangePointer& exchange) = 0;
   // Headers every answer has.
   virtual void decorate(const Request& request, Head& head) = 0;
-  virtual void log(const Request& request, unsigned status, std::uint64_t bytes, double ms) = 0;
+  enum class End : std::uint8_t { whole, broken_off };
+  virtual void log(const Request& request, unsigned status, std::uint64_t bytes, double ms,
+                   End end) = 0;
 };
 
 // A connection as the server sees it from outside. From any thread.

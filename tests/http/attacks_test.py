@@ -347,6 +347,7 @@ class Attacks(unittest.TestCase):
             connection.connect(("127.0.0.1", self.server.port))
             connection.sendall(request)
             slow.append(connection)
+        ports = [connection.getsockname()[1] for connection in slow]
         time.sleep(1)
         self.assertLess(self.server.grpc_works(), self.before + 5)
         time.sleep(4)
@@ -363,6 +364,14 @@ class Attacks(unittest.TestCase):
                 pass
             self.assertFalse(got.endswith(b"0\r\n\r\n") or b"Trc-Status: OK" in got)
             connection.close()
+        # One line each, which says so.
+        peers = {f"127.0.0.1:{connection_port}" for connection_port in ports}
+        self.server.said_soon(r'"event":"http".*"ended":"broken_off"')
+        time.sleep(1)
+        lines = [json.loads(line) for line in self.server.said().splitlines()
+                 if '"event":"http"' in line]
+        ended = [line.get("ended") for line in lines if line["peer"] in peers]
+        self.assertEqual(ended, ["broken_off"] * 3)
 
     def test_a_thousand_idle_connections(self):
         idle = []

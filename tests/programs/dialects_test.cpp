@@ -267,8 +267,11 @@ void comes_out_as_it_is_without_selections(const DialectProgram& program) {
         return program::computes(program.setup.session.program, line);
       }))
     return;
+  // D belongs to the selection, wherever it stands in its line.
+  const std::string with_tool_beside =
+      std::regex_replace(program.text, std::regex("(G ?4[12][^\n]*?) D ?[0-9.]+"), "$1");
   const std::string plain = std::regex_replace(
-      program.text,
+      with_tool_beside,
       std::regex("G ?4[12](\\.1)?( D ?[0-9.]+)? ?|G13[89] ?| R[LR]| M109| M110| M111| M120 LA20",
                  std::regex::ECMAScript | std::regex::icase),
       "");

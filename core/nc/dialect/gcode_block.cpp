@@ -225,6 +225,20 @@ bool check_chamfer(Reading& reading, const ProgramLine& line, const BlockWords& 
                                   .detail = "C in a straight motion of a contour"});
 }
 
+// LINUXCNC refuses a centre in a straight motion also where it is 0, or that of the third axis.
+bool check_center_of_straight(Reading& reading, const ProgramLine& line, const BlockWords& block) {
+  const MotionKind kind = kind_of(reading, block);
+  const bool is_straight = kind == MotionKind::rapid || kind == MotionKind::linear;
+  if (reading.dialect.name != DialectName::linuxcnc || !block.center || !block.axis ||
+      !is_straight || block.copied || block.has(dwell) || block.has(tool_data) ||
+      block.has(single_move) || block.has(cycle) || reading.gcode.cycle || block.has(turning) ||
+      block.has(frame) || block.has(unfollowed))
+    return true;
+  return reading.refuse(line, TextFault{.code = Code::nc_unsupported,
+                                        .begin = *block.center,
+                                        .detail = "a circle word in a straight motion"});
+}
+
 // G72 S0.5 of Fagor scales; on other controls G72 with I J L drills holes on a line (D-66).
 void take_words_of_few_controls(BlockWords& block) {
   BlockWords::Function& found = block.functions[static_cast<std::size_t>(single_move)];
@@ -347,9 +361,9 @@ bool complete_gcode_block(Reading& reading, ProgramLine& line, BlockWords& block
                                       ? called_name(line.text, block.of(single_move).begin)
                                       : reading.gcode.calls.last);
   pass_over_circle_words(reading, line, block);
-  const bool goes_on = copy_gcode_block(reading, line, block) &&
-                       check_circle_words(reading, line, block) &&
-                       check_chamfer(reading, line, block);
+  const bool goes_on =
+      copy_gcode_block(reading, line, block) && check_circle_words(reading, line, block) &&
+      check_chamfer(reading, line, block) && check_center_of_straight(reading, line, block);
   if (block.has(cycle)) reading.gcode.cycle = true;
   reading.reads_plain_lines = may_read_plain_lines(reading);
   return goes_on && take_tool_data(reading, line, block);

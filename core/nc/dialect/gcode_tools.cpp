@@ -124,6 +124,11 @@ bool check_words_beside_contour(Reading& reading, const ProgramLine& line,
                                                 ? "P, which no function of the line takes"
                                                 : "P beside G41, G42, a radius or a diameter");
   if (reading.dialect.name != DialectName::linuxcnc) return true;
+  // The control refuses it too, so that no tool changes within a contour.
+  const bool takes_d =
+      selects || block.spindle.constant_cutting_speed || block.has(turning) || block.copied;
+  if (block.tools.d_word && !takes_d)
+    return unsupported(block.tools.d_word->begin, "D, which no function of the line takes");
   if (selects && block.p_word)
     return unsupported(block.p_word->begin, "P, which no function of the line takes");
   if ((selects || reading.trc_active()) && block.l_word && !block.has(tool_data) &&

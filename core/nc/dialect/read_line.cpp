@@ -243,9 +243,11 @@ bool apply_plain(Reading& reading, ProgramLine& line, const PlainMotion& plain) 
   MoveRequest request;
   plain.enter(request);
   const MotionKind kind = plain.has_function() ? plain.motion() : reading.motion;
-  const bool passes_over_circle_words = reading.dialect.name == DialectName::fanuc &&
-                                        plain.has_circle_words() && kind <= MotionKind::linear;
-  if (passes_over_circle_words ||
+  // FANUC may pass over them, LINUXCNC refuses them.
+  const bool has_circle_words_of_straight = (reading.dialect.name == DialectName::fanuc ||
+                                             reading.dialect.name == DialectName::linuxcnc) &&
+                                            plain.has_circle_words() && kind <= MotionKind::linear;
+  if (has_circle_words_of_straight ||
       request.center[axes_of(reading.state.programmed_plane()).third].value_or(0) !=
           0) {  // a pitch
     line.words.clear();

@@ -246,6 +246,28 @@ TEST(ServerConfig, FaultsOfAFileNameItAndTheLine) {
   told("\nmax-streams = 1.5\n", ".toml", {"line 2", "max-streams"});
   told("\nlisten = [\n\"127.0.0.1:0\",\n1.5]\n", ".toml", {"line 4", "listen"});
   told("config = \"other.toml\"\n", ".toml", {"line 1", "there is no setting 'config'"});
+  told("log-level = \"de\\u0000bug\"\n", ".toml", {"line 1", "log-level", "control character"});
+}
+
+// The parser recurses for each part of a key.
+TEST(ServerConfig, AKeyOfVeryManyPartsIsAFault) {
+  std::string key = "a";
+  for (int part = 0; part < 50'000; ++part) key += ".a";
+  for (const std::string& line : {key + "=1\n", "[" + key + "]\n", "x={" + key + "=1}\n"}) {
+    const TextFile file("\n" + line);
+    expect_fault(read({"--config", file.path().c_str()}), {"line 2", "16 dots"});
+  }
+  std::string names = "listen = [";
+  for (int name = 0; name < 20; ++name) names += "\"127.0.0.1:0\",";
+  const TextFile many(names + "]  # 1.2.3.4.5.6.7.8.9.10.11.12.13.14.15.16.17.18\n");
+  EXPECT_FALSE(read({"--config", many.path().c_str()}).exit.has_value());
+}
+
+TEST(ServerConfig, AnEmptyNameOfTheFileIsAFaultThatSaysSo) {
+  const Environment empty("TRCD_CONFIG", "");
+  expect_fault(read({}), {"TRCD_CONFIG", "empty"});
+  const TextFile file("max-streams = 3\n");
+  EXPECT_EQ(read({"--config", file.path().c_str()}).config.max_streams, 3u);
 }
 
 TEST(ServerConfig, FormerNameOfASettingIsAFaultThatTellsTheNewOne) {

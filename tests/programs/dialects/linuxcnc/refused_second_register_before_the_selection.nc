@@ -1,5 +1,5 @@
 ; radius 5
-; refused 900013 line 10
+; refused 900003 line 5
 G21 G17 G90 G40
 G0 X-20 Y-20
 D1

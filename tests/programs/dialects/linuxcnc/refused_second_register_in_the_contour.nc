@@ -1,5 +1,5 @@
 ; radius 5
-; refused 900013 line 8
+; refused 900003 line 8
 G21 G17 G90 G40
 T1 M6
 G0 X-20 Y-20

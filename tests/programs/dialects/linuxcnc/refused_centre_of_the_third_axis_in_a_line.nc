@@ -1,0 +1,9 @@
+; radius 5
+; refused 900003 line 6
+G21 G17 G90 G40
+G0 X-20 Y-20
+G41 D1 G1 X0 Y-10 F500
+G1 Y30 K0
+X50
+G40 G1 X80
+M2

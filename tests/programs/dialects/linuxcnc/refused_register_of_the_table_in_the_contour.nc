@@ -1,0 +1,10 @@
+; radius 5
+; refused 900003 line 7
+G21 G17 G90 G40
+G0 X-20 Y-20
+G41.1 D10 G1 X0 Y-10 F500
+Y30
+X50 D1
+Y0
+G40 G1 X80
+M2
