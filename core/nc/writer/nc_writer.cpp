@@ -313,7 +313,8 @@ void NcWriter::note_open_feed(const ProgramLine& line) {
   open_feed_holds_ = false;
   if (!klartext_ || line.feed > 0) return;
   const auto word = std::ranges::find(line.words, WordRole::feed, &WordRange::role);
-  open_feed_ = line.word(*word);
+  // TOOL CALL with FZ or FU is copied as a whole.
+  open_feed_ = word == line.words.end() ? "F AUTO" : line.word(*word);
 }
 
 void NcWriter::write_plane(Plane plane, std::string& out) {
