@@ -126,7 +126,7 @@ std::string named_tool(std::string_view detail) {
     return tool.empty() || edge.empty() ? std::string() : tool + (edge == "1" ? "" : "/" + edge);
   }
   const std::size_t point = std::min(detail.find('.'), detail.size());
-  const std::string tool = number_behind_letter(detail.substr(0, point));
+  std::string tool = number_behind_letter(detail.substr(0, point));
   if (point == detail.size() || tool.empty()) return tool;
   std::uint32_t index = 0;
   const char* const end = detail.data() + detail.size();

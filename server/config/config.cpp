@@ -98,6 +98,17 @@ std::string one_line(std::string text) {
   return text;
 }
 
+// `names_no_file`: TRCD_CONFIG is set to nothing.
+std::string text_of(const CLI::Error& fault, const CLI::App& app, int argc, const char* const* argv,
+                    bool names_no_file) {
+  if (names_no_file && app.get_config_ptr()->count() == 0)
+    return "TRCD_CONFIG is set but empty; name a file or unset it";
+  const auto guard = fault_of_empty_guard(app, argc, argv);
+  const bool extra = fault.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
+  return guard.value_or(
+      one_line(extra ? fault_of_extras(app, argc, argv, fault.what()) : std::string(fault.what())));
+}
+
 }  // namespace
 
 CommandLine read_command_line(int argc, const char* const* argv) {
@@ -133,16 +144,9 @@ CommandLine read_command_line(int argc, const char* const* argv) {
     result.exit = CommandLine::Exit{.code = 0, .text = text.str()};
     return result;
   } catch (const CLI::Error& fault) {
-    const auto guard = fault_of_empty_guard(app, argc, argv);
-    const bool extra = fault.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
-    const std::string text =
-        extra ? fault_of_extras(app, argc, argv, fault.what()) : std::string(fault.what());
-    const bool names_no_file =
-        file != nullptr && *file == '\0' && app.get_config_ptr()->count() == 0;
-    result.exit = CommandLine::Exit{
-        .code = 2,
-        .text = names_no_file ? "TRCD_CONFIG is set but empty; name a file or unset it"
-                              : guard.value_or(one_line(text))};
+    const bool names_no_file = file != nullptr && *file == '\0';
+    result.exit =
+        CommandLine::Exit{.code = 2, .text = text_of(fault, app, argc, argv, names_no_file)};
     return result;
   }
   if (const auto fault = fault_of_environment(app)) {

@@ -149,7 +149,8 @@ bool read_named_address(Reading& reading, const NamedWord& word, ProgramLine& li
       return refuse_word(reading, line, as_gcode(word), Code::nc_unsupported,
                          "a variable or an expression");
     if (!block.without_value.begin) block.without_value.begin = word.begin;
-    block.without_value.axes |= main_axis_bit(static_cast<std::size_t>(letter - 'X'));
+    if (letter >= 'X' && letter <= 'Z')
+      block.without_value.axes |= main_axis_bit(static_cast<std::size_t>(letter - 'X'));
     add(line, word, WordRole::technology);
     return true;
   }

@@ -114,7 +114,7 @@ std::optional<Closing> closing_of_all(const ContourView& contour, double closing
   if (!closing || !closing->is_alone || closing->overrun || contour.count <= few)
     if (auto repeated = closing_of_repeated(contour, closing, closing_tolerance, tool_radius))
       return repeated;
-  const auto long_leads = between_long_leads(contour, meetings, closing_tolerance, tool_radius);
+  auto long_leads = between_long_leads(contour, meetings, closing_tolerance, tool_radius);
   if (!closing ||
       (long_leads && lies_within(*long_leads, *closing, contour.tolerances.same_place) &&
        visits_of(contour, *closing, closing_tolerance, memory).size() == 2))
