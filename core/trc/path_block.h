@@ -79,8 +79,8 @@ struct PathBlock {
   bool masked = false;
   struct Rejoin {
     Point point = Point::Zero();  // where the one before ends
-    // Where the block starts. If that is not `point`, a line leads there, or an arc about the
-    // centre of the one before.
+    // Where the block starts. If that is not `point`, a line leads there, or an arc that goes on
+    // from the arc before.
     Point start = Point::Zero();
     double cut_before = 0;
     double cut_after = 0;

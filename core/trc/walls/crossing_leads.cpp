@@ -24,10 +24,11 @@ bool is_behind_a_step(const ContourView& contour, const EndsMeeting& meeting, do
   // A crossing no farther from the step than this many times its width only cuts off a corner.
   constexpr double least_widths = 10;
   const double widest = std::min(20 * tolerance, 0.2 * tool_radius);
-  const auto is_step = [&](const Point& in, const Point& out, double to_crossing, double from) {
+  // Both lengths are those of the contour between the step and the crossing.
+  const auto is_step = [&](const Point& in, const Point& out, double along_in, double along_out) {
     const double step = (out - in).norm();
     const double shortest = least_widths * step;
-    return step > tolerance && step <= widest && to_crossing > shortest && from > shortest;
+    return step > tolerance && step <= widest && along_in > shortest && along_out > shortest;
   };
   const std::size_t last_few = contour.count - std::min(contour.count, most_blocks);
   double before = 0;
