@@ -60,7 +60,6 @@ ContourView SelectionWalls::contour(Checkpoint& checkpoint) const {
     view.tool_side = held_->rule_of(piece(0)).side;
     view.shift = view.tool_side == Side::left ? 1 : -1;
   }
-  view.length = contour_length_;
   view.shortest_step = shortest_step_;
   view.tolerances = tolerances_;
   view.checkpoint = &checkpoint;

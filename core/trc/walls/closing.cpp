@@ -9,6 +9,7 @@
 #include "core/trc/walls/crossing_leads.h"
 #include "core/trc/walls/end_meetings.h"
 #include "core/trc/walls/entry_turns.h"
+#include "core/trc/walls/extent.h"
 #include "core/trc/walls/inward_search.h"
 #include "core/trc/walls/long_leads.h"
 #include "core/trc/walls/repeated_laps.h"
@@ -42,10 +43,11 @@ std::optional<Closing> search_inward(const ContourView& contour, const Meetings&
 }
 
 std::optional<Closing> between_long_leads(const ContourView& contour, const Meetings& meetings,
-                                          double tolerance, double tool_radius) {
+                                          const Extent& all, double tolerance, double tool_radius) {
   return search_inward(contour, meetings, tolerance, tool_radius, Overruns::along_the_begin,
                        [&](const EndsMeeting& meeting) {
-                         return is_between_long_leads(contour, meeting, tolerance, tool_radius);
+                         return is_between_long_leads(contour, meeting, all, tolerance,
+                                                      tool_radius);
                        });
 }
 
@@ -95,13 +97,14 @@ std::optional<Closing> closing_of_all(const ContourView& contour, double closing
                                       double tool_radius) {
   Scratch scratch;
   std::pmr::memory_resource* const memory = scratch.memory();
-  const double length = length_of_all(contour);
-  const auto meetings = meetings_of_ends(contour, closing_tolerance, tool_radius, length, memory);
+  const Extent all = extent_of(contour);
+  const auto meetings =
+      meetings_of_ends(contour, closing_tolerance, tool_radius, all.length, memory);
   if (meetings.empty()) return std::nullopt;
   const auto search = [&](Overruns overruns) {
     return search_inward(contour, meetings, closing_tolerance, tool_radius, overruns,
                          [&](const EndsMeeting& meeting) {
-                           return meeting.before + meeting.behind <= 0.5 * length;
+                           return meeting.before + meeting.behind <= 0.5 * all.length;
                          });
   };
   auto closing = search(Overruns::along_the_begin);
@@ -114,7 +117,7 @@ std::optional<Closing> closing_of_all(const ContourView& contour, double closing
   if (!closing || !closing->is_alone || closing->overrun || contour.count <= few)
     if (auto repeated = closing_of_repeated(contour, closing, closing_tolerance, tool_radius))
       return repeated;
-  auto long_leads = between_long_leads(contour, meetings, closing_tolerance, tool_radius);
+  auto long_leads = between_long_leads(contour, meetings, all, closing_tolerance, tool_radius);
   if (!closing ||
       (long_leads && lies_within(*long_leads, *closing, contour.tolerances.same_place) &&
        visits_of(contour, *closing, closing_tolerance, memory).size() == 2))
@@ -128,7 +131,6 @@ std::optional<Closing> closing_of_some(const ContourView& contour, std::size_t f
                                        double tool_radius) {
   ContourView some = contour;
   some.count = end - first;
-  some.length = 0;
   some.segment = [&contour, first](std::size_t number) { return contour.segment(first + number); };
   some.role = nullptr;
   auto closing = closing_of_all(some, closing_tolerance, tool_radius);
@@ -162,9 +164,10 @@ std::optional<Closing> find_closing(const ContourView& contour, double closing_t
 std::optional<Closing> find_closing_of_long_leads(const ContourView& contour,
                                                   double closing_tolerance, double tool_radius) {
   Scratch scratch;
-  const auto meetings = meetings_of_ends(contour, closing_tolerance, tool_radius,
-                                         length_of_all(contour), scratch.memory());
-  return between_long_leads(contour, meetings, closing_tolerance, tool_radius);
+  const Extent all = extent_of(contour);
+  const auto meetings =
+      meetings_of_ends(contour, closing_tolerance, tool_radius, all.length, scratch.memory());
+  return between_long_leads(contour, meetings, all, closing_tolerance, tool_radius);
 }
 
 }  // namespace trc

@@ -23,7 +23,6 @@ struct ContourView {
   double shift = 0;
   // The tool side; off: unknown, and leads longer than the contour are not looked for.
   Side tool_side = Side::off;
-  double length = 0;  // of all blocks, mm; 0: it has not been measured
   // Start and end of every block differ by at least this on one of the axes, mm.
   double shortest_step = 0;
   Tolerances tolerances{};

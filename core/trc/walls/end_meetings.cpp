@@ -73,16 +73,6 @@ class NearEnds {
 
 }  // namespace
 
-double length_of_all(const ContourView& contour) {
-  if (contour.length > 0) return contour.length;
-  double length = 0;
-  for (std::size_t number = 0; number < contour.count; ++number) {
-    contour.pass();
-    length += length_of(contour.segment(number));
-  }
-  return length;
-}
-
 std::pmr::vector<EndsMeeting> meetings_of_ends(const ContourView& contour, double closing_tolerance,
                                                double tool_radius, double length,
                                                std::pmr::memory_resource* memory) {

@@ -7,9 +7,6 @@
 
 namespace trc {
 
-// mm
-[[nodiscard]] double length_of_all(const ContourView& contour);
-
 // The places where the last blocks of a contour meet its first ones, from the outermost inward:
 // among the first five blocks and all that begin within 10 · R of the start, and the corresponding
 // blocks at the end. At most half of the contour, which is `length` mm long, may lie before and

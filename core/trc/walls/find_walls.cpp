@@ -205,7 +205,6 @@ void add_leads_of_last_lap(const ContourView& contour, const Laps& laps, double 
   if (end.number < first) return;
   ContourView lap = contour;
   lap.count = end.number + 1 - first;
-  lap.length = 0;
   lap.segment = [&contour, first](std::size_t number) { return contour.segment(first + number); };
   const auto closing = find_closing_of_long_leads(lap, closing_tolerance, tool_radius);
   if (!closing) return;

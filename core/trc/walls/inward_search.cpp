@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/geometry/along.h"
+#include "core/trc/walls/extent.h"
 #include "core/trc/walls/outline.h"
 #include "core/trc/walls/rings.h"
 #include "core/trc/walls/scratch.h"
@@ -118,7 +119,7 @@ class InwardSearch {
     between.append(contour_, best_->first, next.first);
     between.append(contour_, next.second, best_->second);
     const double length = next.before - best_->before + next.behind - best_->behind;
-    if (between.is_slender(length)) return false;
+    if (is_slender({.length = length, .area = between.area()})) return false;
     if ((between.area() > 0) != (contour_.tool_side == Side::left)) return true;
     const Closing inner{.first = next.first, .second = next.second, .point = next.point};
     const Visits visits = visits_of(contour_, inner, tolerance_, scratch.memory());

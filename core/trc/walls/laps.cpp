@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/geometry/along.h"
+#include "core/trc/walls/extent.h"
 #include "core/trc/walls/outline.h"
 #include "core/trc/walls/scratch.h"
 
@@ -73,7 +74,7 @@ int Laps::side_of(std::size_t ring, std::size_t lap) const {
   Scratch scratch;
   Outline around(scratch.memory());
   around.append(contour_, visits_[ring - 1].place, visits_[ring].place);
-  if (around.is_slender(length_of_ring(ring))) return 0;
+  if (is_slender({.length = length_of_ring(ring), .area = around.area()})) return 0;
   if ((around.area() > 0) != (contour_.tool_side == Side::left)) return -1;
   Outline of_lap(scratch.memory());
   of_lap.append(contour_, visits_[lap - 1].place, visits_[lap].place);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -86,15 +85,6 @@ bool cross_as_leads(const ContourView& contour, const EndsMeeting& closing) {
   return to_out < to_in;
 }
 
-// mm; above `enough` it need not be the whole length.
-double length_between(const ContourView& contour, const EndsMeeting& closing, double enough) {
-  double length = closing.second.along - closing.first.along;
-  for (std::size_t number = closing.first.number;
-       number < closing.second.number && !(length > enough); ++number)
-    length += length_of(contour.segment(number));
-  return length;
-}
-
 bool go_straight_or_round(const ContourView& contour, const EndsMeeting& closing,
                           double tolerance) {
   const std::size_t first = closing.first.number;
@@ -111,8 +101,8 @@ bool are_few_outside(const ContourView& contour, std::size_t first, std::size_t 
          (first <= most_lead_blocks && contour.count - 1 - second <= most_lead_blocks);
 }
 
-bool is_between_long_leads(const ContourView& contour, const EndsMeeting& closing, double tolerance,
-                           double tool_radius) {
+bool is_between_long_leads(const ContourView& contour, const EndsMeeting& closing,
+                           const Extent& all, double tolerance, double tool_radius) {
   const auto is_end = [&](const ContourPlace& place) {
     return place.along <= contour.tolerances.same_place ||
            place.along >= length_of(contour.segment(place.number)) - contour.tolerances.same_place;
@@ -124,18 +114,17 @@ bool is_between_long_leads(const ContourView& contour, const EndsMeeting& closin
   const bool is_plain = go_straight_or_round(contour, closing, tolerance);
   if (!is_plain && !cross_as_leads(contour, closing)) return false;
   const double shortest = std::max(10 * tolerance, is_plain ? 0 : tool_radius / 2);
-  // The whole length decides whether the ring is slender.
-  constexpr double all = std::numeric_limits<double>::infinity();
-  const double length = length_between(contour, closing, is_plain ? shortest : all);
-  if (length <= shortest) return false;
-  Scratch scratch;
-  Outline ring(scratch.memory());
-  ring.append(contour, closing.first, closing.second);
-  const bool tool_is_outside = (ring.area() > 0) != (contour.tool_side == Side::left);
-  if (!is_plain && (!tool_is_outside || ring.is_slender(length))) return false;
+  const Extent of_ring = extent_of_ring(contour, all, closing.first, closing.second);
+  if (of_ring.length <= shortest) return false;
+  const bool tool_is_outside = (of_ring.area > 0) != (contour.tool_side == Side::left);
+  if (!is_plain && (!tool_is_outside || is_slender(of_ring))) return false;
   // If a lead is missing, the contour begins or ends on the ring itself.
   const bool has_in = into(contour, closing.first).has_value();
   const bool has_out = out_of(contour, closing.second).has_value();
+  if (!has_in && !has_out) return true;
+  Scratch scratch;
+  Outline ring(scratch.memory());
+  ring.append(contour, closing.first, closing.second);
   const Point begin = start_of(contour.segment(0));
   const Point end = end_of(contour.segment(contour.count - 1));
   return (!has_in || ring.has_on(contour.tool_side, begin)) &&

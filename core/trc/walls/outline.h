@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cmath>
 #include <memory_resource>
 #include <vector>
 
@@ -18,10 +17,6 @@ class Outline {
 
   // The area, mm²; positive where the polygon turns to the left.
   [[nodiscard]] double area() const { return doubled_area_ / 2; }
-  // Straight leads may enclose a little area on either side. `length`: of the stretches, mm.
-  [[nodiscard]] bool is_slender(double length) const {
-    return std::abs(area()) <= 0.01 * length * length;
-  }
   // Whether the point is on that side of it. A point that it goes round is inside.
   [[nodiscard]] bool has_on(Side side, const Point& point) const;
 

@@ -6,6 +6,7 @@
 #include "core/geometry/along.h"
 #include "core/trc/corner/bow_tie.h"
 #include "core/trc/walls/end_meetings.h"
+#include "core/trc/walls/extent.h"
 #include "core/trc/walls/scratch.h"
 
 namespace trc {
@@ -82,7 +83,7 @@ WallsByRadius walls_by_radius(const ContourView& contour, const std::vector<std:
   for (std::size_t side = 0; side <= changes.size(); ++side) {
     const ContourView of_side = side_of(contour, changes, side);
     const auto meetings = meetings_of_ends(of_side, settings.closing_tolerance, tool_radius,
-                                           length_of_all(of_side), scratch.memory());
+                                           extent_of(of_side).length, scratch.memory());
     result.meetings.emplace_back(meetings.begin(), meetings.end());
   }
   return result;
