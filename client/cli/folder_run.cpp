@@ -252,6 +252,12 @@ void print_table(const std::vector<Item>& items) {
   std::cout << '\n';
 }
 
+bool overwrites(const std::string& path, const FilesRead& read) {
+  const std::string other = read.named(path);
+  if (!other.empty()) complain(path + " would be written over " + other);
+  return !other.empty();
+}
+
 // Reports on standard error a result or record that would overwrite another one or an input.
 bool have_names_of_their_own(const FolderRun& run, const std::vector<Item>& items) {
   FilesRead read = run.read;
@@ -263,12 +269,8 @@ bool have_names_of_their_own(const FolderRun& run, const std::vector<Item>& item
                " is given twice; its results would have one name");
       return false;
     }
-    for (const std::string& path : {item.output, item.record}) {
-      const std::string other = read.named(path);
-      if (other.empty()) continue;
-      complain(path + " would be written over " + other);
-      return false;
-    }
+    for (const std::string& path : {item.output, item.record})
+      if (overwrites(path, read)) return false;
   }
   return true;
 }

@@ -10,7 +10,7 @@ namespace trc::server::http {
 
 std::shared_ptr<RpcCall> RpcCall::start(const std::shared_ptr<grpc::Channel>& channel,
                                         const Options& options, Done done) {
-  const std::shared_ptr<RpcCall> call(new RpcCall);
+  std::shared_ptr<RpcCall> call(new RpcCall);
   call->self_ = call;
   call->done_ = std::move(done);
   if (!options.traceparent.empty()) call->context_.AddMetadata("traceparent", options.traceparent);

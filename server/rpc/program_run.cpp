@@ -14,7 +14,7 @@ constexpr std::size_t much_output_bytes = 512U << 10U;
 
 std::function<void(std::span<const Block>)> tapped_by(const StreamContext& stream) {
   if (stream.run_tap == nullptr) return {};
-  return [tap = stream.run_tap](std::span<const Block> blocks) { tap->take_contour(blocks); };
+  return [&tap = *stream.run_tap](std::span<const Block> blocks) { tap.take_contour(blocks); };
 }
 
 }  // namespace

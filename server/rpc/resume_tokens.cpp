@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <bit>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -62,7 +63,7 @@ std::string linker_build_id() {
       const auto& part = program->dlpi_phdr[i];
       if (part.p_type == PT_NOTE)
         result = build_id_in(
-            {reinterpret_cast<const char*>(program->dlpi_addr + part.p_vaddr), part.p_memsz});
+            {std::bit_cast<const char*>(program->dlpi_addr + part.p_vaddr), part.p_memsz});
     }
     return 1;  // the program itself comes first
   };

@@ -19,7 +19,7 @@ std::shared_ptr<RunTap> RunTaps::take(const grpc::CallbackServerContext& context
   const std::lock_guard lock(mutex_);
   const auto found = waiting_.find(std::string(named->second.data(), named->second.size()));
   if (found == waiting_.end()) return nullptr;
-  const std::shared_ptr<RunTap> tap = found->second.lock();
+  std::shared_ptr<RunTap> tap = found->second.lock();
   waiting_.erase(found);
   return tap;
 }

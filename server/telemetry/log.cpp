@@ -76,6 +76,8 @@ class StandardOutput final : public spdlog::sinks::base_sink<spdlog::details::nu
   bool torn_ = false;  // the last bytes written do not end a line
 };
 
+std::atomic<bool> output_exists = false;  // once something is logged
+
 // Standard output and the thread that writes to it, shared by all logs of the process. Never
 // destroyed, because its thread may wait for a reader for ever.
 class Output {
@@ -84,8 +86,6 @@ class Output {
     static Output& output = *new Output;
     return output;
   }
-  // False until something is logged.
-  static bool exists() { return exists_; }
 
   void put(spdlog::level::level_enum level, const std::string& line) {
     ++put_;
@@ -113,10 +113,9 @@ class Output {
     logger_->set_formatter(std::make_unique<spdlog::pattern_formatter>(
         R"({"ts":"%Y-%m-%dT%H:%M:%S.%fZ","level":"%l",%v})", spdlog::pattern_time_type::utc));
     logger_->set_level(spdlog::level::trace);
-    exists_ = true;
+    output_exists = true;
   }
 
-  static inline std::atomic<bool> exists_ = false;
   std::shared_ptr<StandardOutput> sink_;
   std::shared_ptr<spdlog::details::thread_pool> threads_;
   std::shared_ptr<spdlog::async_logger> logger_;
@@ -229,10 +228,10 @@ void Log::info(const LogLine& line) const noexcept { state_->put(spdlog::level::
 void Log::warning(const LogLine& line) const noexcept { state_->put(spdlog::level::warn, line); }
 void Log::error(const LogLine& line) const noexcept { state_->put(spdlog::level::err, line); }
 
-Log::Counts Log::counts() noexcept { return Output::exists() ? Output::get().counts() : Counts{}; }
+Log::Counts Log::counts() noexcept { return output_exists ? Output::get().counts() : Counts{}; }
 
 bool Log::flush(std::chrono::milliseconds longest) noexcept {
-  if (!Output::exists()) return true;
+  if (!output_exists) return true;
   const auto end = std::chrono::steady_clock::now() + longest;
   while (!Output::get().is_empty()) {
     if (std::chrono::steady_clock::now() > end) return false;

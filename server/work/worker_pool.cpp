@@ -109,10 +109,11 @@ void WorkerPool::give_way() {
       --taken_;
       changed_.notify_one();
     } else {
-      // The next standing turn may be this one.
-      TurnQueue::StandingTurn& next = *queue_.pop_standing().standing;
-      next.goes_on = true;
-      next.changed.notify_one();
+      // The next standing turn may be this one, so that there is one.
+      if (TurnQueue::StandingTurn* const next = queue_.pop_standing().standing; next != nullptr) {
+        next->goes_on = true;
+        next->changed.notify_one();
+      }
     }
     standing.changed.wait(lock, [&] { return standing.goes_on; });
   }

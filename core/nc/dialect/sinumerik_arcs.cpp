@@ -78,7 +78,7 @@ bool take_point_between(Reading& reading, ProgramLine& line, BlockWords& block) 
   };
   const auto through = [&](std::size_t axis, double from) {
     if (!given[axis]) return from;
-    const int reference = block.references.through[axis];
+    const std::int8_t reference = block.references.through[axis];
     const bool counts_from_start = reference == 0 ? reading.incremental : reference < 0;
     return given[axis]->value + (counts_from_start ? from : 0);
   };
@@ -94,6 +94,13 @@ bool take_point_between(Reading& reading, ProgramLine& line, BlockWords& block) 
   move.center[axes.second] = center.y();
   reading.motion = twice_area > 0 ? MotionKind::counter_clockwise : MotionKind::clockwise;
   return true;
+}
+
+// AP=IC(…) and RP=IC(…) count from the previous word. Returns whether the value is known.
+bool take_polar_word(const std::optional<BlockWords::Value>& word, bool increment,
+                     std::optional<double>& value) {
+  if (word && (!increment || value)) value = word->value + (increment ? *value : 0);
+  return !word || !increment || value;
 }
 
 }  // namespace
@@ -166,14 +173,10 @@ bool resolve_polar_words(Reading& reading, ProgramLine& line, BlockWords& block)
                                     .detail = "AP= or RP= alone behind a contour: write both"});
   if (selects || reading.contour_open()) polar.rewritten = true;
   if (both && !reading.contour_open() && !selects) polar.rewritten = false;
-  // AP=IC(…) and RP=IC(…) count from the previous word.
-  const auto take = [](const std::optional<BlockWords::Value>& word, bool increment,
-                       std::optional<double>& value) {
-    if (word && (!increment || value)) value = word->value + (increment ? *value : 0);
-    return !word || !increment || value;
-  };
-  const bool angle_known = take(block.polar.angle, block.polar.increments_angle, polar.angle);
-  const bool radius_known = take(block.polar.radius, block.polar.increments_radius, polar.radius);
+  const bool angle_known =
+      take_polar_word(block.polar.angle, block.polar.increments_angle, polar.angle);
+  const bool radius_known =
+      take_polar_word(block.polar.radius, block.polar.increments_radius, polar.radius);
   const MotionKind kind =
       block.has(motion) ? motion_of_function(block.of(motion).function->number) : reading.motion;
   const bool circle = kind == MotionKind::clockwise || kind == MotionKind::counter_clockwise;

@@ -15,6 +15,11 @@ using enum GGroup;
 // The number of a tool without one; beyond the range of T.
 constexpr std::int64_t unnamed_tool = first_named_tool - 1;
 
+// A tool change selects the first edge; if M6 changes tools, T alone only prepares one (D-56).
+bool changes_tool(const GcodeModes::Tools& tools, const BlockWords& block) {
+  return block.tools.change || (block.tools.t_word && !tools.changed_by_m6);
+}
+
 }  // namespace
 
 bool refuse_second_edge(Reading& reading, std::int64_t row) {
@@ -34,8 +39,7 @@ bool refuse_second_edge(Reading& reading, std::int64_t row) {
 
 bool choose_tool_of_edge(Reading& reading, ProgramLine& line, BlockWords& block) {
   GcodeModes::Tools& tools = reading.gcode.tools;
-  // A tool change selects the first edge; if M6 changes tools, T alone only prepares one (D-56).
-  const bool changes = block.tools.change || (block.tools.t_word && !tools.changed_by_m6);
+  const bool changes = changes_tool(tools, block);
   const bool keeps_edge = block.tools.change && !block.tools.t_word && tools.edge_is_of_next;
   if (block.tools.d_word || (changes && !keeps_edge)) {
     tools.edge = block.tools.d_word ? block.tools.d_word->value : 1;

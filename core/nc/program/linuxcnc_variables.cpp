@@ -246,7 +246,7 @@ Value LinuxcncFlow::read(ExpressionReader& expression) {
   const std::size_t begin = expression.at();
   const Target target = kept_text_.read_aside([&] { return target_at(expression); });
   if (expression.failed()) return {};
-  const Value value = value_of(expression, target, begin);
+  Value value = value_of(expression, target, begin);
   std::string text;
   append_value(text, value.number, PointStyle::as_whole);
   kept_text_.take(begin, expression.at(), text.front() == '-' ? "[" + text + "]" : text);

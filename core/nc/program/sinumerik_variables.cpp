@@ -192,7 +192,7 @@ bool SinumerikFlow::convert(Value& value, Type type, std::size_t begin) {
 
 Value SinumerikFlow::content_of(const Place& place, ExpressionReader& expression,
                                 std::size_t begin) {
-  const Value value = value_of(place, expression, begin);
+  Value value = value_of(place, expression, begin);
   const std::string text = value.is_text ? value.text : text_of_value(value);
   kept_text_.take(begin, expression.at(), text.starts_with('-') ? "(" + text + ")" : text);
   return value;
