@@ -89,8 +89,9 @@ struct ClearanceSettings {
 // core it takes what follows from the program alone: blocks, and which of them are walls (D-38).
 // Looks across a change of side, but for the blocks at the change itself (D-42).
 //
-// Where the tool radius changes, the smaller one is required. The smallest margin is found up to
-// `margin_resolution`: where the whole path runs at one distance, all of it is as near.
+// The radius of the path is required, and where it changes, the smaller one (D-159). The smallest
+// margin is found up to `margin_resolution`: where the whole path runs at one distance, all of it is
+// as near.
 inline constexpr double margin_resolution = 1e-5;  // mm
 [[nodiscard]] ClearanceReport measure_clearance(std::span<const Block> programmed,
                                                 std::span<const CompensatedBlock> path,

@@ -159,6 +159,16 @@ class Selection {
     return has_next ? std::min(own, required_at(path.programmed + 1)) : own;
   }
 
+  // A path meets the next wall at the radius of that wall, where it is the smaller one (D-159).
+  // Blocks with SUPPRESS_TRC ask for nothing.
+  [[nodiscard]] double required_beside(const ProgrammedPiece& wall, const PathPiece& path) const {
+    if (has_one_rule_) return required_;
+    const double of_wall = held_.rule_of(wall).required;
+    const std::size_t own = held_.programmed()[path.programmed].number;
+    const bool is_next = wall.number == own || wall.number == own + 1;
+    return is_next || of_wall == 0 ? std::min(required_, of_wall) : required_;
+  }
+
   // Whether the piece hardly moves and lies where an earlier one was clear: it may have as many
   // walls around it as a full circle.
   [[nodiscard]] bool is_clear_here(const Piece& piece, double margin) const {
@@ -213,7 +223,7 @@ class Selection {
         [this](double required) {
           checkpoint_.pass();
           ++report_.steps;
-          return std::min(required_, required) + margins_.of_interest() + slack;
+          return (required > 0 ? required_ : 0) + margins_.of_interest() + slack;
         },
         [&](const ProgrammedPiece& block, const Piece& wall, std::size_t first) {
           const double reach = required_ + margins_.of_interest() + slack;
@@ -227,7 +237,7 @@ class Selection {
                std::size_t first) {
     ++report_.steps;
     checkpoint_.pass();
-    const double required = std::min(required_, held_.rule_of(block).required);
+    const double required = required_beside(block, path);
     const double limit = required + margins_.of_interest() + slack;
     const Gap gap = gap_between(path.piece, wall, limit);
     if (gap.distance >= limit) return;

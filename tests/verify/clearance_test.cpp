@@ -330,6 +330,19 @@ TEST(Clearance, AsksForTheSmallerRadiusWhereItChanges) {
   EXPECT_EQ(measure_clearance(programmed, path, 1e-4).gouging, 0u);
 }
 
+// D-159: only the block at the change may come as near as the smaller radius allows.
+TEST(Clearance, AsksForTheRadiusOfThePathBesideWallsOfASmallerOne) {
+  const std::vector<Block> programmed{
+      contour(0, Line{{-20, 0}, {0, 0}}, 5), contour(1, Line{{0, 0}, {100, 0}}, 5),
+      contour(2, Line{{100, 0}, {100, 40}}, 1), contour(3, Line{{100, 40}, {40, 8}}, 1)};
+  const std::vector<CompensatedBlock> path{path_block(1, Line{{0, 5}, {97, 5}}),
+                                           path_block(2, Line{{97, 5}, {99, 37}})};
+  const ClearanceReport report = measure_clearance(programmed, path, 1e-4);
+  ASSERT_EQ(report.gouging, 1u);
+  EXPECT_NEAR(report.gouge->distance, 3, 1e-9);
+  EXPECT_EQ(report.gouge->required, 5);
+}
+
 TEST(Clearance, AsksForTheSmallerRadiusOfWhatIsInsertedBetweenTwo) {
   // At once from 10 to 8, across the contour, behind the block with 10.
   const std::vector<Block> programmed{contour(0, Line{{-20, 0}, {0, 0}}, 10),
