@@ -90,8 +90,8 @@ struct ClearanceSettings {
 // Looks across a change of side, but for the blocks at the change itself (D-42).
 //
 // The radius of the path is required, and where it changes, the smaller one (D-159). The smallest
-// margin is found up to `margin_resolution`: where the whole path runs at one distance, all of it is
-// as near.
+// margin is found up to `margin_resolution`: where the whole path runs at one distance, all of it
+// is as near.
 inline constexpr double margin_resolution = 1e-5;  // mm
 [[nodiscard]] ClearanceReport measure_clearance(std::span<const Block> programmed,
                                                 std::span<const CompensatedBlock> path,

@@ -45,6 +45,7 @@ Extent extent_between(const ContourView& contour, const ContourPlace& from,
 }  // namespace
 
 Extent extent_of(const ContourView& contour) {
+  if (contour.count == 0) return {};
   return extent_between(contour, {0, 0}, {contour.count, 0});
 }
 
