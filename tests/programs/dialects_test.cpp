@@ -1284,6 +1284,29 @@ TEST(ABareG40, OfFanucWaitsForAMotionThatHasALength) {
   EXPECT_EQ(unended.diagnostics.front().code, Code::ended_while_active);
 }
 
+// Above the contour the tool goes to the programmed point; so it does where only the control knows
+// where it stands.
+TEST(ABareG40, OfFanucIsFollowedByARapidMotionAboveTheEndOfTheContour) {
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = DialectName::fanuc;
+  setup.session.program.mode.tool_radius = 4;
+  setup.session.program.mode.selection = Selection::direct;
+  const std::string contour = "G90 G0 X-20. Y0\nG41 D1 G1 X0 F100\nX50.\nY40.\nX-20.\nY0\nG40\n";
+  const std::string next = "G41 G1 X0 Y0\nX50.\nG40 X60.\nM30\n";
+  for (const std::string up : {"G0 Z5.\n", "G0 G91 G28 Z0\nG90\n", "G0\n"}) {
+    const std::string back = up == "G0\n" ? "X-20. Y0 Z5.\n" : "X-20. Y0\n";
+    const ProgramRun written = to_text(contour + up + back + next, setup);
+    EXPECT_FALSE(written.stopped) << up << written.report();
+    EXPECT_NE(written.text.find("G00 X-20. Y0."), std::string::npos) << written.text;
+  }
+  for (const std::string lost : {"G28 X-20. Y0\n", "G91 G28 Y0\nG90\n", "G53 X0 Y0\n", "G55\n"}) {
+    const std::string text = contour + lost + "G1 X-20. Y0\nZ-5.\nM30\n";
+    const ProgramRun written = to_text(text, setup);
+    EXPECT_FALSE(written.stopped) << lost << written.report();
+    EXPECT_NE(written.text.find("G01 X-20. Y0."), std::string::npos) << lost << written.text;
+  }
+}
+
 TEST(UnknownFunctions, AreCopiedWhereTheSetupSaysSo) {
   ProgramSessionSetup setup;
   setup.session.program.dialect = DialectName::fanuc;

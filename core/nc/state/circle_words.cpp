@@ -27,7 +27,7 @@ std::string told_circle(const CircleEnds& ends, const std::optional<Point>& cent
                         const CircleWords& words) {
   constexpr AxisLetters of_ends{'X', 'Y', 'Z'};
   constexpr AxisLetters of_center{'I', 'J', 'K'};
-  const std::string way =
+  std::string way =
       words_of(of_ends, ends.start, words) + " → " + words_of(of_ends, ends.end, words);
   if (!center) return way;
   if (words.klartext) return "CC " + words_of(of_ends, *center, words) + ", " + way;

@@ -64,6 +64,7 @@ bool ProgramState::deselect(const Source& source) {
   retract_pending_ = has_contour && retracts_in_a_block(mode_.selection);
   if (retract_pending_) {
     const PlaneAxes axes = axes_of(mode_.plane);
+    left_at_height_ = position_[axes.third];
     beside_contour_ = {};
     beside_contour_[axes.first] = beside_contour_[axes.second] = true;
     forget_what_stands_beside(source);

@@ -267,9 +267,10 @@ bool ProgramState::move_straight(const MoveRequest& request, const Position& end
   if (!move_tracking(request, tracking)) return false;
   const std::optional<std::size_t> assumed = axis_of_assumed_start(request);
   const std::optional<std::size_t> kept = axis_kept_from_assumed_start(request);
+  const bool is_way_back = retract_pending_ && leads_back(request, end);
   enter_target(request, end);
   Line line{.start = to_plane(mode_.plane, position_), .end = to_plane(mode_.plane, end)};
-  if (retract_pending_ && leads_back(request)) line.start = last_equidistant_point();
+  if (is_way_back) line.start = last_equidistant_point();
   if ((line.end - line.start).norm() > tolerances_.same_point) {
     if (kept) return refuse_assumed_start(request.source, *kept);
     if (awaits_approach() && !check_radius(request.source)) return false;
@@ -315,14 +316,20 @@ bool ProgramState::append_between_corners(const MoveRequest& request, const Shap
 
 // After G40 alone the tool is beside the contour, so a motion to the programmed end of the contour
 // does move the tool: programs go back there and begin the next pass (D-123).
-bool ProgramState::leads_back(const MoveRequest& request) const {
+bool ProgramState::leads_back(const MoveRequest& request, const Position& end) const {
+  if (setup_.dialect == DialectName::isg) return false;
+  const bool may_keep_offset = setup_.dialect == DialectName::fanuc && !retract_is_lost() &&
+                               (request.kind != MotionKind::rapid || !is_above_left_contour(end));
   const PlaneAxes axes = axes_of(mode_.plane);
-  return setup_.dialect != DialectName::isg && setup_.dialect != DialectName::fanuc &&
-         mode_.deselection == Selection::direct && last_mode_ != nullptr &&
+  return !may_keep_offset && mode_.deselection == Selection::direct && last_mode_ != nullptr &&
          last_mode_->plane == mode_.plane &&
          (request.end[axes.first] || request.end[axes.second]) &&
-         (to_plane(mode_.plane, target_) - trc::end_of(last_path_)).norm() <=
-             tolerances_.same_point;
+         (to_plane(mode_.plane, end) - trc::end_of(last_path_)).norm() <= tolerances_.same_point;
+}
+
+bool ProgramState::is_above_left_contour(const Position& end) const {
+  const std::size_t third = axes_of(mode_.plane).third;
+  return !known_[third] || std::max(position_[third], end[third]) > left_at_height_;
 }
 
 void ProgramState::enter_target(const MoveRequest& request, const Position& end) {

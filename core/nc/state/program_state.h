@@ -268,8 +268,9 @@ class ProgramState {
             absolute_center_, circle_.correct_center, circle_.last_digit, position_, target_,
             known_, programmed_, position_forgotten_, why_unknown_, displaced_, tracking_,
             selected_, selections_, in_plane_blocks_, has_approach_, last_path_, last_index_,
-            last_part_, last_mode_, retract_pending_, beside_contour_, just_deselected_,
-            next_plane_, corner_, lead_, arc_to_contour_, ended_, increments_since_);
+            last_part_, last_mode_, retract_pending_, left_at_height_, beside_contour_,
+            just_deselected_, next_plane_, corner_, lead_, arc_to_contour_, ended_,
+            increments_since_);
     terms_in_mode_ = tool_.terms();
   }
 
@@ -320,7 +321,8 @@ class ProgramState {
   [[nodiscard]] TrackingTravel standing_tracking() const;
   void travel_across(const MoveRequest& request);
   void come_down(const PendingLead& pending);
-  [[nodiscard]] bool leads_back(const MoveRequest& request) const;
+  [[nodiscard]] bool leads_back(const MoveRequest& request, const Position& end) const;
+  [[nodiscard]] bool is_above_left_contour(const Position& end) const;
   [[nodiscard]] bool find_end(const MoveRequest& request, Position& end) const;
   [[nodiscard]] Refusal end_out_of_range(const MoveRequest& request) const;
   [[nodiscard]] bool all_known() const { return known_[0] && known_[1] && known_[2]; }
@@ -415,6 +417,7 @@ class ProgramState {
   std::uint8_t last_part_ = 0;
   std::shared_ptr<const TrcMode> last_mode_{};
   bool retract_pending_ = false;
+  double left_at_height_ = 0;  // mm, across the plane, where the contour of that retract ended
   std::array<bool, 3> beside_contour_{};
   bool just_deselected_ = false;
   std::optional<Plane> next_plane_{};  // named behind a bare G40
