@@ -309,6 +309,7 @@ constexpr auto fragments = std::to_array<Fragment>({
     {"a variable without a value", "eine Variable ohne Wert"},
     {"which is not followed here", "dem hier nicht gefolgt wird"},
     {"which is called", "das aufgerufen wird"},
+    {"the orientation of a turning tool", "die Lage der Schneide eines Drehwerkzeugs"},
     {"which is compensated", "die korrigiert wird"},
     {"which is not followed", "was nicht verfolgt wird"},
     {"which may have been set by", "vielleicht gesetzt von"},

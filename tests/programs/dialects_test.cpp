@@ -1307,6 +1307,22 @@ TEST(ABareG40, OfFanucIsFollowedByARapidMotionAboveTheEndOfTheContour) {
   }
 }
 
+// L beside G41.1 is the orientation of a turning tool, and 0 that of a mill.
+TEST(Linuxcnc, TakesAMillByItsOrientation) {
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = DialectName::linuxcnc;
+  const auto program = [](const std::string& orientation) {
+    return "G21\nG0 X-20 Y-20\nG41.1 D10 " + orientation + "G1 X0 Y0 F200\nY50\nG40 X-20\nM2\n";
+  };
+  const ProgramRun mill = to_text(program("L0 "), setup);
+  EXPECT_FALSE(mill.stopped) << mill.report();
+  EXPECT_EQ(mill.text, to_text(program(""), setup).text);
+  const ProgramRun turning = to_text(program("L2 "), setup);
+  ASSERT_TRUE(turning.stopped);
+  EXPECT_NE(turning.report().find("orientation of a turning tool"), std::string::npos)
+      << turning.report();
+}
+
 TEST(UnknownFunctions, AreCopiedWhereTheSetupSaysSo) {
   ProgramSessionSetup setup;
   setup.session.program.dialect = DialectName::fanuc;

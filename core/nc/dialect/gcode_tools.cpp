@@ -104,6 +104,11 @@ bool check_turning(Reading& reading, const ProgramLine& line, const BlockWords& 
   return true;
 }
 
+// G41.1 and G42.1 of LINUXCNC: D is a diameter, and L 0 for a mill.
+bool gives_diameter(const BlockWords& block) {
+  return block.selects() && block.of(side).function->tenth != 0;
+}
+
 // Refuses words that do not apply to a contour or are not followed.
 bool check_words_beside_contour(Reading& reading, const ProgramLine& line,
                                 const BlockWords& block) {
@@ -131,6 +136,10 @@ bool check_words_beside_contour(Reading& reading, const ProgramLine& line,
     return unsupported(block.tools.d_word->begin, "D, which no function of the line takes");
   if (selects && block.p_word)
     return unsupported(block.p_word->begin, "P, which no function of the line takes");
+  if (gives_diameter(block) && block.l_word) {
+    if (block.l_word->value == 0) return true;
+    return unsupported(block.l_word->begin, "L, the orientation of a turning tool");
+  }
   if ((selects || reading.trc_active()) && block.l_word && !block.has(tool_data) &&
       (block.axis || block.center))
     return unsupported(block.l_word->begin, "L, which no function of the line takes");
@@ -166,12 +175,11 @@ std::optional<ToolSaid> take_tool_of_selection(Reading& reading, ProgramLine& li
                                    .place = reading.place_of_word(line, block.h_word->begin)};
     said = ToolSaid::by_h;
   }
-  const bool gives_diameter = block.of(side).function->tenth != 0;
-  if (gives_diameter && !block.tools.d_word) {
+  if (gives_diameter(block) && !block.tools.d_word) {
     refuse_selection(reading, line, block, Code::nc_number, "G41.1, G42.1 without D, the diameter");
     return std::nullopt;
   }
-  if (gives_diameter) {
+  if (gives_diameter(block)) {
     block.tools.radius = {.value = block.tools.d_word->value / 2,
                           .begin = block.tools.d_word->begin};
     block.tools.d_word.reset();
@@ -278,7 +286,8 @@ bool check_gcode_selection(Reading& reading, ProgramLine& line, BlockWords& bloc
     return !selects || take_only_spindle_tool(reading);
   if ((selects || reading.trc_active()) && reading.dialect.name != DialectName::sinumerik)
     for (WordRange& word : line.words)
-      if (upper(line.text[word.begin]) == (said == ToolSaid::by_h ? 'H' : 'D'))
+      if (upper(line.text[word.begin]) == (said == ToolSaid::by_h ? 'H' : 'D') ||
+          (gives_diameter(block) && upper(line.text[word.begin]) == 'L'))
         word.role = WordRole::trc;
   return !block.tools.d_word || check_tool_of_table(reading, line, block, *said);
 }

@@ -166,8 +166,7 @@ bool Bottlenecks::report(const PathBlock& path, const MotionBlock& contour, doub
                          const Point& place) {
   Diagnostic found = diagnostic(Code::bottleneck, path.programmed.source);
   const bool masking = path.mode().masking == Masking::on;
-  if (path.mode().options.ignore_cont_damage || (masking && !implicit_))
-    found.severity = Severity::warning;
+  if (masking && !implicit_) found.severity = Severity::warning;
   const TrcMode& mode = path.mode();
   found.values = {{"clearance", mode.cutting_radius(distance)},
                   {"tool_radius", mode.cutting_radius(tool_radius(path))}};

@@ -94,6 +94,7 @@ bool InsideCorner::check_contour(const PathBlock& approach, const PathBlock& fir
   Corner start = corner;
   start.before.tangent = approach.tangent_at_end;
   start.before.anchor = approach.offset_end;
+  start.reversal = reversal_of(start, approach.programmed.path, first.programmed.path, tolerances_);
   if (kind_of(start, tolerances_) != CornerKind::outside) return true;
   return refuse(
       Code::inside_corner_angle_too_large, approach,
