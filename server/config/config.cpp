@@ -98,6 +98,19 @@ std::string one_line(std::string text) {
   return text;
 }
 
+// A fault that begins with an option; if its value comes from the environment, with the variable.
+std::string named_as_given(const std::string& fault, int argc, const char* const* argv) {
+  const std::size_t end = fault.find(':');
+  if (!fault.starts_with("--") || end == std::string::npos) return fault;
+  const std::string option = fault.substr(0, end);
+  const std::string variable = environment_name(option.substr(2));
+  const bool is_on_command_line = std::any_of(argv, argv + argc, [&](const std::string_view word) {
+    return word == option || word.starts_with(option + "=");
+  });
+  const bool is_given_there = !is_on_command_line && std::getenv(variable.c_str()) != nullptr;
+  return is_given_there ? variable + fault.substr(end) : fault;
+}
+
 // `names_no_file`: TRCD_CONFIG is set to nothing.
 std::string text_of(const CLI::Error& fault, const CLI::App& app, int argc, const char* const* argv,
                     bool names_no_file) {
@@ -105,8 +118,8 @@ std::string text_of(const CLI::Error& fault, const CLI::App& app, int argc, cons
     return "TRCD_CONFIG is set but empty; name a file or unset it";
   const auto guard = fault_of_empty_guard(app, argc, argv);
   const bool extra = fault.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
-  return guard.value_or(
-      one_line(extra ? fault_of_extras(app, argc, argv, fault.what()) : std::string(fault.what())));
+  return guard.value_or(one_line(extra ? fault_of_extras(app, argc, argv, fault.what())
+                                       : named_as_given(fault.what(), argc, argv)));
 }
 
 }  // namespace

@@ -58,6 +58,15 @@ TEST(ServerConfig, FlagWinsOverEnvironmentAndEnvironmentOverFile) {
   EXPECT_EQ(result.config.drain_timeout_s, 30U);
 }
 
+TEST(ServerConfig, WrongValueIsToldByWhereItComesFrom) {
+  const Environment streams("TRCD_MAX_STREAMS", "x");
+  const CommandLine of_variable = read({});
+  expect_fault(of_variable, {"TRCD_MAX_STREAMS: 'x'"});
+  EXPECT_EQ(of_variable.exit->text.find("--max-streams"), std::string::npos);
+  expect_fault(read({"--max-streams", "y"}), {"--max-streams: 'y'"});
+  expect_fault(read({"--max-streams=y"}), {"--max-streams: 'y'"});
+}
+
 TEST(ServerConfig, EnvironmentNamesTheFile) {
   const TextFile file("worker-threads = 3\n");
   const Environment config("TRCD_CONFIG", file.path().c_str());
@@ -126,7 +135,7 @@ TEST(ServerConfig, SwitchesAreTrueOrFalse) {
     expect_fault(read({("--insecure=" + std::string(value)).c_str()}),
                  {"--insecure", "true or false", value});
     const Environment variable("TRCD_INSECURE", value);
-    expect_fault(read({}), {"--insecure", "true or false", value});
+    expect_fault(read({}), {"TRCD_INSECURE", "true or false", value});
   }
   expect_fault(read({"--config", TextFile("insecure = 1\n").path().c_str()}),
                {"line 1", "--insecure", "true or false"});
@@ -336,7 +345,7 @@ TEST(ServerConfig, RefusesValuesOutOfRange) {
   expect_fault(read({"--max-message-bytes=99999999999"}), {"max-message-bytes"});
   expect_fault(read({"--log-level=loud"}), {"log-level"});
   const Environment idle("TRCD_IDLE_TIMEOUT_S", "soon");
-  expect_fault(read({}), {"idle-timeout-s"});
+  expect_fault(read({}), {"TRCD_IDLE_TIMEOUT_S", "soon"});
 }
 
 TEST(ServerConfig, RefusesAddressesThatAreNone) {
