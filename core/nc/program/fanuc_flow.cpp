@@ -97,6 +97,7 @@ FanucFlow::FanucFlow(const ProgramSetup& setup, const Lent& lent, ProgramText te
   // The text before the first program belongs to the tape.
   const bool begins_behind = main.begin > 0 && program_head_of(texts_[0].line(start)).is_there();
   for (std::size_t line = 0; begins_behind && line < start; ++line) {
+    checkpoint_.pass();
     if (program_head_of(texts_[0].line(line)).is_there()) break;
     copied_.push_back(line);
   }
@@ -104,8 +105,10 @@ FanucFlow::FanucFlow(const ProgramSetup& setup, const Lent& lent, ProgramText te
   if (texts_[0].is_cut()) said_.forget();
   note_returns(main);
   start_ = start;
-  for (std::size_t line = 0; !begins_behind && line < start; ++line)
+  for (std::size_t line = 0; !begins_behind && line < start; ++line) {
+    checkpoint_.pass();
     if (!is_left_out(texts_[0].line(line))) note_line(texts_[0].line(line));
+  }
   for (std::size_t number = 1; number < locals_.front().size(); ++number)
     if (const double* value = given(std::to_string(number))) locals_.front()[number] = *value;
   at_start_ = {.locals = locals_.front()};
@@ -195,6 +198,7 @@ void FanucFlow::forget_registers() {
 // The targets of M99 P in the main program.
 void FanucFlow::note_returns(const Unit& main) {
   for (std::size_t line = main.begin; line < main.end; ++line) {
+    checkpoint_.pass();
     const std::string_view text = texts_[0].line(line);
     if (!has_function(text, 'M', 99, 99)) continue;
     if (const auto number = number_behind(text, 'P')) returns_to_.try_emplace(*number, 0);
@@ -203,6 +207,7 @@ void FanucFlow::note_returns(const Unit& main) {
 
 void FanucFlow::note_what_is_said(std::string_view flat) {
   for (std::size_t begin = 0; begin < flat.size();) {
+    checkpoint_.pass();
     const std::size_t end = std::min(flat.find_first_of("\r\n", begin), flat.size());
     note_line(flat.substr(begin, end - begin));
     begin = end + 1;
@@ -272,6 +277,7 @@ bool FanucFlow::end_of_unit(std::string& flat) {
 std::size_t FanucFlow::end_of_text_behind(const Frame& main) const {
   bool numbered = false;
   for (std::size_t behind = main.current + 1; behind < main.end; ++behind) {
+    checkpoint_.pass();
     const std::string_view line = texts_.front().line(behind);
     const LineHead head = head_of(line);
     numbered |= head.number >= 0;
@@ -299,8 +305,10 @@ std::vector<bool> FanucFlow::resolved(const std::vector<ProgramOfText>& programs
   std::vector<bool> found(programs.size());
   ProgramCalls calls;
   for (std::size_t text = 1; text < texts_.size(); ++text)
-    for (std::size_t line = 0; line < texts_[text].size(); ++line)
+    for (std::size_t line = 0; line < texts_[text].size(); ++line) {
+      checkpoint_.pass();
       add_calls(texts_[text].line(line), calls);
+    }
   const std::size_t line_of_main = frames_.front().end - 1;
   bool goes_on = true;
   while (std::exchange(goes_on, false)) {
@@ -328,7 +336,7 @@ std::vector<bool> FanucFlow::resolved(const std::vector<ProgramOfText>& programs
 void FanucFlow::keep_what_is_not_resolved() {
   copied_.clear();
   next_copied_ = 0;
-  const std::vector<ProgramOfText> programs = programs_of(texts_.front());
+  const std::vector<ProgramOfText> programs = programs_of(texts_.front(), checkpoint_);
   std::vector<bool> leaves = resolved(programs);
   const std::size_t line_of_main = frames_.front().end - 1;
   bool goes_on = true;
@@ -349,8 +357,10 @@ void FanucFlow::keep_what_is_not_resolved() {
   }
   for (std::size_t index = 0; index < programs.size(); ++index)
     for (std::size_t line = programs[index].begin; !leaves[index] && line < programs[index].end;
-         ++line)
+         ++line) {
+      checkpoint_.pass();
       if (!is_percent(texts_.front().line(line))) copied_.push_back(line);
+    }
 }
 
 bool FanucFlow::execute(std::string& flat) {

@@ -134,9 +134,10 @@ void add_calls(std::string_view line, ProgramCalls& calls) {
   if (number >= of_four_digits) calls.names.insert(std::to_string(number % of_four_digits));
 }
 
-std::vector<ProgramOfText> programs_of(const ProgramText& text) {
+std::vector<ProgramOfText> programs_of(const ProgramText& text, Checkpoint& checkpoint) {
   std::vector<ProgramOfText> programs;
   for (std::size_t at = 0; at < text.size(); ++at) {
+    checkpoint.pass();
     const std::string_view line = text.line(at);
     ProgramHead head = program_head_of(line);
     if (head.is_there()) {
@@ -153,8 +154,9 @@ std::vector<ProgramOfText> programs_of(const ProgramText& text) {
   return programs;
 }
 
-MainProgram main_program_of(const ProgramText& text, const ProgramHead& begun) {
-  std::vector<ProgramOfText> programs = programs_of(text);
+MainProgram main_program_of(const ProgramText& text, const ProgramHead& begun,
+                            Checkpoint& checkpoint) {
+  std::vector<ProgramOfText> programs = programs_of(text, checkpoint);
   if (programs.empty()) return {};
   ProgramOfText& first = programs.front();
   if (!first.head.is_there()) first.head = begun;

@@ -9,7 +9,8 @@
 
 #include "core/nc/program/program_text.h"
 
-// The programs in a text of Fanuc, and which of them call each other.
+// The programs in a text of Fanuc, and which of them call each other. The checkpoint is passed for
+// each line.
 
 namespace trc::program {
 
@@ -54,7 +55,8 @@ struct ProgramOfText {
   bool returns = false;   // it has M99
   ProgramCalls calls{};
 };
-[[nodiscard]] std::vector<ProgramOfText> programs_of(const ProgramText& text);
+[[nodiscard]] std::vector<ProgramOfText> programs_of(const ProgramText& text,
+                                                     Checkpoint& checkpoint);
 
 // Controls store programs by number, so a subprogram may stand in front of its caller.
 struct MainProgram {
@@ -64,7 +66,8 @@ struct MainProgram {
   std::string ambiguous{};  // why the main program is not known; empty: it is
 };
 // `begun`: the first program, where its O stands in front of the text.
-[[nodiscard]] MainProgram main_program_of(const ProgramText& text, const ProgramHead& begun);
+[[nodiscard]] MainProgram main_program_of(const ProgramText& text, const ProgramHead& begun,
+                                          Checkpoint& checkpoint);
 
 // Whether the line has a word that main programs begin or end with: a tool, a work offset, a unit,
 // a reference point, M02, M30.

@@ -351,6 +351,7 @@ bool FanucFlow::return_within_main(std::string& flat, std::int64_t number, std::
 bool FanucFlow::never_leaves(std::size_t first, std::size_t last) const {
   const ProgramText& text = texts_.front();
   for (std::size_t line = first; line <= last; ++line) {
+    checkpoint_.pass();
     const std::string_view content = text.line(line);
     const std::size_t begin = head_of(content).behind;
     const bool jumps =
@@ -362,6 +363,7 @@ bool FanucFlow::never_leaves(std::size_t first, std::size_t last) const {
   // A subprogram may return to another line than the one after its call.
   for (const ProgramText& each : texts_)
     for (std::size_t line = 0; line < each.size(); ++line) {
+      checkpoint_.pass();
       const bool is_it = &each == &text && line == last;
       if (!is_it && has_function(each.line(line), 'M', 99, 99) &&
           says_plainly(each.line(line), 'P'))

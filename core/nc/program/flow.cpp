@@ -200,7 +200,10 @@ Value Flow::without_value(ExpressionReader& expression, Code code, std::size_t b
 
 std::size_t Flow::first_with(char letter, int first, int second, std::size_t begin,
                              std::size_t end) const {
-  while (begin < end && !has_function(texts_.front().line(begin), letter, first, second)) ++begin;
+  for (; begin < end; ++begin) {
+    checkpoint_.pass();
+    if (has_function(texts_.front().line(begin), letter, first, second)) break;
+  }
   return begin;
 }
 
@@ -215,7 +218,10 @@ void Flow::write_text_behind_end(std::string& flat, std::size_t behind) {
   const Frame& main = frames_.front();
   const ProgramText& text = texts_.front();
   std::size_t line = main.current + 1;
-  while (line < behind && !was_seen(main, line) && !computes(setup_, text.line(line))) ++line;
+  for (; line < behind; ++line) {
+    checkpoint_.pass();
+    if (was_seen(main, line) || computes(setup_, text.line(line))) break;
+  }
   copy_text_behind_end(flat, line);
 }
 
@@ -224,6 +230,7 @@ void Flow::copy_text_behind_end(std::string& flat, std::size_t behind) {
   if (flat.empty() || frames_.size() > 1) return;
   const ProgramText& text = texts_.front();
   for (std::size_t line = frames_.front().current + 1; line < behind; ++line) {
+    checkpoint_.pass();
     is_as_written_ = false;
     flat.append(text.line(line));
     flat.append(text.line_end(line).empty() ? line_end() : text.line_end(line));

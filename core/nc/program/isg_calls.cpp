@@ -26,6 +26,7 @@ bool IsgFlow::check_behind_return() {
   if (frames_.size() == 1 || looks_ahead()) return true;
   const ProgramText& text = text_of(frame());
   for (std::size_t line = frame().next; line < frame().end; ++line) {
+    checkpoint_.pass();
     const std::string_view content = text.line(line);
     const IsgHead head = isg_head_of(content);
     if (head.is_target || !head.label.empty() || bounds_isg_comment(content) ||

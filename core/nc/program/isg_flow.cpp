@@ -72,11 +72,14 @@ void IsgFlow::add_units(std::size_t text, FirstBlock first_block) {
 }
 
 // A lone % with nothing after it.
-bool IsgFlow::ends_tape(const ProgramText& text, std::size_t line) {
+bool IsgFlow::ends_tape(const ProgramText& text, std::size_t line) const {
   const std::string_view sign = text.line(line);
   std::size_t at = behind_blanks(sign, 0);
   if (at >= sign.size() || sign[at] != '%') return false;
-  for (++at; line < text.size() && is_isg_line_over(text.line(line), at); at = 0) ++line;
+  for (++at; line < text.size() && is_isg_line_over(text.line(line), at); at = 0) {
+    checkpoint_.pass();
+    ++line;
+  }
   return line == text.size();
 }
 
@@ -87,7 +90,7 @@ std::string IsgFlow::name_of_second(std::string_view line) {
 }
 
 void IsgFlow::know(std::string_view lines) {
-  const ProgramText text({}, std::string(lines));
+  const ProgramText text({}, std::string(lines), 1, &checkpoint_);
   for (std::size_t line = 0; line < text.size(); ++line) take_line_in_front(text.line(line));
 }
 
@@ -173,10 +176,11 @@ bool IsgFlow::pass_line(std::string& flat) {
 
 // By their numbers: whether they belong to a comment of several lines, or bound one.
 std::vector<bool> IsgFlow::comment_lines(const ProgramText& text, std::size_t begin,
-                                         std::size_t end) {
+                                         std::size_t end) const {
   std::vector<bool> found(end);
   bool in_comment = false;
   for (std::size_t line = begin; line < end; ++line) {
+    checkpoint_.pass();
     const bool bounds = bounds_isg_comment(text.line(line));
     if (bounds) in_comment = begins_isg_comment(text.line(line));
     found[line] = in_comment || bounds;
@@ -199,6 +203,7 @@ bool IsgFlow::end_of_program(std::string& flat) {
                              "%, the beginning of the program behind its subprograms");
   const std::vector<bool> is_comment = comment_lines(text, main.current + 1, main.end);
   for (std::size_t line = main.current + 1; line < main.end; ++line) {
+    checkpoint_.pass();
     const std::string_view content = text.line(line);
     const bool is_header = !isg_subprogram_of(content).empty() || begins_isg_program(content);
     if (is_header && !is_comment[line] && !ends_tape(text, line))
@@ -214,6 +219,7 @@ bool IsgFlow::end_of_program(std::string& flat) {
   if (branches > 0) return true;
   std::size_t copied = main.end;
   for (std::size_t line = main.current + 1; line < main.end; ++line) {
+    checkpoint_.pass();
     const std::string_view content = text.line(line);
     const IsgHead head = isg_head_of(content);
     const bool is_target = !is_comment[line] && (head.is_target || !head.label.empty());

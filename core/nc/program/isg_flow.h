@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <optional>
 #include <set>
@@ -107,12 +108,12 @@ class IsgFlow : public Flow, private Variables {
 
   // isg_flow.cpp: programs and the order of their lines.
   void add_units(std::size_t text, FirstBlock first_block);
-  [[nodiscard]] static bool ends_tape(const ProgramText& text, std::size_t line);
+  [[nodiscard]] bool ends_tape(const ProgramText& text, std::size_t line) const;
   [[nodiscard]] static std::string name_of_second(std::string_view line);
   void take_line_in_front(std::string_view line);
   void take_line();
-  [[nodiscard]] static std::vector<bool> comment_lines(const ProgramText& text, std::size_t begin,
-                                                       std::size_t end);
+  [[nodiscard]] std::vector<bool> comment_lines(const ProgramText& text, std::size_t begin,
+                                                std::size_t end) const;
   bool end_of_frame(std::string& flat);
   bool end_of_program(std::string& flat);
   bool refuse_behind_end(std::size_t line, Code code, std::string detail);
@@ -122,13 +123,13 @@ class IsgFlow : public Flow, private Variables {
 
   // isg_outline.cpp: where they lead.
   [[nodiscard]] const Outline& outline_of(const Frame& frame);
-  static void add_structure(Outline& outline, std::vector<Open>& open, Structure structure,
+  static void add_structure(Outline& outline, std::deque<Open>& open, Structure structure,
                             std::size_t line);
-  static void misplace(Outline& outline, const std::vector<Open>& open, std::size_t line,
+  static void misplace(Outline& outline, const std::deque<Open>& open, std::size_t line,
                        const Misplaced& misplaced);
-  static void check_choice(Outline& outline, const std::vector<Open>& open, std::size_t line,
+  static void check_choice(Outline& outline, const std::deque<Open>& open, std::size_t line,
                            std::string_view text);
-  void check_statement(Outline& outline, const std::vector<Open>& open, std::size_t line,
+  void check_statement(Outline& outline, const std::deque<Open>& open, std::size_t line,
                        std::string_view text) const;
   [[nodiscard]] static Structure structure_of(std::string_view line);
 

@@ -43,7 +43,7 @@ const IsgFlow::Outline& IsgFlow::outline_of(const Frame& frame) {
   Outline& outline = known->second;
   if (!is_new) return outline;
   const ProgramText& text = texts_[frame.text];
-  std::vector<Open> open;
+  std::deque<Open> open;
   bool in_comment = false;
   for (std::size_t line = frame.begin; line < frame.end; ++line) {
     checkpoint_.pass();
@@ -63,7 +63,7 @@ const IsgFlow::Outline& IsgFlow::outline_of(const Frame& frame) {
   return outline;
 }
 
-void IsgFlow::add_structure(Outline& outline, std::vector<Open>& open, Structure structure,
+void IsgFlow::add_structure(Outline& outline, std::deque<Open>& open, Structure structure,
                             std::size_t line) {
   using enum Structure;
   constexpr auto pairs =
@@ -117,7 +117,7 @@ void IsgFlow::add_structure(Outline& outline, std::vector<Open>& open, Structure
 
 // A barred statement bars all statements around it, because they decide which lines are executed.
 // Whatever is around one that is barred already is barred too.
-void IsgFlow::misplace(Outline& outline, const std::vector<Open>& open, std::size_t line,
+void IsgFlow::misplace(Outline& outline, const std::deque<Open>& open, std::size_t line,
                        const Misplaced& misplaced) {
   outline.misplaced.try_emplace(line, misplaced);
   for (auto each = open.rbegin(); each != open.rend(); ++each)
@@ -125,7 +125,7 @@ void IsgFlow::misplace(Outline& outline, const std::vector<Open>& open, std::siz
 }
 
 // No path leads to a line between $SWITCH and its first $CASE.
-void IsgFlow::check_choice(Outline& outline, const std::vector<Open>& open, std::size_t line,
+void IsgFlow::check_choice(Outline& outline, const std::deque<Open>& open, std::size_t line,
                            std::string_view text) {
   if (open.empty() || open.back().structure != Structure::choice ||
       outline.choices.contains(open.back().head) ||
@@ -137,7 +137,7 @@ void IsgFlow::check_choice(Outline& outline, const std::vector<Open>& open, std:
 
 // Nothing may follow the words that are complete by themselves: a jump past their line would lose
 // the rest of it. These words may not be skipped either.
-void IsgFlow::check_statement(Outline& outline, const std::vector<Open>& open, std::size_t line,
+void IsgFlow::check_statement(Outline& outline, const std::deque<Open>& open, std::size_t line,
                               std::string_view text) const {
   constexpr auto complete = std::to_array<std::string_view>(
       {"ELSE", "ENDIF", "DEFAULT", "ENDSWITCH", "ENDFOR", "ENDWHILE", "DO", "REPEAT"});

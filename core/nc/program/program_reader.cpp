@@ -185,9 +185,9 @@ bool ProgramReader::find_main_program(std::vector<LinePointer>& lines) {
   const bool is_whole = waited || before_is_whole_;
   std::string whole = is_whole ? before_ : std::string();
   whole.append(waiting_).append(text_);
-  const program::ProgramText text({}, std::move(whole));
+  const program::ProgramText text({}, std::move(whole), 1, &checkpoint_);
   const program::MainProgram main =
-      program::main_program_of(text, program::program_head_of(first_program_));
+      program::main_program_of(text, program::program_head_of(first_program_), checkpoint_);
   const std::uint64_t line_of_main = (is_whole ? 0 : lines_before_) + main.line + 1;
   if (!main.ambiguous.empty()) return refuse_order_of_programs(main.ambiguous, line_of_main);
   if (!main.is_first && !waited)
@@ -203,9 +203,20 @@ bool ProgramReader::find_main_program(std::vector<LinePointer>& lines) {
   }
   // The main program comes first: its lines are read like any others.
   computing_ = false;
-  const std::string behind = std::exchange(text_, {});
-  if (!stop_waiting(lines)) return false;
-  return computing_ ? collect(behind, lines) : split(behind, lines);
+  rest_ = std::exchange(text_, {});
+  return stop_waiting(lines);
+}
+
+bool ProgramReader::read_rest(std::vector<LinePointer>& lines) {
+  constexpr std::size_t bytes_per_call = 8 * 1024;
+  const std::string_view piece = std::string_view(rest_).substr(rest_at_, bytes_per_call);
+  rest_at_ += piece.size();
+  const bool goes_on = feed(piece, lines);
+  if (!has_rest()) {
+    rest_ = std::string();
+    rest_at_ = 0;
+  }
+  return goes_on;
 }
 
 bool ProgramReader::refuse_order_of_programs(std::string detail, std::uint64_t line) {
@@ -228,11 +239,11 @@ bool ProgramReader::check_order_of_files(std::string_view line, std::uint64_t nu
 }
 
 // After the end: the first program has ended with M99.
-bool ProgramReader::calls_what_stands_first(std::string_view line) const {
+bool ProgramReader::calls_what_stands_first(std::string_view line) {
   if (first_program_.empty()) return false;
   if (before_is_whole_) {
     const std::vector<program::ProgramOfText> programs =
-        program::programs_of(program::ProgramText({}, before_));
+        program::programs_of(program::ProgramText({}, before_), checkpoint_);
     if (programs.empty() || programs.front().ends_all) return false;
   }
   program::ProgramCalls calls;
@@ -289,12 +300,27 @@ bool ProgramReader::collect(std::string_view text, std::vector<LinePointer>& lin
     return interpreter_.stop(std::move(refused));
   }
   text_.append(text);
-  return true;
+  return check_last_line();
+}
+
+// A line may go on for ever, and a step of the execution takes a whole one.
+bool ProgramReader::check_last_line() {
+  if (text_.size() <= limits_.longest_line) return true;
+  const std::size_t first = text_.size() - limits_.longest_line - 1;
+  if (text_.find_first_of("\r\n", first) != std::string::npos) return true;
+  const program::ProgramText lines({}, waiting_ + text_, 1, &checkpoint_);
+  Diagnostic refused = diagnostic(
+      Code::nc_line_too_long, {.line = static_cast<std::uint32_t>(lines_before_ + lines.size())});
+  refused.values = {{"longest_line", static_cast<double>(limits_.longest_line)}};
+  return interpreter_.stop(std::move(refused));
 }
 
 bool ProgramReader::begin_to_execute(std::vector<LinePointer>& lines) {
   if (flow_) return true;
-  if (computing_ ? !find_main_program(lines) : has_to_wait() && !stop_waiting(lines)) return false;
+  if (!std::exchange(main_is_known_, true) &&
+      (computing_ ? !find_main_program(lines) : has_to_wait() && !stop_waiting(lines)))
+    return false;
+  if (has_rest()) return false;
   // A last line without a line end may compute too.
   if (!computing_ && !passes_ && program::computes(setup_, partial_) && !interpreter_.has_ended()) {
     computing_ = true;
@@ -305,7 +331,7 @@ bool ProgramReader::begin_to_execute(std::vector<LinePointer>& lines) {
   const std::size_t start = starts_at_main_ ? main_line_ : before_is_whole_ ? lines_before_ : 0;
   const std::string told = before_is_whole_ ? std::string() : std::exchange(before_, {});
   program::ProgramText text({}, std::exchange(before_, {}).append(std::exchange(text_, {})),
-                            static_cast<std::uint32_t>(first_line));
+                            static_cast<std::uint32_t>(first_line), &checkpoint_);
   lines_of_text_ = first_line - 1 + text.size();
   for (std::size_t line = start; line < text.size(); ++line) {
     checkpoint_.pass();
@@ -320,21 +346,32 @@ bool ProgramReader::begin_to_execute(std::vector<LinePointer>& lines) {
 }
 
 bool ProgramReader::resolve(std::vector<LinePointer>& lines) {
-  if (executed_ || diagnostics_.stopped() || !begin_to_execute(lines)) return false;
+  if (executed_ || diagnostics_.stopped()) return false;
+  if (has_rest()) return read_rest(lines);
+  if (!begin_to_execute(lines)) return has_rest() && !diagnostics_.stopped();
   for (std::size_t executed = 0; executed < executed_per_call && lines.size() < lines_per_call;
        ++executed) {
     checkpoint_.pass();
-    flat_.clear();
-    flow_->hold(modes());
-    const program::Flow::Step step = flow_->step(flat_);
-    for (const Diagnostic& warning : flow_->warnings())
-      if (!diagnostics_.report(with_place(warning))) return false;
-    if (step == program::Flow::Step::refused && !take_refusals()) return false;
-    if (!read_flat_lines(lines)) return false;
-    executed_ = step == program::Flow::Step::ended;
+    if (flat_at_ == flat_.size() && !execute_next(lines)) return false;
+    if (!read_flat_lines(flat_, flat_at_, FlatText::rest, lines_per_call, lines)) return false;
+    executed_ = ended_ && flat_at_ == flat_.size();
     if (executed_) return false;
   }
   return true;
+}
+
+bool ProgramReader::execute_next(std::vector<LinePointer>& lines) {
+  flat_.clear();
+  flat_at_ = 0;
+  flow_->hold(modes());
+  const program::Flow::Step step = flow_->step(flat_);
+  ended_ = step == program::Flow::Step::ended;
+  for (const Diagnostic& warning : flow_->warnings())
+    if (!diagnostics_.report(with_place(warning))) return false;
+  if (step == program::Flow::Step::refused && !take_refusals()) return false;
+  std::size_t at = 0;
+  const std::string& settings = flow_->settings();
+  return read_flat_lines(settings, at, FlatText::settings, settings.size() + lines.size(), lines);
 }
 
 program::ModalState ProgramReader::modes() const {
@@ -354,15 +391,11 @@ program::ModalState ProgramReader::modes() const {
 }
 
 // All lines that come from one line are reported at its place.
-bool ProgramReader::read_flat_lines(std::vector<LinePointer>& lines) {
-  return read_flat_lines(flow_->settings(), FlatText::settings, lines) &&
-         read_flat_lines(flat_, FlatText::rest, lines);
-}
-
-bool ProgramReader::read_flat_lines(std::string_view flat, FlatText kind,
-                                    std::vector<LinePointer>& lines) {
+bool ProgramReader::read_flat_lines(std::string_view flat, std::size_t& at, FlatText kind,
+                                    std::size_t most, std::vector<LinePointer>& lines) {
   const bool sets_variables = kind == FlatText::settings;
-  for (std::size_t begin = 0; begin < flat.size();) {
+  while (at < flat.size() && lines.size() < most) {
+    const std::size_t begin = at;
     const std::size_t end = std::min(flat.find_first_of("\r\n", begin), flat.size());
     const std::size_t next =
         end == flat.size() ? end : end + (flat.compare(end, 2, "\r\n") == 0 ? 2 : 1);
@@ -378,7 +411,7 @@ bool ProgramReader::read_flat_lines(std::string_view flat, FlatText kind,
         .machine_follows = !sets_variables && flow_->machine_follows() && next == flat.size(),
         .call_leaves = flow_->call_leaves()};
     if (!interpreter_.read(line, lines)) return false;
-    begin = next;
+    at = next;
   }
   return true;
 }

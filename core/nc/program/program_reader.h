@@ -74,19 +74,24 @@ class ProgramReader {
   bool refuse_order_of_programs(std::string detail, std::uint64_t line);
   bool check_encoding(std::string_view text);
   bool check_order_of_files(std::string_view line, std::uint64_t number);
-  [[nodiscard]] bool calls_what_stands_first(std::string_view line) const;
+  [[nodiscard]] bool calls_what_stands_first(std::string_view line);
   bool split(std::string_view text, std::vector<LinePointer>& lines);
   bool pass_plain(std::string_view text, std::vector<LinePointer>& lines);
   void keep_what_tells(std::string_view text);
   bool keep_partial(std::string_view text, std::vector<LinePointer>& lines);
   bool pass(std::string_view text, std::vector<LinePointer>& lines);
   bool collect(std::string_view text, std::vector<LinePointer>& lines);
+  bool check_last_line();
   bool begin_to_execute(std::vector<LinePointer>& lines);
+  [[nodiscard]] bool has_rest() const { return rest_at_ < rest_.size(); }
+  bool read_rest(std::vector<LinePointer>& lines);
+  bool execute_next(std::vector<LinePointer>& lines);
   [[nodiscard]] program::ModalState modes() const;
-  bool read_flat_lines(std::vector<LinePointer>& lines);
   // The parts of what a line becomes: assignments for the machine, then the rest.
   enum class FlatText : std::uint8_t { settings, rest };
-  bool read_flat_lines(std::string_view flat, FlatText kind, std::vector<LinePointer>& lines);
+  // Reads lines from `at` on, until there are `most` in `lines`, and moves `at` behind them.
+  bool read_flat_lines(std::string_view flat, std::size_t& at, FlatText kind, std::size_t most,
+                       std::vector<LinePointer>& lines);
   bool take_refusals();
   [[nodiscard]] Diagnostic with_place(Diagnostic found) const;
 
@@ -109,13 +114,18 @@ class ProgramReader {
   std::string first_file_{};     // of an archive of Sinumerik: PART_MPF
   bool starts_at_main_ = false;  // which stands behind what it calls
   std::size_t main_line_ = 0;
+  bool main_is_known_ = false;
+  std::string rest_{};  // collected, but nothing in front of it computes
+  std::size_t rest_at_ = 0;
 
   bool computing_ = false;
   std::string text_{};  // collected
   std::unique_ptr<program::Flow> flow_;
   std::uint64_t lines_of_text_ = 0;
   bool executed_ = false;
-  std::string flat_{};  // of the line that is executed
+  bool ended_ = false;  // with the line that is executed
+  std::string flat_{};  // which it has become, the text behind the end with it
+  std::size_t flat_at_ = 0;
 
   static constexpr std::size_t bytes_of_utf16 = 2;  // that tell it
   std::string first_bytes_{};                       // of the text, as many

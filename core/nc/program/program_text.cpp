@@ -5,21 +5,15 @@
 
 namespace trc::program {
 
-ProgramText::ProgramText(std::string name, std::string text, std::uint32_t first_line)
+ProgramText::ProgramText(std::string name, std::string text, std::uint32_t first_line,
+                         Checkpoint* checkpoint)
     : name_(std::move(name)), text_(std::move(text)), first_line_(first_line) {
   for (std::size_t begin = 0; begin < text_.size();) {
+    if (checkpoint != nullptr) checkpoint->pass();
+    begins_.push_back(static_cast<std::uint32_t>(begin));
     const std::size_t end = std::min(text_.find_first_of("\r\n", begin), text_.size());
-    lines_.push_back({.begin = begin, .end = end});
-    begin = end + line_end(lines_.size() - 1).size();
-    if (end == text_.size()) break;
+    begin = end + (text_.compare(end, 2, "\r\n") == 0 ? 2 : 1);
   }
-}
-
-std::string_view ProgramText::line_end(std::size_t index) const {
-  const std::size_t end = lines_[index].end;
-  if (end == text_.size()) return {};
-  if (text_[end] == '\n') return "\n";
-  return end + 1 < text_.size() && text_[end + 1] == '\n' ? "\r\n" : "\r";
 }
 
 }  // namespace trc::program

@@ -42,8 +42,10 @@ SinumerikFlow::SinumerikFlow(const ProgramSetup& setup, const Lent& lent, Progra
   }
   find_what_calls_are_given(main);
   start_ = start;
-  for (std::size_t line = main.begin; line < start; ++line)
+  for (std::size_t line = main.begin; line < start; ++line) {
+    checkpoint_.pass();
     note_named_by_cycles(texts_.front().line(line));
+  }
   frames_.push_back({.begin = main.begin,
                      .end = main.end,
                      .next = start,
@@ -230,7 +232,10 @@ bool SinumerikFlow::end_of_program(std::string& flat) {
   if (looks_ahead()) return true;
   const Frame& main = frames_.front();
   std::size_t behind = main.current + 1;
-  while (behind < main.end && named_head_of(texts_.front().line(behind)).label.empty()) ++behind;
+  for (; behind < main.end; ++behind) {
+    checkpoint_.pass();
+    if (!named_head_of(texts_.front().line(behind)).label.empty()) break;
+  }
   const std::size_t lost = first_with('G', 41, 42, main.current + 1, behind);
   if (lost < behind) return refuse_contour_behind_end(lost);
   const std::vector<bool> called = said_by_others();

@@ -74,6 +74,7 @@ bool SinumerikFlow::find_named_labels(const std::vector<std::string>& names,
         found.insert(known->second.begin(), known->second.end());
   if (found.size() < 2 || *found.rbegin() < start_) return true;
   for (std::size_t line = *found.begin(); line <= *found.rbegin(); ++line) {
+    checkpoint_.pass();
     if (was_seen(main, line) || line < start_) {
       frames_.front().current = line;
       return refuse(Code::nc_unsupported, 0, "a contour of a cycle that the program runs through");
@@ -97,8 +98,10 @@ void SinumerikFlow::find_named_units(const std::vector<std::string>& names,
 void SinumerikFlow::append_lines_of(const Unit& unit, std::set<std::size_t>& lines) const {
   const bool has_header =
       unit.begin > 0 && !program_of_header(texts_.front().line(unit.begin - 1)).empty();
-  for (std::size_t line = unit.begin - (has_header ? 1 : 0); line < unit.end; ++line)
+  for (std::size_t line = unit.begin - (has_header ? 1 : 0); line < unit.end; ++line) {
+    checkpoint_.pass();
     lines.insert(line);
+  }
 }
 
 // By unit, whether another unit contains its name.
@@ -109,6 +112,7 @@ std::vector<bool> SinumerikFlow::said_by_others() const {
   for (std::size_t index = 0; index < units_.size(); ++index) {
     const Unit& unit = units_[index];
     for (std::size_t line = unit.begin; line < unit.end; ++line) {
+      checkpoint_.pass();
       const std::string_view content = texts_[unit.text].line(line);
       if (!program_of_header(content).empty()) continue;
       for (std::size_t at = 0; at < content.size() && content[at] != ';';) {
