@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "core/session/program_session.h"
 #include "server/in_process.h"
+#include "server/resources/memory_account.h"
 #include "tests/server/calls.h"
 
 // Programs that compute, through the service.
@@ -114,6 +116,36 @@ TEST(ComputingPrograms, GiveNoTokenFromTheFirstLineThatComputesOn) {
   EXPECT_TRUE(response.resume_token().empty());
   EXPECT_EQ(response.consumed_bytes(), sent);
   context.TryCancel();
+}
+
+// Loops that do nothing, of each dialect that has them.
+TEST(ComputingPrograms, DoNotGrowWithTheRoundsOfALoop) {
+  if (!counts_heap) GTEST_SKIP() << "the heap is not counted";
+  struct Loop {
+    DialectName dialect;
+    const char* text;
+  };
+  for (const Loop& loop :
+       {Loop{DialectName::isg, "$FOR P1=0,1000000000,1\n$ENDFOR\nM30\n"},
+        Loop{DialectName::isg, "P1=0\n$WHILE P1<1000000000\nP1=P1+1\n$ENDWHILE\nM30\n"},
+        Loop{DialectName::isg, "P1=0\n$DO\n$IF P1==1\n$ENDIF\n$ENDDO\nM30\n"},
+        Loop{DialectName::fanuc, "O1\n#1=0\nWHILE[#1LT1000000000]DO1\n#1=#1+1\nEND1\nM30\n"},
+        Loop{DialectName::sinumerik, "FOR R1=0 TO 1000000000\nENDFOR\nM30\n"},
+        Loop{DialectName::sinumerik, "LOOP\nR1=1\nENDLOOP\nM30\n"},
+        Loop{DialectName::linuxcnc, "o1 while [1]\n#1=1\no1 endwhile\nM2\n"}}) {
+    SessionSetup setup;
+    setup.program.dialect = loop.dialect;
+    setup.program.max_executed_lines = 1'000'000'000;
+    ProgramSession session({.session = setup});
+    Answers out;
+    ASSERT_TRUE(session.feed(loop.text, out)) << loop.text;
+    std::int64_t before = 0;
+    for (int call = 0; call < 60; ++call) {
+      if (call == 10) before = bytes_taken_by_thread();
+      ASSERT_TRUE(session.resolve(out)) << loop.text << out.take().text;
+    }
+    EXPECT_LT(bytes_taken_by_thread() - before, 4096) << loop.text;
+  }
 }
 
 TEST(ComputingPrograms, HaveASetupThatIsChecked) {

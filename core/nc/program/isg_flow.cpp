@@ -111,6 +111,7 @@ void IsgFlow::take_line_in_front(std::string_view line) {
 void IsgFlow::take_line() {
   Frame& at = frame();
   at.current = at.next++;
+  assigned_.clear();
   const ProgramText& text = text_of(at);
   line_ = text.line(at.current);
   is_joined_ = is_continued(line_);

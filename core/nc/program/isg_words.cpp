@@ -17,7 +17,6 @@ constexpr std::size_t npos = std::string_view::npos;
 
 bool IsgFlow::execute_words(std::string& flat) {
   pieces_.clear();
-  assigned_.clear();
   jump_.reset();
   called_behind_words_.clear();
   has_computed_ = false;
