@@ -62,9 +62,9 @@ std::optional<std::string> page_of(std::string text, const v1::ProgramSetup& set
   }
   builder.take_contour(paths.programmed);
   builder.take_path(paths.compensated);
-  const auto view = builder.finish("inside");
+  const auto view = builder.finish("inside", {});
   if (view == nullptr) return std::nullopt;
-  if (paths.exit == Exit::done) view->make_output([] {});
+  if (paths.exit == Exit::done) view->make_output([] {}, {});
   return standalone_page(*view, setup.path().language());
 }
 

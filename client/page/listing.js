@@ -47,14 +47,15 @@ export class Listing {
     const {view} = this;
     if (!view || this.chunks.has(index)) return;
     this.chunks.set(index, null);
-    const answer = await api.lines(view.id, this.what, index * chunk + 1, chunk).catch(() => null);
+    const answer = await api.lines(view.id, this.what, index * chunk + 1, chunk)
+      .catch(error => ({failed: true, reason: error.problem ? error.message : ''}));
     if (this.view !== view) return;
-    if (!answer || answer.pending || answer.refused) {
+    if (answer.failed || answer.pending || answer.refused) {
       this.chunks.delete(index);
       // A list box holds options only.
       this.box.setAttribute('role', 'group');
-      this.fill.textContent = answer?.refused ? t('noOutput') : answer?.pending ? t('pending') : '';
-      if (answer?.pending) setTimeout(() => this.view === view && this.fetch(index).then(() => this.draw()), 200);
+      this.fill.textContent = answer.refused ? t('noOutput') : answer.pending ? t('pending') : answer.reason;
+      if (answer.pending) setTimeout(() => this.view === view && this.fetch(index).then(() => this.draw()), 200);
       return;
     }
     if (this.count === 0) this.fill.replaceChildren();

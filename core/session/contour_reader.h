@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -15,13 +16,22 @@ namespace trc {
 // the same text reports the error.
 class ContourReader {
  public:
+  // The interrupt of the compensator is called from time to time.
   explicit ContourReader(const SessionSetup& session);
+
+  // Gets blocks of the contour in their order, a few at a time. False: no more are wanted.
+  using Taker = std::function<bool(std::vector<Block>)>;
+  // Reads a whole text; no other call must have fed any.
+  void read(std::string_view text, const Taker& take);
 
   // The text may be cut anywhere.
   void feed(std::string_view text);
+  // After the last text: executes part of a program that computes. Returns whether more is left.
+  bool resolve();
   // The blocks read so far, in their order, but for those taken before.
   [[nodiscard]] std::vector<Block> take() { return std::exchange(blocks_, {}); }
-  // End of the text: the blocks that have not been taken; nothing may be fed behind it.
+  // End of the text: executes what is left, and gives the blocks that have not been taken; nothing
+  // may be fed behind it.
   [[nodiscard]] std::vector<Block> finish();
   // Whether the text counts in inch in a block (Source::index) that was read.
   [[nodiscard]] bool is_inch(std::uint64_t block) {
@@ -29,6 +39,7 @@ class ContourReader {
   }
 
  private:
+  Checkpoint::Interrupt interrupt_;
   Diagnostics diagnostics_;
   std::vector<Block> blocks_;
   ProgramState state_;

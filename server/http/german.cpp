@@ -127,6 +127,10 @@ constexpr auto sentences = std::to_array<Sentence>({
      "try again later",
      "die Ansicht braucht mehr Speicher, als die Einstellung http-max-memory-mib übrig lässt; "
      "andere Ansichten schließen oder es später noch einmal versuchen"},
+    {"the compensated text takes more memory than the setting http-max-memory-mib leaves; get it "
+     "with POST /v1/programs:compensate, which sends it while it is made",
+     "der korrigierte Text braucht mehr Speicher, als die Einstellung http-max-memory-mib übrig "
+     "lässt; mit POST /v1/programs:compensate holen, das ihn sendet, während er entsteht"},
     {"There is no such view", "Diese Ansicht gibt es nicht"},
     {"views are given up when there are too many or after a while; make a new one",
      "Ansichten werden aufgegeben, wenn es zu viele sind oder nach einer Weile; eine neue anlegen"},

@@ -72,6 +72,14 @@ class Share {
     bytes_ += bytes;
     return true;
   }
+  // Takes or gives back, so that it is as large as this. False, and nothing changes, when there is
+  // not as much.
+  [[nodiscard]] bool hold(std::size_t bytes) {
+    if (bytes > bytes_) return take(bytes - bytes_);
+    memory_->used_ -= bytes_ - bytes;
+    bytes_ = bytes;
+    return true;
+  }
   void release() { memory_->used_ -= std::exchange(bytes_, 0); }
 
  private:

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <charconv>
 #include <memory>
+#include <new>
 #include <optional>
 #include <utility>
 
@@ -13,6 +15,7 @@
 #include "server/http/settings.h"
 #include "server/http/view/store.h"
 #include "server/http/view/view_builder.h"
+#include "server/http/view/view_memory.h"
 #include "server/http/view/view_tap.h"
 #include "server/rpc/setup.h"
 
@@ -27,9 +30,27 @@ v1::Problem no_memory() {
                  "other views or try again later");
 }
 
+v1::Problem no_output() {
+  return problem(
+      503, "HTTP_MEMORY_LIMIT", "A limit of the server is reached",
+      "the compensated text takes more memory than the setting http-max-memory-mib "
+      "leaves; get it with POST /v1/programs:compensate, which sends it while it is made");
+}
+
 v1::Problem no_view() {
   return problem(404, "VIEW_GONE", "There is no such view",
                  "views are given up when there are too many or after a while; make a new one");
+}
+
+// Thrown out of work for a view when the server is stopping.
+struct Stopping {};
+
+// What such work in a worker calls from time to time.
+std::function<void()> passing(Api& api) {
+  return [&api] {
+    if (api.stopping()) throw Stopping{};
+    api.backend().pool.give_way();
+  };
 }
 
 // Makes a view from the answers of CompensateProgram. A refused program becomes a view as well: its
@@ -49,15 +70,21 @@ class ViewFormat final : public Format, public std::enable_shared_from_this<View
 
   bool take(const grpc::ByteBuffer& answer, std::string& /*out*/) override {
     using Answer = v1::CompensateProgramResponse;
-    if (!RpcCall::read_message(answer, answer_)) return false;
-    for (const v1::Diagnostic& diagnostic : answer_.diagnostics()) builder_->add(diagnostic);
-    if (answer_.response_case() == Answer::kSummary) builder_->set_summary(answer_.summary());
+    try {
+      if (!RpcCall::read_message(answer, answer_)) return false;
+      for (const v1::Diagnostic& diagnostic : answer_.diagnostics()) builder_->add(diagnostic);
+      if (answer_.response_case() == Answer::kSummary) builder_->set_summary(answer_.summary());
+    } catch (const std::bad_alloc&) {
+      builder_->lose_memory();
+    }
     return builder_->has_memory();
   }
 
   void close(std::string& out) override {
-    make();
-    out += said_.empty() ? wire::json_of(no_memory()) : said_;
+    if (const auto refused = make())
+      out += wire::json_of(*refused);
+    else
+      out += said_;
     out += '\n';
   }
 
@@ -81,12 +108,20 @@ class ViewFormat final : public Format, public std::enable_shared_from_this<View
   [[nodiscard]] bool streams() const override { return false; }
 
  private:
-  void make() {
-    tap_->finish();
-    const auto view = builder_->finish(ViewStore::new_id());
-    if (view == nullptr) return;
-    api_.views().add(view);
-    said_ = wire::json_of(view->said());
+  // Returns why there is no view.
+  std::optional<v1::Problem> make() {
+    try {
+      tap_->finish();
+      const auto view = builder_->finish(ViewStore::new_id(), passing(api_));
+      if (view == nullptr) return no_memory();
+      said_ = wire::json_of(view->said());
+      api_.views().add(view);
+      return std::nullopt;
+    } catch (const Stopping&) {
+      return problem_of(server::refuse(Refusal::draining).status);
+    } catch (const std::bad_alloc&) {
+      return no_memory();
+    }
   }
 
   Api& api_;
@@ -116,12 +151,26 @@ std::uint64_t number_in(const Pairs& query, std::string_view name, std::uint64_t
   return otherwise;
 }
 
+// Has a worker do `work`, which answers; where the heap has nothing left for it, that is the
+// answer.
+template <class Work>
+void compute_answer(Api& api, const ExchangePointer& exchange, const Work& work) {
+  api.compute([exchange, work] {
+    try {
+      const HeapReserve::Turn reserve;
+      work();
+    } catch (const std::bad_alloc&) {
+      exchange->post([exchange] { answer_problem(*exchange, no_memory()); });
+    }
+  });
+}
+
 // Answers with the message that a worker makes from the view with `make`.
 template <class Make>
 void answer_of_view(Api& api, const ExchangePointer& exchange, const Make& make) {
   const auto view = view_of(api, exchange->request());
   if (view == nullptr) return answer_problem(*exchange, no_view());
-  api.compute([exchange, view, make] {
+  compute_answer(api, exchange, [exchange, view, make] {
     std::string body = wire::json_of(make(*view, exchange->request())) + "\n";
     exchange->post([exchange, body = std::move(body)]() mutable {
       exchange->answer({.content_type = "application/json"}, std::move(body));
@@ -134,11 +183,12 @@ void make_output_of(Api& api, const std::shared_ptr<View>& view) {
   if (view->said().refused() || !view->begin_output()) return;
   struct Abandoned {};
   api.compute_in_background([&api, view] {
+    const auto pass = [&] {
+      if (view->is_given_up() || api.stopping()) throw Abandoned{};
+      api.background().give_way();
+    };
     try {
-      view->make_output([&] {
-        if (view->is_given_up() || api.stopping()) throw Abandoned{};
-        api.background().give_way();
-      });
+      view->make_output(pass, [&] { return api.views().give_up_one(view.get()); });
     } catch (const Abandoned&) {
     }
   });
@@ -165,11 +215,12 @@ struct AskedView {
   ViewedProgram program{};
   v1::ProgramSetup setup{};
   bool measured_later = false;
+  std::atomic<bool> is_wanted = true;  // its client waits
 };
 
 void start_view(Api& api, const ExchangePointer& exchange, AskedView& asked) {
   const Api::Stay stay(api);
-  if (api.stopping()) return exchange->break_off();
+  if (api.stopping() || !asked.is_wanted) return exchange->break_off();
   const auto text = asked.program.text;
   // Older views are given up for a new one.
   auto builder = std::make_shared<ViewBuilder>(std::move(asked.program), api.memory(),
@@ -185,6 +236,23 @@ void start_view(Api& api, const ExchangePointer& exchange, AskedView& asked) {
       api, exchange, {.method = compensate_program_rpc, .run_tap = name},
       std::make_unique<ProgramQuestions>(asked.setup, text, api.most_message_bytes()),
       std::make_shared<ViewFormat>(api, std::move(builder), std::move(tap)));
+}
+
+// Takes the first look, as long as it is wanted. Throws std::bad_alloc where there is no memory.
+void look_at(Api& api, ViewedProgram& program, const std::atomic<bool>& is_wanted) {
+  struct Unwanted {};
+  ViewMemory memory(api.memory());
+  const ViewMemory::MakeRoom make_room = [&api] { return api.views().give_up_one(); };
+  ViewMemory::Turn turn(memory, make_room);
+  try {
+    program.look = first_look(*program.text, program.settings.path.session, [&] {
+      if (!is_wanted || api.stopping()) throw Unwanted{};
+      turn.check();
+      api.backend().pool.give_way();
+    });
+  } catch (const Unwanted&) {
+    // Nothing starts then.
+  }
 }
 
 // Takes the shown plane from the query; false: the value is no plane.
@@ -230,10 +298,9 @@ void make_view(Api& api, const ExchangePointer& exchange) {
                     .plane = plane};
   asked->setup = std::move(setup);
   asked->measured_later = measured_later;
-  api.compute([&api, exchange, asked] {
-    ViewedProgram& program = asked->program;
-    program.look = first_look(*program.text, program.settings.path.session,
-                              [&api] { api.backend().pool.give_way(); });
+  exchange->when_gone([asked] { asked->is_wanted = false; });
+  compute_answer(api, exchange, [&api, exchange, asked] {
+    look_at(api, asked->program, asked->is_wanted);
     exchange->post([&api, exchange, asked] { start_view(api, exchange, *asked); });
   });
 }
@@ -263,7 +330,7 @@ void view_tile(Api& api, const ExchangePointer& exchange) {
   constexpr std::uint64_t usual = 2048;
   const auto segments = static_cast<std::size_t>(std::clamp<std::uint64_t>(
       number_in(exchange->request().query, "segments", usual), 256, 16'384));
-  api.compute([exchange, view, tile, segments] {
+  compute_answer(api, exchange, [exchange, view, tile, segments] {
     std::string drawn = view->tile(*tile, segments);
     exchange->post([exchange, drawn = std::move(drawn)]() mutable {
       exchange->answer({.content_type = "application/octet-stream",
@@ -283,6 +350,7 @@ void view_lines(Api& api, const ExchangePointer& exchange) {
 void view_output(Api& api, const ExchangePointer& exchange) {
   const auto view = view_of(api, exchange->request());
   if (view != nullptr) make_output_of(api, view);
+  if (view != nullptr && view->lacks_output()) return answer_problem(*exchange, no_output());
   answer_of_view(api, exchange, [](const View& of, const Request& request) {
     v1::ViewLines lines;
     const auto output = of.output();

@@ -43,6 +43,9 @@ class MemoryAccount {
     mark_ = now;
   }
 
+  // In a turn: what was taken and given back since the last call belongs to somebody else.
+  void leave_out() { mark_ = bytes_taken_by_thread(); }
+
   // A turn may free a little memory that was taken outside of turns.
   [[nodiscard]] std::uint64_t bytes() const {
     return bytes_ > 0 ? static_cast<std::uint64_t>(bytes_) : 0;

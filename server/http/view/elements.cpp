@@ -52,11 +52,6 @@ Segment Elements::shape_of(const Element& element) const {
   return Arc{.start = element.start, .end = element.end, .center = arc.center, .sweep = arc.sweep};
 }
 
-std::size_t Elements::bytes() const {
-  return pieces_.size() * piece_size * sizeof(Element) + arcs_.capacity() * sizeof(ElementArc) +
-         groups_.capacity() * sizeof(Group);
-}
-
 double Elements::length_of(const Element& element, const Segment& shape) {
   const double in_plane = trc::length_of(shape);
   const double across = static_cast<double>(element.third_to - element.third_from);

@@ -73,8 +73,6 @@ class Elements {
   }
   [[nodiscard]] Segment shape_of(const Element& element) const;
   [[nodiscard]] verify::Bounds bounds() const;
-  // Bytes held.
-  [[nodiscard]] std::size_t bytes() const;
 
   struct Group {
     verify::Bounds box{};

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "core/base/utf8.h"
 #include "server/text.h"
@@ -38,11 +37,6 @@ std::string_view Lines::line(std::size_t index) const {
   return line;
 }
 
-std::size_t Lines::bytes() const {
-  return text_->capacity() + begins_.capacity() * sizeof(std::size_t) +
-         sources_.capacity() * sizeof(std::uint32_t);
-}
-
 v1::ViewLines Lines::some(std::uint64_t first, std::uint64_t count) const {
   constexpr std::uint64_t most_lines = 1000;
   constexpr std::size_t longest = 512;
@@ -59,20 +53,13 @@ v1::ViewLines Lines::some(std::uint64_t first, std::uint64_t count) const {
   return lines;
 }
 
-std::vector<std::uint32_t> sources_of(std::size_t lines, const std::vector<LineEnd>& reached,
-                                      const std::vector<LineEnd>& ends) {
-  std::vector<std::uint32_t> sources(lines);
-  std::size_t next = 0;
-  for (const LineEnd& read : reached) {
-    const std::size_t last = std::min(ends.size(), next + farthest);
-    for (std::size_t i = next; i < last; ++i) {
-      if (!is_same(read, ends[i])) continue;
-      next = i + 1;
-      if (read.line > 0 && read.line <= lines) sources[read.line - 1] = ends[i].line;
-      break;
-    }
-  }
-  return sources;
+void LineSources::take(const LineEnd& reached) {
+  for (LineEnd end; ahead_.size() < farthest && next_end_(end);) ahead_.push_back(end);
+  const auto found =
+      std::ranges::find_if(ahead_, [&](const LineEnd& end) { return is_same(reached, end); });
+  if (found == ahead_.end()) return;
+  if (reached.line > 0 && reached.line <= sources_.size()) sources_[reached.line - 1] = found->line;
+  ahead_.erase(ahead_.begin(), found + 1);
 }
 
 }  // namespace trc::server::http

@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -25,8 +27,6 @@ class Lines {
   // `index` from 0; without the line end.
   [[nodiscard]] std::string_view line(std::size_t index) const;
   [[nodiscard]] const std::string& text() const { return *text_; }
-  [[nodiscard]] std::size_t bytes() const;
-
   // For compensated text: the line of the program that each line comes from; 0: unknown.
   void set_sources(std::vector<std::uint32_t> sources) { sources_ = std::move(sources); }
   [[nodiscard]] const std::vector<std::uint32_t>& sources() const { return sources_; }
@@ -37,21 +37,36 @@ class Lines {
  private:
   std::shared_ptr<const std::string> text_;
   std::size_t found_to_ = 0;
-  std::vector<std::size_t> begins_;
+  std::deque<std::size_t> begins_;  // never moves as it grows
   std::vector<std::uint32_t> sources_;
 };
 
-// The line of the program that each line of compensated text comes from. Both make the same motions
-// in the same order, so the ends of motions tell it. `ends` are the ends on the path with their
-// lines, `reached` those read from the text.
+// Where a motion ends, and its line.
 struct LineEnd {
   double x = 0;
   double y = 0;
   double z = 0;
   std::uint32_t line = 0;
 };
-[[nodiscard]] std::vector<std::uint32_t> sources_of(std::size_t lines,
-                                                    const std::vector<LineEnd>& reached,
-                                                    const std::vector<LineEnd>& ends);
+
+// Finds the line of the program that each line of compensated text comes from. Path and text have
+// the same motions in the same order, so the ends of motions tell it.
+class LineSources {
+ public:
+  // `next_end` gives the end of the next motion on the path, with the line of the program; false:
+  // there is none any more. `lines` are those of the text.
+  LineSources(std::size_t lines, std::function<bool(LineEnd& end)> next_end)
+      : sources_(lines), next_end_(std::move(next_end)) {}
+
+  // The end of the next motion of the text.
+  void take(const LineEnd& reached);
+  // As of Lines::set_sources.
+  [[nodiscard]] std::vector<std::uint32_t> found() { return std::move(sources_); }
+
+ private:
+  std::vector<std::uint32_t> sources_;
+  std::function<bool(LineEnd& end)> next_end_;
+  std::deque<LineEnd> ahead_;  // on the path
+};
 
 }  // namespace trc::server::http

@@ -2,7 +2,6 @@
 
 #include <openssl/rand.h>
 
-#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -56,13 +55,16 @@ void ViewStore::remove(const std::string& id) {
   kept_.erase(found);
 }
 
-bool ViewStore::give_up_one() {
+bool ViewStore::give_up_one(const View* needed) {
   // Freeing a large view takes time, so it happens after the lock is released.
   std::shared_ptr<View> given_up;
   const std::lock_guard lock(mutex_);
-  const auto oldest = std::min_element(
-      kept_.begin(), kept_.end(),
-      [](const auto& a, const auto& b) { return a.second.asked < b.second.asked; });
+  auto oldest = kept_.end();
+  for (auto entry = kept_.begin(); entry != kept_.end(); ++entry) {
+    const Kept& kept = entry->second;
+    const bool is_older = oldest == kept_.end() || kept.asked < oldest->second.asked;
+    if (kept.view.get() != needed && is_older) oldest = entry;
+  }
   if (oldest == kept_.end()) return false;
   given_up = std::move(oldest->second.view);
   given_up->give_up();

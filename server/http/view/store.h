@@ -25,8 +25,8 @@ class ViewStore {
   // Null when there is none of that name (any more).
   [[nodiscard]] std::shared_ptr<View> find(const std::string& id);
   void remove(const std::string& id);
-  // Drops the view unused for the longest time. False when there is none.
-  bool give_up_one();
+  // Drops the view unused for the longest time, but not `needed`. False when there is none.
+  bool give_up_one(const View* needed = nullptr);
 
  private:
   struct Kept {

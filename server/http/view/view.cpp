@@ -5,6 +5,8 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <iterator>
+#include <new>
 #include <span>
 #include <utility>
 
@@ -31,12 +33,15 @@ LineEnd end_in(Plane plane, const Segment& path, const AxisTravel& normal, const
   return {.x = end[0], .y = end[1], .z = end[2], .line = source.line};
 }
 
-std::vector<LineEnd> ends_of(const std::vector<Block>& blocks) {
-  std::vector<LineEnd> ends;
-  for (const Block& block : blocks)
-    if (const auto* motion = std::get_if<MotionBlock>(&block); motion && motion->mode)
-      ends.push_back(end_in(motion->mode->plane, motion->path, motion->normal, motion->source));
-  return ends;
+// Appends after there is room for both the text and the larger one that it may have to move to.
+void append(std::string& text, std::string_view part, ViewMemory::Turn& turn) {
+  const std::size_t bytes = text.size() + part.size();
+  if (bytes > text.capacity()) {
+    const std::size_t larger = bytes + bytes / 4;
+    turn.check(larger);
+    text.reserve(larger);
+  }
+  text += part;
 }
 
 }  // namespace
@@ -54,7 +59,7 @@ std::string View::tile(const TileName& name, std::size_t most_segments) const {
 v1::View View::said_by_now() const {
   v1::View said = parts_.said;
   const std::lock_guard lock(mutex_);
-  if (output_ == nullptr) return said;
+  if (output_ == nullptr && !lacks_output_) return said;
   said.clear_measuring();
   said.MergeFrom(measured_);
   return said;
@@ -136,69 +141,103 @@ std::shared_ptr<const Lines> View::output() const {
   return output_;
 }
 
-std::string View::compensated_text(Verify verify, const std::function<void()>& interrupt) {
-  SessionSetup session_setup = parts_.settings.path.session;
-  session_setup.compensator.interrupt = interrupt;
-  session_setup.verify = verify;
-  ProgramSession session({.session = session_setup, .nc_text = true});
-  Answers out;
-  std::string_view text = parts_.program.text();
-  bool goes_on = true;
-  while (goes_on && !text.empty()) {
-    goes_on = session.feed(text.substr(0, text_piece), out);
-    text.remove_prefix(std::min(text.size(), text_piece));
-    interrupt();
-  }
-  if (goes_on) session.finish(out);
-  Answer whole = out.take();
-  if (verify != Verify::off) measure(session, whole.diagnostics);
-  return std::move(whole.text);
+bool View::lacks_output() const {
+  const std::lock_guard lock(mutex_);
+  return lacks_output_;
 }
 
-void View::make_output(const std::function<void()>& interrupt) {
+std::string View::compensated_text(Verify verify, const Making& making) {
+  constexpr std::size_t bytes_per_piece = 16U << 10U;
+  SessionSetup session_setup = parts_.settings.path.session;
+  session_setup.compensator.interrupt = making.pass;
+  session_setup.verify = verify;
+  ProgramSession session({.session = session_setup, .nc_text = true});
+  std::string text;
+  std::vector<Diagnostic> diagnostics;
+  Answers out([&](Answer& part) {
+    append(text, part.text, making.turn);
+    part.text.clear();
+    if (verify != Verify::off) std::ranges::move(part.diagnostics, std::back_inserter(diagnostics));
+    part.diagnostics.clear();
+    return true;
+  });
+  std::string_view program = parts_.program.text();
+  bool goes_on = true;
+  while (goes_on && !program.empty()) {
+    goes_on = session.feed(program.substr(0, bytes_per_piece), out);
+    program.remove_prefix(std::min(program.size(), bytes_per_piece));
+    making.pass();
+  }
+  if (goes_on) session.finish(out);
+  if (verify != Verify::off) measure(session, diagnostics);
+  return text;
+}
+
+std::shared_ptr<const Lines> View::compensated_lines(const Making& making) {
   struct TooLong {};
   // The time of measuring can grow with the square of the number of blocks.
   constexpr std::chrono::seconds most_measuring{60};
   const auto began = std::chrono::steady_clock::now();
   std::string text;
   try {
-    text = compensated_text(parts_.said.measuring() ? Verify::report : Verify::off, [&] {
-      interrupt();
+    const auto pass = [&] {
+      making.pass();
       if (parts_.said.measuring() && std::chrono::steady_clock::now() - began > most_measuring)
         throw TooLong{};
-    });
+    };
+    text = compensated_text(parts_.said.measuring() ? Verify::report : Verify::off,
+                            {.turn = making.turn, .pass = pass});
   } catch (const TooLong&) {
-    text = compensated_text(Verify::off, interrupt);
+    text = compensated_text(Verify::off, making);
   }
 
-  // Text and path have the same motions; reading the text tells where its lines end.
-  ContourReader reader(parts_.settings.path.session);
-  std::vector<LineEnd> reached;
-  const auto reach = [&](const std::vector<Block>& blocks) {
-    const std::vector<LineEnd> more = ends_of(blocks);
-    reached.insert(reached.end(), more.begin(), more.end());
-  };
-  for (std::size_t at = 0; at < text.size(); at += text_piece) {
-    reader.feed(std::string_view(text).substr(at, text_piece));
-    reach(reader.take());
-    interrupt();
-  }
-  reach(reader.finish());
-  std::vector<LineEnd> ends;
-  ends.reserve(parts_.path.size());
-  const Plane plane = plane_of(parts_.said.plane());
-  for (std::size_t i = 0; i < parts_.path.size(); ++i) {
-    const Element& element = parts_.path[i];
-    if (!element.ends_block) continue;
-    const Position end = from_plane(plane, element.end, double{element.third_to});
-    ends.push_back({.x = end[0], .y = end[1], .z = end[2], .line = element.line});
-  }
-  text.shrink_to_fit();
+  constexpr std::size_t bytes_per_piece = 16U << 10U;
   const std::size_t bytes = text.size();
   auto lines = std::make_shared<Lines>(std::make_shared<const std::string>(std::move(text)));
-  lines->find_to(bytes);
-  lines->set_sources(sources_of(lines->count(), reached, ends));
+  for (std::size_t at = 0; at < bytes; at += bytes_per_piece) {
+    lines->find_to(std::min(at + bytes_per_piece, bytes));
+    making.pass();
+  }
+  making.turn.check(lines->count() * sizeof(std::uint32_t));
+  std::size_t next = 0;
+  const Plane plane = plane_of(parts_.said.plane());
+  LineSources sources(lines->count(), [&](LineEnd& end) {
+    while (next < parts_.path.size() && !parts_.path[next].ends_block) ++next;
+    if (next == parts_.path.size()) return false;
+    const Element& element = parts_.path[next++];
+    const Position at = from_plane(plane, element.end, double{element.third_to});
+    end = {.x = at[0], .y = at[1], .z = at[2], .line = element.line};
+    return true;
+  });
+  // Text and path have the same motions; reading the text tells where its lines end.
+  SessionSetup session = parts_.settings.path.session;
+  session.compensator.interrupt = making.pass;
+  ContourReader(session).read(lines->text(), [&](const std::vector<Block>& blocks) {
+    for (const Block& block : blocks)
+      if (const auto* motion = std::get_if<MotionBlock>(&block); motion && motion->mode)
+        sources.take(end_in(motion->mode->plane, motion->path, motion->normal, motion->source));
+    return true;
+  });
+  lines->set_sources(sources.found());
+  return lines;
+}
+
+void View::make_output(const std::function<void()>& interrupt,
+                       const ViewMemory::MakeRoom& make_room) {
+  ViewMemory::Turn turn(*memory_, make_room);
+  std::shared_ptr<const Lines> lines;
+  try {
+    const auto pass = [&] {
+      turn.check();
+      interrupt();
+    };
+    lines = compensated_lines({.turn = turn, .pass = pass});
+    turn.check();
+  } catch (const std::bad_alloc&) {
+    lines.reset();
+  }
   const std::lock_guard lock(mutex_);
+  lacks_output_ = lines == nullptr;
   output_ = std::move(lines);
 }
 

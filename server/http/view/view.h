@@ -11,9 +11,9 @@
 
 #include "core/session/program_session.h"
 #include "proto/wire/setup.h"
-#include "server/http/memory.h"
 #include "server/http/view/elements.h"
 #include "server/http/view/lines.h"
+#include "server/http/view/view_memory.h"
 #include "trc/v1/http.pb.h"
 
 namespace trc::server::http {
@@ -22,8 +22,6 @@ namespace trc::server::http {
 inline constexpr std::uint32_t most_level = 24;
 // Of findings, in a view.
 inline constexpr int most_diagnostics = 1000;
-// Bytes of a text between two checks of whether to go on.
-inline constexpr std::size_t text_piece = 16U << 10U;
 
 // A square of the quadtree over a view, counted from the lowest corner.
 struct TileName {
@@ -45,8 +43,9 @@ struct ViewParts {
 // text, which is made on demand.
 class View {
  public:
-  // `share`: the memory it takes.
-  View(Share share, ViewParts parts) : share_(std::move(share)), parts_(std::move(parts)) {}
+  // `memory`: what it takes.
+  View(std::shared_ptr<ViewMemory> memory, ViewParts parts)
+      : memory_(std::move(memory)), parts_(std::move(parts)) {}
 
   // As it was when the view was made.
   [[nodiscard]] const v1::View& said() const { return parts_.said; }
@@ -61,30 +60,39 @@ class View {
   [[nodiscard]] v1::ViewBlocks blocks_of_line(std::uint32_t line) const;
   [[nodiscard]] v1::ViewPlace place_at(double share) const;
 
-  // The compensated text; null while it is being made. Postponed measurements are made with
-  // it.
+  // The compensated text; null while it is being made, and where there is no memory for it.
+  // Postponed measurements are made with it.
   [[nodiscard]] std::shared_ptr<const Lines> output() const;
+  // There was no memory for the compensated text.
+  [[nodiscard]] bool lacks_output() const;
   // True for the caller who has to make it.
   [[nodiscard]] bool begin_output() { return !output_begun_.exchange(true); }
   // `interrupt` is called from time to time, and may throw. Measurements that take too long are
-  // given up.
-  void make_output(const std::function<void()>& interrupt);
+  // given up. `make_room` must not give up this view.
+  void make_output(const std::function<void()>& interrupt, const ViewMemory::MakeRoom& make_room);
   // To be called when the view is no longer needed.
   void give_up() { given_up_ = true; }
   [[nodiscard]] bool is_given_up() const { return given_up_; }
 
  private:
-  [[nodiscard]] std::string compensated_text(Verify verify, const std::function<void()>& interrupt);
+  // While the text is made; `pass` charges what it takes, and may throw.
+  struct Making {
+    ViewMemory::Turn& turn;
+    std::function<void()> pass{};
+  };
+  [[nodiscard]] std::shared_ptr<const Lines> compensated_lines(const Making& making);
+  [[nodiscard]] std::string compensated_text(Verify verify, const Making& making);
   void measure(const ProgramSession& session, const std::vector<Diagnostic>& found);
   // One of the contour or of the path.
   [[nodiscard]] v1::ViewBlock described(const Elements& elements, std::size_t index) const;
 
-  Share share_;
+  std::shared_ptr<ViewMemory> memory_;
   const ViewParts parts_;
   std::atomic<bool> output_begun_{false};
   std::atomic<bool> given_up_{false};
   mutable std::mutex mutex_;
   std::shared_ptr<const Lines> output_;
+  bool lacks_output_ = false;
   v1::View measured_;  // what parts_.said lacks
 };
 

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <new>
 #include <utility>
 
+#include "core/base/checkpoint.h"
 #include "core/session/contour_reader.h"
 #include "core/session/not_travelled.h"
 #include "proto/wire/compensated_block.h"
@@ -32,26 +34,30 @@ Style style_of(Origin origin) {
 
 }  // namespace
 
-ViewBuilder::ViewBuilder(ViewedProgram program, Memory& memory, std::function<bool()> make_room)
+ViewBuilder::ViewBuilder(ViewedProgram program, Memory& memory, ViewMemory::MakeRoom make_room)
     : program_(std::move(program.text)),
       settings_(std::move(program.settings)),
-      share_(memory),
+      memory_(std::make_shared<ViewMemory>(memory)),
       make_room_(std::move(make_room)),
       first_on_path_(settings_.path.session.program.start),
       look_(program.look),
       plane_(program.plane.value_or(program.look.plane)),
       contour_(std::make_unique<ViewContour>(settings_.path.session, plane_)) {
   said_.set_name(std::move(program.name));
+  memory_->add(program_.text().capacity());
 }
 
-bool ViewBuilder::account() {
-  // Estimate for a line of the compensated text.
-  constexpr std::size_t output_bytes = 64;
-  const std::size_t bytes = contour_->bytes() + path_.bytes() + output_bytes * path_.size() +
-                            replaced_.capacity() * sizeof(std::uint32_t);
-  while (has_memory_ && bytes > share_.bytes())
-    if (!share_.take(bytes - share_.bytes())) has_memory_ = make_room_();
-  return has_memory_;
+template <class Work>
+void ViewBuilder::in_turn(const Work& work) {
+  if (!has_memory_) return;
+  ViewMemory::Turn turn(*memory_, make_room_);
+  try {
+    turn.check();
+    work(turn);
+    turn.check();
+  } catch (const std::bad_alloc&) {
+    has_memory_ = false;
+  }
 }
 
 bool ViewBuilder::has_memory() const {
@@ -59,38 +65,58 @@ bool ViewBuilder::has_memory() const {
   return has_memory_;
 }
 
-void ViewBuilder::find_lines(std::uint64_t count) {
-  while (program_.count() < count && found_bytes_ < program_.text().size()) {
-    found_bytes_ = std::min(found_bytes_ + text_piece, program_.text().size());
-    program_.find_to(found_bytes_);
-  }
+void ViewBuilder::lose_memory() {
+  const std::lock_guard lock(mutex_);
+  has_memory_ = false;
+}
+
+bool ViewBuilder::find_lines(std::uint64_t count) {
+  // Far less than a millisecond, even of empty lines.
+  constexpr std::size_t bytes_per_piece = 16U << 10U;
+  const std::size_t bytes = program_.text().size();
+  if (program_.count() >= count || found_bytes_ >= bytes) return false;
+  found_bytes_ = std::min(found_bytes_ + bytes_per_piece, bytes);
+  program_.find_to(found_bytes_);
+  return true;
 }
 
 // The contour goes on after the block that stopped the compensation, so it is read from the text.
-void ViewBuilder::read_contour() {
+void ViewBuilder::read_contour(const std::function<void()>& pass) {
   contour_ = std::make_unique<ViewContour>(settings_.path.session, plane_);
-  ContourReader reader(settings_.path.session);
-  const std::string_view text = program_.text();
-  for (std::size_t at = 0; at < text.size() && account(); at += text_piece) {
-    reader.feed(text.substr(at, text_piece));
-    contour_->take(reader.take());
-  }
-  contour_->take(reader.finish());
+  SessionSetup session = settings_.path.session;
+  session.compensator.interrupt = pass;
+  ContourReader(session).read(program_.text(), [&](const std::vector<Block>& blocks) {
+    contour_->take(blocks);
+    return true;
+  });
 }
 
 void ViewBuilder::take_contour(std::span<const Block> blocks) {
   const std::lock_guard lock(mutex_);
-  if (account()) contour_->take(blocks);
+  in_turn([&](ViewMemory::Turn& /*turn*/) { contour_->take(blocks); });
 }
 
 void ViewBuilder::take_path(std::span<const CompensatedBlock> blocks) {
   const std::lock_guard lock(mutex_);
-  if (blocks.empty() || !account()) return;
+  if (blocks.empty()) return;
+  // At the end of a selection many blocks come at once.
+  constexpr std::size_t blocks_per_check = 4096;
+  in_turn([&](ViewMemory::Turn& turn) {
+    for (std::size_t at = 0; at < blocks.size(); at += blocks_per_check) {
+      turn.check();
+      add_to_path(blocks.subspan(at, std::min(blocks_per_check, blocks.size() - at)));
+    }
+  });
+}
+
+void ViewBuilder::add_to_path(std::span<const CompensatedBlock> blocks) {
+  // The rest of a long stretch without motions is left to those that follow, and to the end.
+  constexpr int most_pieces = 16;
   const auto [first, last] = std::ranges::minmax_element(
       blocks, {}, [](const CompensatedBlock& block) { return block.source.index; });
   first_radius_ = first->source.index;
   contour_->read_radii(first_radius_, last->source.index, radii_);
-  find_lines(last->source.line);
+  for (int piece = 0; piece < most_pieces && find_lines(last->source.line); ++piece) continue;
   for (const CompensatedBlock& block : blocks) {
     if (block.origin == Origin::passthrough) continue;
     if (block.origin == Origin::kerf || block.origin == Origin::converted_circle)
@@ -117,6 +143,11 @@ float ViewBuilder::tool_radius_of(const CompensatedBlock& block) {
 }
 
 void ViewBuilder::add(const v1::Diagnostic& diagnostic) {
+  const std::lock_guard lock(mutex_);
+  in_turn([&](ViewMemory::Turn& /*turn*/) { keep(diagnostic); });
+}
+
+void ViewBuilder::keep(const v1::Diagnostic& diagnostic) {
   if (diagnostic.code() == static_cast<std::int32_t>(Code::blocks_masked)) {
     Diagnostic note = trc::diagnostic(Code::blocks_masked, {.index = diagnostic.source_index()});
     for (const auto& [name, value] : diagnostic.values()) note.values.push_back({name, value});
@@ -129,31 +160,37 @@ void ViewBuilder::add(const v1::Diagnostic& diagnostic) {
   *said_.add_diagnostics() = diagnostic;
 }
 
-std::shared_ptr<View> ViewBuilder::finish(std::string id) {
+std::shared_ptr<View> ViewBuilder::finish(std::string id, const std::function<void()>& interrupt) {
   const std::lock_guard lock(mutex_);
-  if (said_.refused()) read_contour();
-  find_lines(std::numeric_limits<std::uint64_t>::max());
-  if (!account()) return nullptr;
-  ViewContour::Whole contour = contour_->finish();
-  mark_masked(contour);
-  const std::size_t bytes = 2 * program_.bytes();
-  while (!share_.take(bytes))
-    if (!make_room_()) return nullptr;
-  said_.set_id(std::move(id));
-  if (said_.refused()) said_.clear_measuring();
-  describe(contour);
-  return std::make_shared<View>(std::move(share_), ViewParts{.said = std::move(said_),
-                                                             .contour = std::move(contour.elements),
-                                                             .path = std::move(path_),
-                                                             .program = std::move(program_),
-                                                             .settings = settings_});
+  std::shared_ptr<View> view;
+  in_turn([&](ViewMemory::Turn& turn) {
+    const auto pass = [&] {
+      turn.check();
+      if (interrupt) interrupt();
+    };
+    if (said_.refused()) read_contour(pass);
+    while (find_lines(std::numeric_limits<std::uint64_t>::max())) pass();
+    ViewContour::Whole contour = contour_->finish();
+    mark_masked(contour, pass);
+    said_.set_id(std::move(id));
+    if (said_.refused()) said_.clear_measuring();
+    describe(contour);
+    view = std::make_shared<View>(memory_, ViewParts{.said = std::move(said_),
+                                                     .contour = std::move(contour.elements),
+                                                     .path = std::move(path_),
+                                                     .program = std::move(program_),
+                                                     .settings = settings_});
+  });
+  return has_memory_ ? view : nullptr;
 }
 
-void ViewBuilder::mark_masked(ViewContour::Whole& contour) {
+void ViewBuilder::mark_masked(ViewContour::Whole& contour, const std::function<void()>& pass) {
   if (masked_.empty() && replaced_.empty()) return;
   const NotTravelled masked(masked_);
   std::sort(replaced_.begin(), replaced_.end());
+  Checkpoint checkpoint(pass);
   for (std::size_t i = 0; i < contour.elements.size(); ++i) {
+    checkpoint.pass();
     const std::uint32_t block = contour.blocks[i];
     if (masked.contains(block) || std::binary_search(replaced_.begin(), replaced_.end(), block))
       contour.elements.restyle(i, Style::contour_masked);

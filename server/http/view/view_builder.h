@@ -13,11 +13,11 @@
 #include "core/trc/result/compensated_block.h"
 #include "core/trc/result/first_motions.h"
 #include "proto/wire/setup.h"
-#include "server/http/memory.h"
 #include "server/http/view/elements.h"
 #include "server/http/view/lines.h"
 #include "server/http/view/view.h"
 #include "server/http/view/view_contour.h"
+#include "server/http/view/view_memory.h"
 #include "trc/v1/http.pb.h"
 
 namespace trc::server::http {
@@ -35,40 +35,46 @@ struct ViewedProgram {
 // diagnostics with the answers, in another thread.
 class ViewBuilder {
  public:
-  // `make_room` frees memory that matters less; false: there is none.
-  ViewBuilder(ViewedProgram program, Memory& memory, std::function<bool()> make_room);
+  ViewBuilder(ViewedProgram program, Memory& memory, ViewMemory::MakeRoom make_room);
 
   void take_contour(std::span<const Block> blocks);
   // The path comes after the contour that it belongs to.
   void take_path(std::span<const CompensatedBlock> blocks);
   // Whether there is memory; without it nothing more is taken.
   [[nodiscard]] bool has_memory() const;
+  // Something for the view could not be had.
+  void lose_memory();
 
   void add(const v1::Diagnostic& diagnostic);
   void set_summary(const v1::ProgramSummary& summary) { *said_.mutable_summary() = summary; }
   void set_refused() { said_.set_refused(true); }
   // The path is measured after the first picture.
   void measure_later() { said_.set_measuring(true); }
-  // Null when there is no memory. Once the stream has ended.
-  [[nodiscard]] std::shared_ptr<View> finish(std::string id);
+  // Null when there is no memory. Once the stream has ended. `interrupt` is called from time to
+  // time, and may throw.
+  [[nodiscard]] std::shared_ptr<View> finish(std::string id,
+                                             const std::function<void()>& interrupt);
 
  private:
   // One thread puts contour and path in, another one takes the view out.
   mutable std::mutex mutex_;
 
-  // Finds up to so many lines.
-  void find_lines(std::uint64_t count);
-  void read_contour();
+  // Does `work` in a turn; without memory has_memory_ is false behind it.
+  template <class Work>
+  void in_turn(const Work& work);
+  // Finds up to so many lines. Returns whether some of them are left.
+  bool find_lines(std::uint64_t count);
+  void read_contour(const std::function<void()>& pass);
+  void keep(const v1::Diagnostic& diagnostic);
+  void add_to_path(std::span<const CompensatedBlock> blocks);
   [[nodiscard]] float tool_radius_of(const CompensatedBlock& block);
-  void mark_masked(ViewContour::Whole& contour);
+  void mark_masked(ViewContour::Whole& contour, const std::function<void()>& pass);
   void describe(const ViewContour::Whole& contour);
-  // Takes the memory for the present content.
-  bool account();
 
   Lines program_;
   wire::ProgramSettings settings_;
-  Share share_;
-  std::function<bool()> make_room_;
+  std::shared_ptr<ViewMemory> memory_;
+  ViewMemory::MakeRoom make_room_;
   bool has_memory_ = true;
   v1::View said_;
   std::vector<Diagnostic> masked_;  // as far as the picture needs them

@@ -7,7 +7,6 @@
 #include "core/session/contour_reader.h"
 #include "core/trc/walls/selection_contours.h"
 #include "server/http/view/seen.h"
-#include "server/http/view/view.h"
 
 namespace trc::server::http {
 namespace {
@@ -57,14 +56,11 @@ class Look {
 
 FirstLook first_look(std::string_view text, const SessionSetup& session,
                      const std::function<void()>& pass) {
-  ContourReader reader(session);
+  SessionSetup passing = session;
+  passing.compensator.interrupt = pass;
+  ContourReader reader(passing);
   Look look(reader);
-  for (std::size_t at = 0; at < text.size(); at += text_piece) {
-    reader.feed(text.substr(at, text_piece));
-    if (look.take(reader.take())) return look.found();
-    pass();
-  }
-  look.take(reader.finish());
+  reader.read(text, [&](const std::vector<Block>& blocks) { return !look.take(blocks); });
   return look.found();
 }
 
@@ -82,11 +78,6 @@ void ViewContour::read_radii(std::uint64_t first, std::uint64_t last,
   if (first < end)
     std::copy(radius_of_block_.begin() + static_cast<std::ptrdiff_t>(first),
               radius_of_block_.begin() + static_cast<std::ptrdiff_t>(end), radii.begin());
-}
-
-std::size_t ViewContour::bytes() const {
-  return whole_.elements.bytes() + whole_.blocks.capacity() * sizeof(std::uint32_t) +
-         radius_of_block_.capacity() * sizeof(float) + selection_.capacity() * sizeof(Block);
 }
 
 ViewContour::Whole ViewContour::finish() {

@@ -21,7 +21,7 @@ struct FirstLook {
   bool moves = false;    // at all
   bool is_inch = false;  // the text counts in inch, there
 };
-// Reads as far as needed for that. `pass` is called from time to time.
+// Reads as far as needed for that. `pass` is called from time to time, and may throw.
 [[nodiscard]] FirstLook first_look(std::string_view text, const SessionSetup& session,
                                    const std::function<void()>& pass);
 
@@ -36,8 +36,6 @@ class ViewContour {
   // The radius of the tool, as programmed, in blocks (Source::index): from the first to the last of
   // these; 0: not compensated.
   void read_radii(std::uint64_t first, std::uint64_t last, std::vector<float>& radii) const;
-  // Bytes held.
-  [[nodiscard]] std::size_t bytes() const;
 
   struct Whole {
     Elements elements{};

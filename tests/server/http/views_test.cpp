@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "proto/wire/json.h"
+#include "server/resources/memory_account.h"
 #include "server/server.h"
 #include "tests/server/calls.h"
 #include "tests/support/process.h"
@@ -269,6 +270,7 @@ TEST_F(Views, AreWholeHoweverManyComeAndGoUntilTheServerEnds) {
 
 // Not as an answer that another format would fit.
 TEST(ViewsWithoutMemory, AreRefusedForThat) {
+  if (!counts_heap) GTEST_SKIP() << "the heap is not counted";
   Config config = loopback_views();
   config.http_max_memory_mib = 1;
   const auto server = Server::start(config).server;
@@ -277,6 +279,39 @@ TEST(ViewsWithoutMemory, AreRefusedForThat) {
   ASSERT_TRUE(reply);
   EXPECT_EQ(reply->status, 503);
   EXPECT_NE(reply->body.find("HTTP_MEMORY_LIMIT"), std::string::npos) << reply->body;
+}
+
+// Lines that are unrolled and no motion count as well: 30 MB here.
+TEST(ViewsWithoutMemory, SayThatTheCompensatedTextIsTooLong) {
+  if (!counts_heap) GTEST_SKIP() << "the heap is not counted";
+  Config config = loopback_views();
+  config.http_max_memory_mib = 16;
+  const auto server = Server::start(config).server;
+  Client client(server->http_port());
+  const std::string program =
+      "O1\nG21 G90 G17\nG0 X-20 Y-20\nG41 G1 X0 Y0 D1 F1000\nY50\nX50\nY0\nX0\nG40 X-20 Y-20\n"
+      "#1=0\nWHILE[#1LT500]DO1\n#1=#1+1\n(" +
+      std::string(60'000, 'A') + ")\nEND1\nM30\n";
+  const auto made = client.ask("POST", views_path() + "?dialect=fanuc&tools=1:5", program);
+  ASSERT_TRUE(made);
+  ASSERT_EQ(made->status, 201) << made->body;
+  const auto view = view_in(*made);
+  ASSERT_TRUE(view);
+  const std::string path = views_path() + "/" + view->id();
+  std::optional<Reply> output;
+  EXPECT_TRUE(eventually(
+      [&] {
+        output = client.ask("GET", path + "/output?count=1");
+        return !output || output->body.find("\"pending\"") == std::string::npos;
+      },
+      30.0 * times_slower));
+  ASSERT_TRUE(output);
+  EXPECT_EQ(output->status, 503);
+  EXPECT_NE(output->body.find("HTTP_MEMORY_LIMIT"), std::string::npos) << output->body;
+  // Everything else of the view is still there.
+  const auto tile = client.ask("GET", path + "/tiles/0/0/0");
+  ASSERT_TRUE(tile);
+  EXPECT_EQ(tile->status, 200);
 }
 
 }  // namespace

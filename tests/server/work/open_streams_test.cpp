@@ -13,7 +13,7 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-class Stream final : public OpenStream {
+class ListedStream final : public OpenStream {
  public:
   void end_if_idle(Clock::time_point since) override { asked_until = since; }
   void beat_if_silent(Clock::time_point since) override { silent_since = since; }
@@ -29,7 +29,7 @@ class Stream final : public OpenStream {
 
 TEST(OpenStreams, AdmitsUpToTheLimitAndAgainWhenOneHasLeft) {
   OpenStreams streams(2, seconds(300));
-  const auto stream = std::make_shared<Stream>();
+  const auto stream = std::make_shared<ListedStream>();
   auto first = streams.admit(stream);
   auto second = streams.admit(stream);
   EXPECT_EQ(first.answer, OpenStreams::Answer::admitted);
@@ -43,7 +43,7 @@ TEST(OpenStreams, AdmitsUpToTheLimitAndAgainWhenOneHasLeft) {
 
 TEST(OpenStreams, AdmitsNoneWhileDraining) {
   OpenStreams streams(2, seconds(300));
-  const auto stream = std::make_shared<Stream>();
+  const auto stream = std::make_shared<ListedStream>();
   auto open = streams.admit(stream);
   streams.drain();
   EXPECT_TRUE(streams.draining());
@@ -53,7 +53,7 @@ TEST(OpenStreams, AdmitsNoneWhileDraining) {
 TEST(OpenStreams, WaitsForTheLastStreamButNotLongerThanTold) {
   OpenStreams streams(2, seconds(300));
   EXPECT_TRUE(streams.wait_until_none(Clock::now()));
-  auto open = streams.admit(std::make_shared<Stream>());
+  auto open = streams.admit(std::make_shared<ListedStream>());
   EXPECT_FALSE(streams.wait_until_none(Clock::now() + milliseconds(20)));
   std::thread leaver([&] {
     std::this_thread::sleep_for(milliseconds(20));
@@ -65,7 +65,7 @@ TEST(OpenStreams, WaitsForTheLastStreamButNotLongerThanTold) {
 
 TEST(OpenStreams, AreCutOffUntilTheyHaveEndedButNotLongerThanTold) {
   OpenStreams streams(2, seconds(300));
-  const auto stream = std::make_shared<Stream>();
+  const auto stream = std::make_shared<ListedStream>();
   auto open = streams.admit(stream);
   streams.cut_off(Clock::now() + milliseconds(50));
   EXPECT_EQ(streams.count(), 1U);
@@ -81,7 +81,7 @@ TEST(OpenStreams, AreCutOffUntilTheyHaveEndedButNotLongerThanTold) {
 
 TEST(OpenStreams, AsksStreamsWhetherTheyAreIdle) {
   OpenStreams streams(2, seconds(1));
-  const auto stream = std::make_shared<Stream>();
+  const auto stream = std::make_shared<ListedStream>();
   const auto admitted = streams.admit(stream);
   const auto give_up = Clock::now() + seconds(30);
   while (stream->asked_until.load() == Clock::time_point::min() && Clock::now() < give_up)
@@ -113,8 +113,8 @@ TEST(OpenStreams, AreAskedAgainWhereARoundFindsNoMemory) {
 
 TEST(OpenStreams, EvictsTheLargest) {
   OpenStreams streams(3, seconds(300));
-  const auto small = std::make_shared<Stream>();
-  const auto large = std::make_shared<Stream>();
+  const auto small = std::make_shared<ListedStream>();
+  const auto large = std::make_shared<ListedStream>();
   small->holds = 10;
   large->holds = 20;
   [[maybe_unused]] const auto tickets = {streams.admit(small), streams.admit(large)};
