@@ -365,7 +365,7 @@ void view_output(Api& api, const ExchangePointer& exchange) {
 
 void view_blocks(Api& api, const ExchangePointer& exchange) {
   answer_of_view(api, exchange, [](const View& view, const Request& request) {
-    return view.blocks_of_line(static_cast<std::uint32_t>(number_in(request.query, "line", 0)));
+    return view.blocks_of_line(number_in(request.query, "line", 0));
   });
 }
 

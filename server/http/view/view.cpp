@@ -108,7 +108,7 @@ v1::ViewBlock View::described(const Elements& elements, std::size_t index) const
   return block;
 }
 
-v1::ViewBlocks View::blocks_of_line(std::uint32_t line) const {
+v1::ViewBlocks View::blocks_of_line(std::uint64_t line) const {
   constexpr int most_blocks = 1000;
   v1::ViewBlocks found;
   const auto look = [&](const Elements& elements) {

@@ -57,7 +57,7 @@ class View {
 
   // Drawn more coarsely where half a pixel would take more segments.
   [[nodiscard]] std::string tile(const TileName& name, std::size_t most_segments) const;
-  [[nodiscard]] v1::ViewBlocks blocks_of_line(std::uint32_t line) const;
+  [[nodiscard]] v1::ViewBlocks blocks_of_line(std::uint64_t line) const;
   [[nodiscard]] v1::ViewPlace place_at(double share) const;
 
   // The compensated text; null while it is being made, and where there is no memory for it.

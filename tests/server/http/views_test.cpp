@@ -314,5 +314,22 @@ TEST(ViewsWithoutMemory, SayThatTheCompensatedTextIsTooLong) {
   EXPECT_EQ(tile->status, 200);
 }
 
+TEST_F(Views, KnowNoBlocksOfALineBehindAllOthers) {
+  Client client(port_);
+  const auto made = client.ask("POST", views_path(), stairs(10, false).text);
+  ASSERT_TRUE(made);
+  const auto view = view_in(*made);
+  ASSERT_TRUE(view);
+  const std::string path = views_path() + "/" + view->id() + "/blocks?line=";
+  const auto of_line = client.ask("GET", path + "3");
+  ASSERT_TRUE(of_line);
+  EXPECT_NE(of_line->body.find("\"start\""), std::string::npos) << of_line->body;
+  // 2^32 + 3
+  const auto behind = client.ask("GET", path + "4294967299");
+  ASSERT_TRUE(behind);
+  EXPECT_EQ(behind->status, 200);
+  EXPECT_EQ(behind->body.find("\"start\""), std::string::npos) << behind->body;
+}
+
 }  // namespace
 }  // namespace trc::server
