@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "client/cli/printable.h"
 #include "core/base/utf8.h"
 #include "core/messages/diagnostic_text.h"
 #include "core/nc/text/characters.h"
@@ -49,19 +50,6 @@ std::string_view colour_of(Severity severity) {
   return red;
 }
 
-// Control characters of ASCII and of U+0080 to U+009F, and those that change the direction of
-// writing, which would make a line read differently.
-bool is_control(std::string_view character) {
-  constexpr auto turning =
-      std::to_array<std::string_view>({"\u200E", "\u200F", "\u202A", "\u202B", "\u202C", "\u202D",
-                                       "\u202E", "\u2066", "\u2067", "\u2068", "\u2069"});
-  const auto first = static_cast<unsigned char>(character.front());
-  if (character.size() == 1) return first < 0x20 || first == 0x7F;
-  if (character.size() == 2)
-    return first == 0xC2 && static_cast<unsigned char>(character[1]) < 0xA0;
-  return std::find(turning.begin(), turning.end(), character) != turning.end();
-}
-
 // A character in one column of the screen. The text comes from the program or from a server, so its
 // control characters must not reach the terminal.
 struct Character {
@@ -75,19 +63,11 @@ std::vector<Character> characters_of(std::string_view text) {
     const std::size_t length = utf8_character(text.substr(at));
     const std::string_view one = text.substr(at, std::max<std::size_t>(1, length));
     Character next{.begin = at};
-    // A byte that is not UTF-8 is shown as its Latin-1 letter.
-    const std::string shown = as_utf8(one);
-    next.shown = one == "\t" ? " " : is_control(shown) ? "?" : shown;
+    next.shown = printable_character(one);
     characters.push_back(std::move(next));
     at += one.size();
   }
   return characters;
-}
-
-std::string printable(std::string_view text) {
-  std::string shown;
-  for (const Character& character : characters_of(text)) shown += character.shown;
-  return shown;
 }
 
 std::string painted(std::string text, std::string_view colour, const Shown& shown) {

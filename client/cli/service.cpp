@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "client/cli/printable.h"
 #include "client/cli/speech.h"
 #include "client/cli/unreachable.h"
 #include "client/trc/connection.h"
@@ -312,6 +313,7 @@ Exit connect(const ServiceOptions& options, std::size_t count, ServiceConnection
     if (service.failure()) return service.explain(*service.failure(), Service::Answered::nothing);
     if (const auto failure = service.connection().server_info(longest_question, info))
       return service.explain(*failure, Service::Answered::nothing);
+    make_printable(info);
     connections.own_server = service.own_server();
     connections.channels.push_back(service.connection().channel());
   }
@@ -322,6 +324,7 @@ Exit server_info(const ServiceOptions& options, v1::GetServerInfoResponse& info)
   const Service service(options);
   if (service.failure()) return service.explain(*service.failure(), Service::Answered::nothing);
   const auto failure = service.connection().server_info(longest_question, info);
+  make_printable(info);
   return failure ? service.explain(*failure, Service::Answered::nothing) : Exit::done;
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <iostream>
 
+#include "client/cli/printable.h"
 #include "core/messages/sentences.h"
 #include "proto/wire/setting_sentences.h"
 #include "server/rpc/status.h"
@@ -11,6 +12,9 @@ namespace trc::cli {
 namespace {
 
 Language spoken = Language::english;  // set by main() before any output
+
+// Bytes of a complaint: a server may send a message of any length.
+constexpr std::size_t longest = 4000;
 
 constexpr auto rows = std::to_array<Sentence>({
     // Faults of a call.
@@ -357,6 +361,8 @@ std::string told(std::string_view english) {
   return spoken == Language::german ? in_german(english) : std::string(english);
 }
 
-void complain(std::string_view english) { std::cerr << "trc: " << told(english) << '\n'; }
+void complain(std::string_view english) {
+  std::cerr << "trc: " << printable(told(english), longest) << '\n';
+}
 
 }  // namespace trc::cli

@@ -16,7 +16,8 @@ void speak(Language language);
 // stands in its gaps may be a sentence of the table in turn.
 [[nodiscard]] std::string told(std::string_view english);
 
-// "trc: " and the sentence, as told, in a line on standard error.
+// "trc: " and the sentence, as told, in a line on standard error: printable, whatever names and
+// texts of servers stand in it.
 void complain(std::string_view english);
 
 }  // namespace trc::cli

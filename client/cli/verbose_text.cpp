@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "client/cli/fixed_text.h"
+#include "client/cli/printable.h"
 #include "client/cli/program_options.h"
 #include "core/nc/dialect/dialect.h"
 #include "core/trc/result/compensated_block.h"
@@ -181,12 +182,12 @@ std::string text_of_taken(const std::string& name, const v1::ProgramSetup& setup
   wire::FieldFaults faults;
   const wire::ProgramSettings settings = wire::from_proto(setup, wire::FieldPath("setup"), faults);
   const ProgramSetup& program = settings.path.session.program;
-  const std::string begin = name + ": ";
+  const std::string begin = printable(name) + ": ";
   return begin + words.dialect + std::string(dialect_of(program.dialect).spelling) +
          words.lengths_in + (program.inch ? words.inch : "mm") + words.until_said + '\n' + begin +
          words.setup + settings_of(setup, words) + '\n' + begin + words.tools +
          tools_of(setup, words) + '\n' + begin + words.service +
-         (service.server.empty() ? words.this_process : service.server) + ", trc " +
+         (service.server.empty() ? words.this_process : printable(service.server)) + ", trc " +
          info.version() + " (" + info.commit() + "), " + words.at_most +
          std::to_string(info.limits().max_selection_blocks()) + words.blocks_in_selection +
          std::to_string(info.limits().max_memory_bytes() >> 20U) + " MiB\n";
@@ -206,7 +207,7 @@ std::string text_of_done(const std::string& name, const wire::ProgramSummary& su
   const LengthUnit unit = telling.unit;
   const wire::PathSummary& path = summary.path;
   const Summary& done = path.summary;
-  const std::string begin = name + ": ";
+  const std::string begin = printable(name) + ": ";
   std::string text = begin + std::to_string(summary.lines_in) + words.lines +
                      std::to_string(summary.bytes_in) + words.bytes +
                      std::to_string(done.blocks_in) + words.blocks_in +
