@@ -12,6 +12,7 @@
 #include "client/cli/folder_run.h"
 #include "client/cli/job.h"
 #include "client/cli/job_record.h"
+#include "client/cli/printable.h"
 #include "client/cli/program_options.h"
 #include "client/cli/progress.h"
 #include "client/cli/reporter.h"
@@ -105,8 +106,8 @@ Exit write_converted(const Call& call, const v1::ProgramSetup& setup, const std:
   const ConvertedProgram converted =
       convert_program(text, read.path.session.program, *dialect_spelled(call.to));
   for (const ConvertedProgram::Fault& fault : converted.faults)
-    std::cerr << told(call.program.file + ": error: --to " + call.to + " does not convert " +
-                      fault.word + " (line " + std::to_string(fault.line) +
+    std::cerr << told(printable(call.program.file) + ": error: --to " + call.to +
+                      " does not convert " + fault.word + " (line " + std::to_string(fault.line) +
                       " of the compensated program)")
               << '\n';
   if (!converted.faults.empty()) return Exit::refused;

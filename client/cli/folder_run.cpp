@@ -20,6 +20,7 @@
 
 #include "client/cli/files.h"
 #include "client/cli/job_record.h"
+#include "client/cli/printable.h"
 #include "client/cli/program_options.h"
 #include "client/cli/progress.h"
 #include "client/cli/signals.h"
@@ -236,12 +237,13 @@ const char* text_of(Result result) {
 
 void print_table(const std::vector<Item>& items) {
   std::size_t width = 4;
-  for (const Item& item : items) width = std::max(width, width_of(item.file));
+  for (const Item& item : items) width = std::max(width, width_of(printable(item.file)));
   std::map<std::string, int> counts;
   for (const Item& item : items) {
     const std::string result = told(text_of(item.result));
     ++counts[result];
-    std::cout << item.file << std::string(width + 2 - width_of(item.file), ' ') << result;
+    const std::string file = printable(item.file);
+    std::cout << file << std::string(width + 2 - width_of(file), ' ') << result;
     constexpr std::size_t widest_result = 13;
     if (!item.about.empty())
       std::cout << std::string(widest_result - width_of(result), ' ') << told(item.about);

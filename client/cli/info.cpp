@@ -4,6 +4,7 @@
 #include "client/cli/command.h"
 #include "client/cli/files.h"
 #include "client/cli/info_text.h"
+#include "client/cli/printable.h"
 #include "client/cli/program_info.h"
 #include "client/cli/program_options.h"
 #include "client/cli/service.h"
@@ -33,7 +34,7 @@ Exit describe_file(const Call& call) {
   for (std::string_view piece = input.read(); !piece.empty(); piece = input.read()) text += piece;
   if (input.failed()) return Exit::wrong_call;
   const ProgramInfo found = describe_program(text, {.session = settings.path.session});
-  std::cout << input.name() << '\n' << found.text;
+  std::cout << printable(input.name()) << '\n' << found.text;
   return found.refused ? Exit::refused : Exit::done;
 }
 

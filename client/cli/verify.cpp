@@ -9,6 +9,7 @@
 #include "client/cli/files.h"
 #include "client/cli/job.h"
 #include "client/cli/job_record.h"
+#include "client/cli/printable.h"
 #include "client/cli/program_options.h"
 #include "client/cli/program_paths.h"
 #include "client/cli/progress.h"
@@ -85,7 +86,7 @@ std::string fault_of_output(const v1::JobRecord& filed, const std::string& recor
   const std::string path = file_of_record(filed.output(), record);
   std::error_code missing;
   if (!std::filesystem::exists(path, missing)) {
-    std::cout << told(filed.output().name() +
+    std::cout << told(printable(filed.output().name()) +
                       " is not here: only the bytes made anew were compared")
               << '\n';
     return {};
@@ -188,13 +189,13 @@ Exit run(const ProgramOptions& options) {
     std::cout << told("the contour closes there: that is a touch, no gouge") << '\n';
   print_coverage(report, untouched);
   for (const verify::CrossedWall& crossed : report.crossed)
-    std::cerr << told(input.name() + ':' + std::to_string(crossed.way.line) +
+    std::cerr << told(printable(input.name()) + ':' + std::to_string(crossed.way.line) +
                       ": the approach or the retract leads through the contour at line " +
                       std::to_string(crossed.wall.line))
               << '\n';
   if (report.gouging == 0) return report.crossed.empty() ? Exit::done : Exit::refused;
   const verify::Clearance& gouge = *report.gouge;
-  std::cerr << told(input.name() + ':' + std::to_string(gouge.path.line) +
+  std::cerr << told(printable(input.name()) + ':' + std::to_string(gouge.path.line) +
                     ": gouge: " + std::to_string(report.gouging) +
                     (report.gouging == 1 ? " block comes" : " blocks come") +
                     " nearer to the contour than the tool radius, " + worst_line(gouge))

@@ -201,6 +201,23 @@ TEST(Folder, IsCompensatedAndOnlyWhatChangedAgain) {
   EXPECT_NE(trc(call).out.find("2 done, 1 refused"), std::string::npos);
 }
 
+// Names of files may hold anything but '/'.
+TEST(Folder, IsToldInOneLineAFileWhateverItsName) {
+  const Folder folder;
+  const std::string out = folder.path("out");
+  const std::string file = folder.path("\x1B[2Ja\nb.nc");
+  write_file(file, demo);
+  const Ended ended = trc({"compensate", "--output-dir", out, file});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(ended.out.find('\x1B'), std::string::npos) << ended.out;
+  EXPECT_NE(ended.out.find("?[2Ja?b.nc  done"), std::string::npos) << ended.out;
+  EXPECT_EQ(lines_of(ended.out).size(), 2U) << ended.out;
+  const Ended twice = trc({"compensate", "--output-dir", out, file, file});
+  EXPECT_EQ(twice.code, 2);
+  EXPECT_EQ(twice.err.find('\x1B'), std::string::npos) << twice.err;
+  EXPECT_EQ(lines_of(twice.err).size(), 1U) << twice.err;
+}
+
 TEST(Folder, IsNotMixedUp) {
   const Folder folder;
   write_file(folder.path("a.nc"), demo);
