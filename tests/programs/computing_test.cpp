@@ -58,6 +58,21 @@ TEST(AProgramThatComputes, KeepsTheTextBehindItsEnd) {
             "(O0009)\nM30\n(A)\nO7\nG0 X2.\nM99\n");
 }
 
+// The mark of UTF-8 stands in front of the first line, and is no part of it.
+TEST(AProgramThatComputes, MayDoSoBehindAByteOrderMark) {
+  const std::string mark = "\xEF\xBB\xBF";
+  EXPECT_EQ(flat_of(mark + "#1=60.\nG0 X#1\nM30\n", fanuc()), mark + "G0 X60.\nM30\n");
+  EXPECT_EQ(refusal_of(mark + "#3000=1 (NO DEPTH)\nM30\n", fanuc()), std::pair(900312, 1U));
+  EXPECT_EQ(flat_of(mark + "GOTO 5\nX1.\nN5 G0 X2.\nM30\n", fanuc()), mark + "N5 G0 X2.\nM30\n");
+  EXPECT_EQ(flat_of(mark + "R1=5\nG0 X=R1\nM30\n", computing_setup(DialectName::sinumerik)),
+            mark + "G0 X=5\nM30\n");
+  EXPECT_EQ(flat_of(mark + "#1=5\nG0 X#1\nM2\n", computing_setup(DialectName::linuxcnc)),
+            mark + "G0 X5\nM2\n");
+  ProgramSessionSetup setup = fanuc();
+  setup.session.program.subprograms = {{"O7.nc", mark + "#1=3\nG0 X#1\nM99\n"}};
+  EXPECT_EQ(flat_of(mark + "M98 P7\nM30\n", setup), mark + "(O0007)\nG0 X3.\nM30\n");
+}
+
 TEST(AProgramThatComputes, IsNoneForAnythingInAComment) {
   const std::string text =
       "O1\nG0 X1. (#1=2 M98 P5)\nG1 X2. F100 ; WHILE [1] DO1\nM30\nM98 P1\n%\n";

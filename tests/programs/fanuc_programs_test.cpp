@@ -45,6 +45,19 @@ TEST(FanucHeads, HaveWordsBehindThemThatAreExecuted) {
   EXPECT_EQ(flat_of(main, setup), "O1\n(O0100)\nG0 X5.\nM30\n");
 }
 
+// Lines that wait for the main program come in front of a last line without a line end, or of one
+// that ends in a carriage return.
+TEST(FanucHeads, KeepAllLinesThatWaitBehindThem) {
+  const std::string lines = "O1\nG90 G0 X1.\nX2.\nT1\nX3.\nG0 Z50.";
+  EXPECT_EQ(flat(lines), lines);
+  EXPECT_EQ(flat("O1\nG90 G0 X1.\nG0 Z50."), "O1\nG90 G0 X1.\nG0 Z50.");
+  std::string of_returns = lines;
+  std::ranges::replace(of_returns, '\n', '\r');
+  EXPECT_EQ(flat(of_returns), of_returns);
+  // The end of a subprogram, and what calls it, need no line end either.
+  EXPECT_EQ(flat("O7\nG0 X1.\nM99\nO1\nM98 P7\nM30"), "O1\n(O0007)\nG0 X1.\nM30\n");
+}
+
 TEST(FanucHeads, OfSubprogramsMayBeJumpedTo) {
   EXPECT_EQ(flat("O1\nM98 P100\nM30\nO0100 N10 #1=#1+1\nG0 X#1\nIF [#1 LT 2] GOTO 10\nM99\n"),
             "O1\n(O0100)\nG0 X1.\nG0 X2.\nM30\n");

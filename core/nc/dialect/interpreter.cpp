@@ -81,9 +81,13 @@ bool Interpreter::feed(std::string_view text, std::vector<LinePointer>& lines) {
   return true;
 }
 
+bool Interpreter::feed_lines(std::string_view text, std::vector<LinePointer>& lines) {
+  return feed(text, lines) &&
+         (!std::exchange(carriage_return_, false) || take_line({}, "\r", lines));
+}
+
 bool Interpreter::read(const FlatLine& line, std::vector<LinePointer>& lines) {
   if (reading_.diagnostics.stopped()) return false;
-  if (std::exchange(carriage_return_, false) && !take_line({}, "\r", lines)) return false;
   reading_.lines_read = line.number - 1 - continued_;
   reading_.knows_columns = line.is_as_written;
   // The text may be released before the line.
@@ -109,7 +113,7 @@ bool Interpreter::take_line(std::string_view text, std::string_view line_end,
     partial_.append(text);
     text = partial_;
   }
-  if (reading_.lines_read == 0 && continued_ == 0 && text.starts_with(byte_order_mark)) {
+  if (!std::exchange(has_begun_, true) && text.starts_with(byte_order_mark)) {
     enter_modes(append_line(byte_order_mark, {}, lines));
     text.remove_prefix(byte_order_mark.size());
   }

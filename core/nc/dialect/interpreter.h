@@ -51,6 +51,8 @@ class Interpreter {
   // Appends to `lines` every line that is complete. Returns whether the stream
   // goes on.
   bool feed(std::string_view text, std::vector<LinePointer>& lines);
+  // As `feed`, of whole lines: a carriage return at the end of the text is a line end.
+  bool feed_lines(std::string_view text, std::vector<LinePointer>& lines);
   // End of the text: reads a last line without line end and ends the program in `state`, unless M02
   // or M30 has done so. `why_empty`: what to say of a text without any block.
   bool finish(std::vector<LinePointer>& lines, std::string_view why_empty = {});
@@ -97,7 +99,7 @@ class Interpreter {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(partial_, continued_, carriage_return_, reading_);
+    archive(has_begun_, partial_, continued_, carriage_return_, reading_);
   }
 
  private:
@@ -113,6 +115,7 @@ class Interpreter {
   bool refuse_open_line();
 
   Reading reading_;
+  bool has_begun_ = false;  // a line has been taken
   // The text of a line whose end is still to come; it may hold the lines that
   // are continued.
   std::string partial_{};

@@ -83,7 +83,6 @@ std::string ProgramHead::told() const {
 }
 
 bool may_begin_program(std::string_view line) {
-  if (line.starts_with(byte_order_mark)) return true;
   const std::size_t at = behind_blanks(line, 0);
   return at < line.size() && std::string_view("Oo:<").find(line[at]) != std::string_view::npos;
 }
@@ -95,8 +94,7 @@ std::string without_head(std::string_view line, const ProgramHead& head) {
 ProgramHead program_head_of(std::string_view line) {
   ProgramHead head;
   if (!may_begin_program(line)) return head;
-  if (line.starts_with(byte_order_mark)) head.begin = byte_order_mark.size();
-  head.begin = behind_blanks(line, head.begin);
+  head.begin = behind_blanks(line, 0);
   const bool says_o = has_letter_at(line, head.begin, 'O') || has_letter_at(line, head.begin, ':');
   const std::size_t at = says_o ? behind_blanks(line, head.begin + 1) : head.begin;
   if (has_letter_at(line, at, '<')) {
@@ -144,7 +142,7 @@ std::vector<ProgramOfText> programs_of(const ProgramText& text, Checkpoint& chec
       if (!programs.empty()) programs.back().end = at;
       programs.push_back({.head = std::move(head), .begin = at, .end = text.size()});
     }
-    const bool says_nothing = is_percent(line) || is_over(line, 0) || line == byte_order_mark;
+    const bool says_nothing = is_percent(line) || is_over(line, 0);
     if (says_nothing) continue;
     if (programs.empty()) programs.push_back({.begin = at, .end = text.size()});
     programs.back().ends_all |= has_function(line, 'M', 2, 30);

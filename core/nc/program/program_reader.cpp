@@ -17,14 +17,25 @@ namespace {
 constexpr std::size_t lines_per_call = 256;
 constexpr std::size_t executed_per_call = 4096;
 
-// The position after the line that begins at `at`; 0 if its end is not known yet.
-std::size_t behind_line(std::string_view text, std::size_t at) {
+enum class Text : std::uint8_t { goes_on, ends };
+
+// The position after the line that begins at `at`; 0 if none does, or its end is still to come.
+std::size_t behind_line(std::string_view text, std::size_t at, Text rest) {
+  const std::size_t behind_text = rest == Text::ends && at < text.size() ? text.size() : 0;
   const std::size_t line_feed = text.find('\n', at);
   const std::size_t end = std::min(text.substr(0, line_feed).find('\r', at), line_feed);
-  if (end == std::string_view::npos) return 0;
+  if (end == std::string_view::npos) return behind_text;
   if (text[end] == '\n') return end + 1;
-  if (end + 1 == text.size()) return 0;
+  if (end + 1 == text.size()) return behind_text;
   return end + (text[end + 1] == '\n' ? 2 : 1);
+}
+
+constexpr std::size_t bytes_that_tell_utf16 = 2;
+
+bool is_utf16(std::string_view text) {
+  if (text.size() < bytes_that_tell_utf16) return false;
+  const bool has_mark = text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
+  return has_mark || (text[1] == '\0' && text[0] > 0 && text[0] <= '~');
 }
 
 // Searches from one to the next: comparing each byte takes five times as long.
@@ -64,27 +75,46 @@ ProgramReader::ProgramReader(const ReaderLimits& limits, ProgramState& state,
 ProgramReader::~ProgramReader() = default;
 
 bool ProgramReader::feed(std::string_view text, std::vector<LinePointer>& lines) {
-  if (first_bytes_.size() < bytes_of_utf16 && !check_encoding(text)) return false;
+  if (has_begun_) return take(text, lines);
+  partial_.append(text);
+  const bool may_be_mark = byte_order_mark.starts_with(partial_);
+  if (partial_.size() < bytes_that_tell_utf16 || (may_be_mark && partial_ != byte_order_mark))
+    return true;
+  return begin(lines);
+}
+
+// The first bytes have come. A byte order mark goes to the Interpreter, so that the first line
+// begins behind it. A text in UTF-16 has a fault in each line; it is told once, and as such.
+bool ProgramReader::begin(std::vector<LinePointer>& lines) {
+  has_begun_ = true;
+  const std::string first = std::exchange(partial_, {});
+  if (is_utf16(first)) {
+    Diagnostic refused = diagnostic(Code::nc_not_text, {}, "text in UTF-16");
+    refused.source.line = 1;
+    refused.column = 1;
+    return interpreter_.stop(std::move(refused));
+  }
+  if (!first.starts_with(byte_order_mark)) return take(first, lines);
+  return interpreter_.feed(byte_order_mark, lines) &&
+         take(std::string_view(first).substr(byte_order_mark.size()), lines);
+}
+
+bool ProgramReader::take(std::string_view text, std::vector<LinePointer>& lines) {
   if (passes_) return interpreter_.feed(text, lines);
   if (computing_) return collect(text, lines);
   if (setup_.dialect == DialectName::isg && is_plain(text)) return pass_plain(text, lines);
-  if (partial_.empty()) return split(text, lines);
-  const std::string whole = std::exchange(partial_, {}).append(text);
-  return split(whole, lines);
+  return split(text, lines);
 }
 
-// A text in UTF-16 has a fault in each line; it is told once, and as such.
-bool ProgramReader::check_encoding(std::string_view text) {
-  first_bytes_.append(text.substr(0, bytes_of_utf16 - first_bytes_.size()));
-  if (first_bytes_.size() < bytes_of_utf16) return true;
-  const bool has_mark = first_bytes_ == "\xFF\xFE" || first_bytes_ == "\xFE\xFF";
-  const bool begins_with_ascii =
-      first_bytes_[1] == '\0' && first_bytes_[0] > 0 && first_bytes_[0] <= '~';
-  if (!has_mark && !begins_with_ascii) return true;
-  Diagnostic refused = diagnostic(Code::nc_not_text, {}, "text in UTF-16");
-  refused.source.line = 1;
-  refused.column = 1;
-  return interpreter_.stop(std::move(refused));
+// Nothing follows: what has been kept of a last line is the whole of it.
+bool ProgramReader::end_text(std::vector<LinePointer>& lines) {
+  if (!has_begun_ && !begin(lines)) return false;
+  text_has_ended_ = true;
+  return passes_ || computing_ || split({}, lines);
+}
+
+std::size_t ProgramReader::behind_next_line(std::string_view text, std::size_t at) const {
+  return behind_line(text, at, text_has_ended_ ? Text::ends : Text::goes_on);
 }
 
 // Text of lines that compute nothing and end in line feeds goes on as a whole, except for the line
@@ -92,8 +122,7 @@ bool ProgramReader::check_encoding(std::string_view text) {
 bool ProgramReader::pass_plain(std::string_view text, std::vector<LinePointer>& lines) {
   if (!partial_.empty()) {
     const std::size_t behind = std::min(text.find('\n'), text.size() - 1) + 1;
-    const std::string begun = std::exchange(partial_, {}).append(text.substr(0, behind));
-    if (!split(begun, lines)) return false;
+    if (!split(text.substr(0, behind), lines)) return false;
     text.remove_prefix(behind);
     if (computing_) return collect(text, lines);
     if (passes_) return interpreter_.feed(text, lines);
@@ -108,15 +137,20 @@ bool ProgramReader::pass_plain(std::string_view text, std::vector<LinePointer>& 
 
 // Lines that compute nothing go on together.
 bool ProgramReader::split(std::string_view text, std::vector<LinePointer>& lines) {
+  if (!partial_.empty()) {
+    const std::string whole = std::exchange(partial_, {}).append(text);
+    return split(whole, lines);
+  }
   if (has_to_wait()) {
-    text.remove_prefix(wait(text, lines));
-    if (diagnostics_.stopped()) return false;
+    text.remove_prefix(wait(text));
     if (computing_) return collect(text, lines);
-    if (has_to_wait()) return keep_partial(text, lines);
+    return has_to_wait() && !text_has_ended_ ? keep_partial(text, lines)
+                                             : stop_waiting(text, lines);
   }
   std::size_t begin = 0;
   std::uint64_t count = 0;
-  for (std::size_t end = behind_line(text, begin); end > 0; end = behind_line(text, begin)) {
+  for (std::size_t end = behind_next_line(text, begin); end > 0;
+       end = behind_next_line(text, begin)) {
     const std::string_view line = without_line_end(text.substr(begin, end - begin));
     if (!check_order_of_files(line, lines_before_ + count + 1)) return false;
     if (program::computes(setup_, line)) {
@@ -146,40 +180,47 @@ bool ProgramReader::split(std::string_view text, std::vector<LinePointer>& lines
 
 // Takes whole lines until it is known whether they belong to the main program. Returns the number
 // of bytes.
-std::size_t ProgramReader::wait(std::string_view text, std::vector<LinePointer>& lines) {
+std::size_t ProgramReader::wait(std::string_view text) {
   std::size_t begin = 0;
-  for (std::size_t end = behind_line(text, begin); end > 0; end = behind_line(text, begin)) {
-    const std::string_view line = without_line_end(text.substr(begin, end - begin));
-    const bool is_head = program::program_head_of(line).is_there();
-    const bool says_nothing =
-        line == byte_order_mark || program::is_percent(line) || program::is_over(line, 0);
-    if (waits_ == Waits::for_head && is_head) {
-      first_program_ = line;
-      waits_ = Waits::for_main;
-    }
-    const bool begins_otherwise = waits_ == Waits::for_head && !says_nothing;
-    const bool is_long = waiting_.size() + line.size() > most_text_before;
-    if (begins_otherwise || is_long || program::tells_main_program(line)) {
-      stop_waiting(lines);
-      return begin;
-    }
-    const bool returns = program::has_function(line, 'M', 99, 99);
-    computing_ = returns || program::computes(setup_, line);
-    waiting_.append(text.substr(begin, end - begin));
+  for (std::size_t end = behind_next_line(text, begin); end > 0;
+       end = behind_next_line(text, begin)) {
+    if (!lets_wait(text.substr(begin, end - begin))) return begin;
     begin = end;
     if (computing_) return begin;
   }
   return begin;
 }
 
-bool ProgramReader::stop_waiting(std::vector<LinePointer>& lines) {
+// Whether the line, which may end in a line end, waits too; if not, none does any more.
+bool ProgramReader::lets_wait(std::string_view text) {
+  const std::string_view line = without_line_end(text);
+  const bool is_head = program::program_head_of(line).is_there();
+  const bool says_nothing = program::is_percent(line) || program::is_over(line, 0);
+  if (waits_ == Waits::for_head && is_head) {
+    first_program_ = line;
+    waits_ = Waits::for_main;
+  }
+  const bool begins_otherwise = waits_ == Waits::for_head && !says_nothing;
+  const bool is_long = waiting_.size() + line.size() > most_text_before;
+  if (begins_otherwise || is_long || program::tells_main_program(line)) {
+    waits_ = Waits::not_any_more;
+    return false;
+  }
+  const bool returns = program::has_function(line, 'M', 99, 99);
+  computing_ = returns || program::computes(setup_, line);
+  waiting_.append(text);
+  return true;
+}
+
+// The lines that waited are read like any others, with the text that follows them.
+bool ProgramReader::stop_waiting(std::string_view text, std::vector<LinePointer>& lines) {
   waits_ = Waits::not_any_more;
-  const std::string text = std::exchange(waiting_, {});
-  return split(text, lines);
+  const std::string whole = std::exchange(waiting_, {}).append(text);
+  return split(whole, lines);
 }
 
 // Finds the main program in the collected text.
-bool ProgramReader::find_main_program(std::vector<LinePointer>& lines) {
+bool ProgramReader::find_main_program() {
   if (setup_.dialect != DialectName::fanuc) return true;
   const bool waited = has_to_wait();
   const bool is_whole = waited || before_is_whole_;
@@ -203,15 +244,17 @@ bool ProgramReader::find_main_program(std::vector<LinePointer>& lines) {
   }
   // The main program comes first: its lines are read like any others.
   computing_ = false;
-  rest_ = std::exchange(text_, {});
-  return stop_waiting(lines);
+  waits_ = Waits::not_any_more;
+  rest_ = std::exchange(waiting_, {}).append(std::exchange(text_, {}));
+  text_has_ended_ = false;
+  return true;
 }
 
 bool ProgramReader::read_rest(std::vector<LinePointer>& lines) {
   constexpr std::size_t bytes_per_call = 8 * 1024;
   const std::string_view piece = std::string_view(rest_).substr(rest_at_, bytes_per_call);
   rest_at_ += piece.size();
-  const bool goes_on = feed(piece, lines);
+  const bool goes_on = take(piece, lines);
   if (!has_rest()) {
     rest_ = std::string();
     rest_at_ = 0;
@@ -252,11 +295,8 @@ bool ProgramReader::calls_what_stands_first(std::string_view line) {
 }
 
 bool ProgramReader::keep_partial(std::string_view text, std::vector<LinePointer>& lines) {
-  if (text.size() > limits_.longest_line && has_to_wait()) {
-    const std::string line(text);
-    return stop_waiting(lines) && keep_partial(line, lines);
-  }
-  partial_ = text;
+  if (text.size() > limits_.longest_line && has_to_wait()) return stop_waiting(text, lines);
+  partial_.append(text);
   if (partial_.size() <= limits_.longest_line) return true;
   return interpreter_.feed(std::exchange(partial_, {}), lines);  // the interpreter refuses it
 }
@@ -270,14 +310,15 @@ bool ProgramReader::pass(std::string_view text, std::vector<LinePointer>& lines)
     before_is_whole_ = false;
     before_ = std::string();
   }
-  return text.empty() || interpreter_.feed(text, lines);
+  return text.empty() || interpreter_.feed_lines(text, lines);
 }
 
 // In ISG the first jump target already counts as computing, so that no jump leads back before it.
 void ProgramReader::keep_what_tells(std::string_view text) {
   before_is_whole_ &= text.empty();
   std::size_t begin = 0;
-  for (std::size_t end = behind_line(text, begin); end > 0; end = behind_line(text, begin)) {
+  for (std::size_t end = behind_line(text, begin, Text::ends); end > 0;
+       end = behind_line(text, begin, Text::ends)) {
     const std::string_view line = text.substr(begin, end - begin);
     if (program::isg_tells_state(line) && before_.size() + line.size() <= most_text_before)
       before_.append(line);
@@ -317,16 +358,9 @@ bool ProgramReader::check_last_line() {
 
 bool ProgramReader::begin_to_execute(std::vector<LinePointer>& lines) {
   if (flow_) return true;
-  if (!std::exchange(main_is_known_, true) &&
-      (computing_ ? !find_main_program(lines) : has_to_wait() && !stop_waiting(lines)))
-    return false;
-  if (has_rest()) return false;
-  // A last line without a line end may compute too.
-  if (!computing_ && !passes_ && program::computes(setup_, partial_) && !interpreter_.has_ended()) {
-    computing_ = true;
-    collect(std::exchange(partial_, {}), lines);
-  }
-  if (!computing_) return false;
+  if (!text_has_ended_ && !end_text(lines)) return false;
+  if (computing_ && !std::exchange(main_is_known_, true) && !find_main_program()) return false;
+  if (has_rest() || !computing_) return false;
   const std::uint64_t first_line = before_is_whole_ ? 1 : lines_before_ + 1;
   const std::size_t start = starts_at_main_ ? main_line_ : before_is_whole_ ? lines_before_ : 0;
   const std::string told = before_is_whole_ ? std::string() : std::exchange(before_, {});
@@ -441,7 +475,6 @@ bool ProgramReader::take_refusals() {
 bool ProgramReader::finish(std::vector<LinePointer>& lines) {
   while (resolve(lines)) continue;
   if (diagnostics_.stopped()) return false;
-  if (!partial_.empty() && !interpreter_.feed(std::exchange(partial_, {}), lines)) return false;
   const bool computes = setup_.dialect == DialectName::linuxcnc && flow_;
   return interpreter_.finish(lines, computes ? "subprograms that nothing calls" : "");
 }

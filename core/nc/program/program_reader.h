@@ -57,8 +57,8 @@ class ProgramReader {
   // Saves the collected text too; not allowed once it is executed.
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(interpreter_, partial_, before_, lines_before_, before_is_whole_, passes_, computing_,
-            text_, waits_, waiting_, first_program_, first_file_, first_bytes_);
+    archive(interpreter_, has_begun_, partial_, before_, lines_before_, before_is_whole_, passes_,
+            computing_, text_, waits_, waiting_, first_program_, first_file_);
   }
 
  private:
@@ -68,11 +68,15 @@ class ProgramReader {
   [[nodiscard]] bool has_to_wait() const {
     return waits_ != Waits::not_any_more && setup_.dialect == DialectName::fanuc;
   }
-  std::size_t wait(std::string_view text, std::vector<LinePointer>& lines);
-  bool stop_waiting(std::vector<LinePointer>& lines);
-  bool find_main_program(std::vector<LinePointer>& lines);
+  [[nodiscard]] std::size_t behind_next_line(std::string_view text, std::size_t at) const;
+  bool begin(std::vector<LinePointer>& lines);
+  bool take(std::string_view text, std::vector<LinePointer>& lines);
+  bool end_text(std::vector<LinePointer>& lines);
+  std::size_t wait(std::string_view text);
+  bool lets_wait(std::string_view text);
+  bool stop_waiting(std::string_view text, std::vector<LinePointer>& lines);
+  bool find_main_program();
   bool refuse_order_of_programs(std::string detail, std::uint64_t line);
-  bool check_encoding(std::string_view text);
   bool check_order_of_files(std::string_view line, std::uint64_t number);
   [[nodiscard]] bool calls_what_stands_first(std::string_view line);
   bool split(std::string_view text, std::vector<LinePointer>& lines);
@@ -102,8 +106,10 @@ class ProgramReader {
   Interpreter interpreter_;
   Checkpoint checkpoint_;
 
+  bool has_begun_ = false;          // whether a byte order mark is there is known
+  bool text_has_ended_ = false;     // the last line needs no line end
   bool passes_ = false;             // nothing of it may compute, or not any more
-  std::string partial_{};           // of a line whose end is still to come
+  std::string partial_{};           // of a line whose end is still to come; goes before other text
   std::string before_{};            // what went to the Interpreter, of ISG lines that tell a state
   std::uint64_t lines_before_ = 0;  // whole lines that did
   bool before_is_whole_ = true;     // it holds all of them
@@ -126,9 +132,6 @@ class ProgramReader {
   bool ended_ = false;  // with the line that is executed
   std::string flat_{};  // which it has become, the text behind the end with it
   std::size_t flat_at_ = 0;
-
-  static constexpr std::size_t bytes_of_utf16 = 2;  // that tell it
-  std::string first_bytes_{};                       // of the text, as many
 };
 
 }  // namespace trc
