@@ -58,6 +58,18 @@ TEST(AProgramThatComputes, KeepsTheTextBehindItsEnd) {
             "(O0009)\nM30\n(A)\nO7\nG0 X2.\nM99\n");
 }
 
+// The `%` that ends a tape, in front of others (D-143).
+TEST(ATape, EndsAtItsFirstPercentBehindBlocks) {
+  const std::string contour = "G90 G0 X-20. Y-20.\nG41 G1 X0 Y-10. F500\nY40.\nX60.\n";
+  const std::string behind = "%\nX70.\nG0 Z50.\n%\n";
+  const auto codes = [](const std::string& text) { return to_text(text, fanuc()).codes(); };
+  EXPECT_EQ(codes("%\nO1\n" + contour + behind), "900205 at line 7");
+  EXPECT_EQ(codes("%\nO1\n#1=2\n" + contour + behind), "900205 at line 8");
+  EXPECT_EQ(codes("%\nO1\n" + contour + "G40 X80.\n" + behind), "");
+  EXPECT_EQ(refusal_of("%\nO1\n" + contour + "G40 X80.\n%\nG41 X70.\n%\n", fanuc()),
+            std::pair(900015, 9U));
+}
+
 // The mark of UTF-8 stands in front of the first line, and is no part of it.
 TEST(AProgramThatComputes, MayDoSoBehindAByteOrderMark) {
   const std::string mark = "\xEF\xBB\xBF";

@@ -313,9 +313,11 @@ bool read_line(Reading& reading, ProgramLine& line) {
     // may have any encoding.
     if (reading.ended) return read_line_behind_end(reading, line);
     if (reading.blocks_read == 0 && reading.in_front_of_tape) forget_what_stands_in_front(reading);
-    reading.ended |= reading.blocks_read > 0;
     reading.in_front_of_tape = false;
-    return true;
+    if (reading.blocks_read == 0) return true;
+    reading.ended = true;
+    reading.state.place(0);
+    return reading.state.end(line.source);
   }
   if (!reading.ended && reading.comment_block == 0 && !is_name && !reading.in_subprogram)
     return text.empty() || (read_block(reading, line) && check_text(reading, line));
