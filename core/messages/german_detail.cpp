@@ -53,6 +53,7 @@ constexpr auto phrases = std::to_array<Phrase>({
     {"a place metres away without a decimal point: say what whole numbers count in",
      "ein Ort in Metern Entfernung ohne Dezimalpunkt: angeben, worin ganze Zahlen zählen"},
     {"a power without value", "eine Potenz ohne Wert"},
+    {"a parameter and no radius", "ein Parameter und kein Radius"},
     {"a rounding or a chamfer", "eine Rundung oder Fase"},
     {"a second block in the line, or a comment that reads as one",
      "ein zweiter Satz in der Zeile oder ein Kommentar, der sich so liest"},

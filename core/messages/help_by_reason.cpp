@@ -474,6 +474,11 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "prüfen."},
     {"a vector of the contour behind it", "Take I, J and K out: the contour itself says it.",
      "I, J und K streichen: die Kontur selbst sagt es."},
+    {"a parameter and no radius",
+     "Write CR= in place of R: CR=40. A parameter gets its value by =, in a line of its own: "
+     "R1=40.",
+     "Statt R das Wort CR= schreiben: CR=40. Ein Parameter bekommt seinen Wert durch =, in einer "
+     "eigenen Zeile: R1=40."},
     {"R in a straight motion",
      "To round the corner write ,R with a comma in front of it; an arc has G02 or G03.",
      "Für eine Rundung der Ecke ,R mit einem Komma davor schreiben; ein Bogen hat G02 oder G03."},

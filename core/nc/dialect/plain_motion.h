@@ -29,6 +29,7 @@ class PlainMotion {
   [[nodiscard]] double feed() const { return values_[feed_word]; }
   // I J K or R.
   [[nodiscard]] bool has_circle_words() const { return (seen_ >> center & 0xF) != 0; }
+  [[nodiscard]] bool has_radius() const { return has(radius); }
   // N, or Source::no_number.
   [[nodiscard]] std::int64_t number() const {
     return has(block_number) ? static_cast<std::int64_t>(values_[block_number]) : Source::no_number;

@@ -235,6 +235,7 @@ bool is_plain(const Reading& reading, ProgramLine& line, PlainMotion& plain) {
          (reading.motion_given || plain.has_function()) &&
          (!reading.incremental ||
           reading.state.is_known(axes_of(reading.state.programmed_plane()).third)) &&
+         !(plain.has_radius() && reading.dialect.name == DialectName::sinumerik) &&
          (!plain.has_feed() ||
           reading.state.is_feed(plain.feed() * reading.feed_unit(reading.unit)));
 }

@@ -135,6 +135,9 @@ bool read_named_address(Reading& reading, const NamedWord& word, ProgramLine& li
   const char letter = word.letter;
   if (!check_index(reading, word, line)) return false;
   if (word.is_text) return read_tool_name(reading, word, line, block);
+  if (letter == 'R')
+    return refuse_word(reading, line, as_gcode(word), Code::nc_unsupported,
+                       "a parameter and no radius");
   if (letter == 'T') reading.gcode.tools.name.clear();
   if (letter == 'L' || letter == 'E') return read_call_by_letter(reading, word, line, block);
   if (is_point_between(word)) {
