@@ -512,17 +512,19 @@ std::string help_of(const Diagnostic& diagnostic, Language language) {
         Code::no_tool_radius,    Code::line_reversed,        Code::arc_wrapped,
         Code::clearance_violated};
     // For these reasons the general help for expressions says little.
-    constexpr std::array<std::string_view, 11> own_reasons{", words behind a statement",
-                                                           ", a block number behind other words",
-                                                           ", set by the program",
-                                                           " or a tool offset of Fanuc",
-                                                           ", which the program itself changes",
-                                                           ", an argument without a decimal point",
-                                                           " beside M98",
-                                                           " beside M98, where L counts the calls",
-                                                           " beside G65",
-                                                           " beside G66",
-                                                           "text in UTF-16"};
+    constexpr std::array<std::string_view, 12> own_reasons{
+        ", a block without a colon behind its number",
+        ", words behind a statement",
+        ", a block number behind other words",
+        ", set by the program",
+        " or a tool offset of Fanuc",
+        ", which the program itself changes",
+        ", an argument without a decimal point",
+        " beside M98",
+        " beside M98, where L counts the calls",
+        " beside G65",
+        " beside G66",
+        "text in UTF-16"};
     const bool has_own_reason = std::ranges::any_of(
         own_reasons, [&](std::string_view reason) { return diagnostic.detail.ends_with(reason); });
     // Klartext has its own help for an unknown position.

@@ -510,6 +510,15 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "M97 streichen: Stufen, die kleiner sind als der Radius, werden mit ihrer Nummer gemeldet."},
     {"open corners", "Take M98 out, and lead the contour past the open corner by the radius.",
      "M98 streichen und die Kontur um den Radius über die offene Ecke hinausführen."},
+    {"a block without a colon behind its number",
+     "Write a colon behind the number of the block that the jump leads to: N70: Y0.",
+     "Hinter die Nummer des Satzes, zu dem der Sprung führt, einen Doppelpunkt schreiben: N70: "
+     "Y0."},
+    {"behind G40 without motion",
+     "Program a motion in the plane behind G40, in front of it: only there the tool leaves the "
+     "contour.",
+     "Hinter G40 und davor eine Bewegung in der Ebene programmieren: erst sie führt das Werkzeug "
+     "von der Kontur weg."},
     {"while TRC is active",
      "It has no place within a contour: end the contour in front of it with "
      "G40, and begin it anew with G41 or G42 behind it.",
@@ -543,6 +552,10 @@ constexpr auto helps = std::to_array<ReasonHelp>({
     {"a block number behind other words",
      "Write the number at the beginning of its block, in front of all other words.",
      "Die Nummer an den Anfang ihres Satzes schreiben, vor alle anderen Wörter."},
+    {"a subprogram that is not given",
+     "Give its text in `subprograms` (--subprograms), or write its lines in the place of its call.",
+     "Seinen Text in `subprograms` angeben (--subprograms), oder seine Zeilen an die Stelle seines "
+     "Aufrufs schreiben."},
     {"a subprogram", "Write the lines of the subprogram in the place of its call.",
      "Die Zeilen des Unterprogramms an die Stelle seines Aufrufs schreiben."},
     {"macro call", "Write the motion of the macro in the place of its call.",

@@ -70,6 +70,9 @@ TEST(Encoding, IsToldOnceForATextInUtf16) {
 }
 
 const std::string at_start = "G21 G90 G17\nG0 X-10. Y-10.\n";
+// The tool has not left the contour: no motion in the plane follows G40.
+const std::string beside_contour =
+    "G71 G90 G17 G0 X-20 Y-20\nG41 G1 X0 Y-10 F500\nY40\nX50\nG40\nG0 Z50\n";
 const std::string klartext_start = "BEGIN PGM A MM\nL X-20 Y-20 R0 FMAX\n";
 
 INSTANTIATE_TEST_SUITE_P(
@@ -133,6 +136,14 @@ INSTANTIATE_TEST_SUITE_P(
              "R40, a parameter and no radius", "CR=40"},
         Told{sinumerik, "G71 G90\nG0 X20 Y60\nG42 G1 X0 F500\nG2 X60 Y60 R=40\nM30\n",
              "4:12 900003", "R=40, a parameter and no radius", "CR=40"},
+        Told{isg, beside_contour + "G74 X0 Y0\nM30\n", "7:1 900003",
+             "G74 behind G40 without motion", "Program a motion in the plane behind G40"},
+        Told{isg, beside_contour + "L UP1\nM30\n", "7:1 900003", "L UP1 behind G40 without motion",
+             "Program a motion in the plane behind G40"},
+        Told{isg, "G90 G17 G0 X0 Y0\nG41 G1 X5 F100\nY9\nL UP1\nY20\nG40 X0\nM30\n", "4:1 900003",
+             "L UP1, a subprogram that is not given", "--subprograms"},
+        Told{isg, "G90 G0 X0 Y0\n$GOTO N70\nX5\nN70 Y0\nM30\n", "2:7 900305",
+             "N70, a block without a colon behind its number", "N70: Y0"},
         Told{fanuc, at_start + "G41.2 D1 G1 X0 Y0 F200\nG40 X20.\nM30\n", "3:1 900003",
              "G41.2, compensation of the tool radius in space", "Let the control compensate"},
         Told{fanuc, at_start + "G41.1 D8.\nM30\n", "3:1 900003", "a correction of LINUXCNC",

@@ -63,6 +63,18 @@ Code twice_code(GGroup group) {
   }
 }
 
+// G40 stands there, but the tool is still beside the contour (rule 10.9).
+constexpr std::string_view behind_lost_retract = " behind G40 without motion";
+
+// A call that passes elsewhere: not in front of the motion that leaves the contour.
+TextFault with_reason(const Reading& reading, const ProgramLine& line, TextFault fault) {
+  const bool calls = fault.code == Code::nc_unsupported && upper(line.text[fault.begin]) == 'L';
+  if (!calls || !reading.contour_open() || reading.trc_active()) return fault;
+  fault.detail.resize(std::min(fault.detail.find(", "), fault.detail.size()));
+  fault.detail.append(behind_lost_retract);
+  return fault;
+}
+
 // A continued line may have another number; the first one counts.
 bool read_number(Reading& reading, const Word& word, ProgramLine& line, BlockWords&) {
   if (word.has_argument || !word.whole || !is_whole(word.value))
@@ -134,7 +146,9 @@ bool read_g_function(Reading& reading, const Word& word, ProgramLine& line, Bloc
   }
   if (group == GGroup::zero_shift && reading.contour_open() &&
       reading.gcode.coordinates.work_offset != function->tenths())
-    return reading.refuse(line, word, Code::nc_unsupported, named(" while TRC is active"));
+    return reading.refuse(
+        line, word, Code::nc_unsupported,
+        named(reading.trc_active() ? " while TRC is active" : behind_lost_retract));
   constexpr int homing = 74;
   block.isg.homes |= function->number == homing;
   const bool may_have_argument = group == GGroup::zero_shift || group == GGroup::technology ||
@@ -263,7 +277,7 @@ bool read_isg_words(Reading& reading, ProgramLine& line, BlockWords& block) {
         return true;
       case WordKind::fault:
         return read_call_behind_words(reading, reader.fault().begin, line, block) ||
-               reading.refuse(line, reader.fault());
+               reading.refuse(line, with_reason(reading, line, reader.fault()));
       case WordKind::comment:
         add(line, word, WordRole::comment);
         continue;

@@ -258,12 +258,21 @@ bool IsgFlow::leave(std::string& flat, Exit exit) {
   return finish_statement(flat, head_.behind + (leaves ? of_break : of_continue));
 }
 
+bool IsgFlow::has_block(std::int64_t number) const {
+  const Frame& executed = frames_.back();
+  const ProgramText& text = texts_[executed.text];
+  for (std::size_t line = executed.begin; line < executed.end; ++line)
+    if (isg_head_of(text.line(line)).number == number) return true;
+  return false;
+}
+
 // N100, NP1, N[P1 + 10] or [NAME]: a unique line of the program that is executed.
 std::optional<std::size_t> IsgFlow::target_of(ExpressionReader& expression) {
   expression.pass_blanks();
   const std::size_t begin = expression.at();
   const Outline& outline = outline_of(frame());
   const std::vector<std::size_t>* lines = nullptr;
+  bool has_no_colon = false;
   if (expression.peek() == '[') {
     const std::size_t close = std::min(line_.find(']', begin), line_.size());
     const std::string name = in_upper_case(line_.substr(begin + 1, close - begin - 1));
@@ -275,6 +284,8 @@ std::optional<std::size_t> IsgFlow::target_of(ExpressionReader& expression) {
     const std::int64_t number = expression.whole_operand();
     if (const auto found = outline.numbers.find(number); found != outline.numbers.end())
       lines = &found->second;
+    else
+      has_no_colon = has_block(number);
   } else {
     static_cast<void>(expression.fail(Code::expression_invalid, begin, "$GOTO without N or [ ]"));
   }
@@ -285,6 +296,7 @@ std::optional<std::size_t> IsgFlow::target_of(ExpressionReader& expression) {
   if (lines != nullptr && lines->size() == 1) return lines->front();
   std::string target(line_.substr(begin, expression.at() - begin));
   if (lines != nullptr) target.append(", which is there twice");
+  if (has_no_colon) target.append(", a block without a colon behind its number");
   refuse(Code::jump_target_unknown, begin, target);
   return {};
 }

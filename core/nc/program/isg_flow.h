@@ -144,6 +144,8 @@ class IsgFlow : public Flow, private Variables {
   bool count(std::string& flat, Structure structure);
   enum class Exit : std::uint8_t { of_loop, of_round };  // $BREAK, $CONTINUE
   bool leave(std::string& flat, Exit exit);
+  // Of the program that is executed.
+  [[nodiscard]] bool has_block(std::int64_t number) const;
   std::optional<std::size_t> target_of(ExpressionReader& expression);
   [[nodiscard]] std::optional<std::size_t> partner(
       const std::map<std::size_t, std::size_t>& partners, std::string_view missing);

@@ -265,7 +265,9 @@ Word WordReader::subprogram_call(const char* begin) {
     // L X+10 is a motion of Klartext.
     const char* const name = std::find_if(end, end_, [](char sign) { return sign != ' '; });
     const char* const behind = std::find_if_not(name, end_, of_name);
-    if (behind - name > 1) end = behind;
+    if (behind - name > 1)
+      return fail(Code::nc_unsupported, begin,
+                  std::string(begin, behind) + ", a subprogram that is not given");
   }
   return fail(Code::nc_unsupported, begin, std::string(begin, end) + ", a subprogram call");
 }
