@@ -98,6 +98,23 @@ bool contains_any(std::string_view words, std::initializer_list<std::string_view
       parts, [&](std::string_view part) { return words.find(part) != std::string_view::npos; });
 }
 
+// R1 = -5, Z=R1: what Sinumerik has and no other dialect.
+bool sets_or_reads_r_parameter(std::string_view words) {
+  const auto is_digit_at = [&](std::size_t at) { return at < words.size() && is_digit(words[at]); };
+  for (std::size_t at = words.find('R'); at != std::string_view::npos;
+       at = words.find('R', at + 1)) {
+    const bool begins_word = at == 0 || words[at - 1] == ' ' || words[at - 1] == '\t';
+    if (!begins_word || !is_digit_at(at + 1)) continue;
+    const std::size_t behind = words.find_first_not_of("0123456789", at + 1);
+    const std::size_t sign = words.find_first_not_of(" \t", std::min(behind, words.size()));
+    if (sign != std::string_view::npos && words[sign] == '=') return true;
+  }
+  for (std::size_t at = words.find("=R"); at != std::string_view::npos;
+       at = words.find("=R", at + 1))
+    if (is_digit_at(at + 2)) return true;
+  return false;
+}
+
 }  // namespace
 
 const Dialect& dialect_of(DialectName name) { return dialects()[static_cast<std::size_t>(name)]; }
@@ -152,12 +169,14 @@ std::optional<DialectName> looks_like(std::string_view line) {
       contains_any(words,
                    {" BEGIN PGM", " TOOL CALL", " TOOL DEF", " CYCL DEF", " L X", " BLK FORM"}))
     return DialectName::heidenhain;
-  if (starts_with_any(words, {"TRANS ", "ATRANS ", "PROC ", "DEF REAL", "DEF INT", "CYCLE", "MCALL",
+  if (sets_or_reads_r_parameter(words) ||
+      starts_with_any(words, {"TRANS ", "ATRANS ", "PROC ", "DEF REAL", "DEF INT", "CYCLE", "MCALL",
                               "ROT ", "AROT ", "WORKPIECE", "EXTERN ", "EXTCALL", "SUPA", "MSG",
                               "STOPRE", "FFWON", "SOFT ", "BRISK"}) ||
       contains_any(words, {"CR=", "AC(", "IC(", " CYCLE", " TRANS ", "T=\"", " MCALL",
                            "DISCL=", "DISR=", "RND=", "CHF=", "CHR=", " SUPA", " EXTCALL"}) ||
-      preparatory.have("700") || preparatory.have("710") || preparatory.have("642"))
+      preparatory.have("700") || preparatory.have("710") || preparatory.have("642") ||
+      preparatory.have("450") || preparatory.have("451"))
     return DialectName::sinumerik;
   // O100 SUB, O100 CALL
   const std::size_t keyword =
