@@ -45,15 +45,31 @@ class Words {
 
   [[nodiscard]] std::string line_of(const ProposedBlock& block, const Axes& from) const {
     const Axes to = axes_of(block.end);
-    if (!block.center) return "G1 " + place(to, from[third_]);
+    if (!block.center) return (is_klartext() ? "L " : "G1 ") + place(to, from[third_]);
     const Axes center = axes_of(*block.center);
     double squared = 0;
     for (std::size_t axis = 0; axis < to.size(); ++axis)
       if (axis != third_) squared += (to[axis] - center[axis]) * (to[axis] - center[axis]);
+    if (is_klartext())
+      return "CR " + place(to, from[third_]) + " R" + number(std::sqrt(squared)) +
+             (block.sweep > 0 ? " DR+" : " DR-");
     const std::string radius = dialect_ == DialectName::sinumerik ? " CR=" : " R";
     return (block.sweep > 0 ? "G3 " : "G2 ") + place(to, from[third_]) + radius +
            number(std::sqrt(squared));
   }
+
+  [[nodiscard]] std::string rapid_to(const Axes& point) const {
+    const std::string text = place(point, height(point));
+    return is_klartext() ? "L " + text + " R0 FMAX" : "G0 " + text;
+  }
+  [[nodiscard]] std::string selects() const {
+    if (is_klartext()) return in(" with RL or RR as before", " mit RL oder RR wie bisher");
+    return in(" with G41 or G42 as before", " mit G41 oder G42 wie bisher");
+  }
+  [[nodiscard]] std::string deselects() const {
+    return is_klartext() ? " R0" : in(" with G40", " mit G40");
+  }
+  [[nodiscard]] bool is_klartext() const { return dialect_ == DialectName::heidenhain; }
 
   [[nodiscard]] double height(const Axes& point) const { return point[third_]; }
   [[nodiscard]] std::string in(std::string english, std::string german) const {
@@ -67,7 +83,8 @@ class Words {
     append_fixed(text, inch_ ? value / mm_per_inch : value, inch_ ? 5 : 4);
     text.erase(text.find_last_not_of('0') + 1);
     if (text.ends_with('.') && !points_) text.pop_back();
-    return text == "-0" ? "0" : text;
+    if (text == "-0") text = "0";
+    return is_klartext() && text.front() != '-' ? "+" + text : text;
   }
 
   std::size_t third_;
@@ -80,18 +97,18 @@ class Words {
 std::string line_of(const EntryProposal& proposal, bool leaves, const Words& words) {
   std::string text;
   Axes from = axes_of(proposal.start);
-  if (!leaves) text = "G0 " + words.place(from, words.height(from));
+  if (!leaves) text = words.rapid_to(from);
   if (proposal.shape == EntryProposal::Shape::inside_corner) text += ", G238";
   for (std::size_t i = 0; i < proposal.blocks.size(); ++i) {
     const ProposedBlock& block = proposal.blocks[i];
     text += (text.empty() ? "" : ", ") + words.line_of(block, from);
-    if (!leaves && i == 0)
-      text += words.in(" with G41 or G42 as before", " mit G41 oder G42 wie bisher");
-    if (leaves && i + 1 == proposal.blocks.size()) text += words.in(" with G40", " mit G40");
+    if (!leaves && i == 0) text += words.selects();
+    if (leaves && i + 1 == proposal.blocks.size()) text += words.deselects();
     from = axes_of(block.end);
   }
   // The next contour block may have no G word of its own.
-  if (!leaves && !proposal.blocks.empty() && proposal.blocks.back().center) text += ", G1";
+  if (!leaves && !words.is_klartext() && !proposal.blocks.empty() && proposal.blocks.back().center)
+    text += ", G1";
   return text;
 }
 
@@ -165,7 +182,6 @@ std::vector<std::string> lines_of(const EntryHelp& help, const Writing& writing)
   const Words words(help, writing);
   if (help.needed_length == 0 && !help.legal && help.proposals.empty()) return {};
   std::vector<std::string> lines{first_line(help, words, writing)};
-  if (writing.dialect == DialectName::heidenhain) return lines;
   for (const EntryProposal& proposal : help.proposals) {
     // Other dialects have no G238.
     if (is_in_corner(proposal) && writing.dialect != DialectName::isg) continue;

@@ -220,7 +220,9 @@ TEST(EntryHelpText, WritesAsTheProgramIsWritten) {
             "G41 or G42 as before, G3 X0.19685 Y0. R1., G1");
   EXPECT_NE(lines_of(help, {.dialect = DialectName::sinumerik})[1].find("CR=25.4"),
             std::string::npos);
-  EXPECT_EQ(lines_of(help, {.dialect = DialectName::heidenhain}).size(), 1U);
+  EXPECT_EQ(lines_of(help, {.dialect = DialectName::heidenhain})[1],
+            "proposed entry, quarter circle, in mm: L X+5 Y+25.4 R0 FMAX, L X-20.4 Y+25.4 Z+0 with "
+            "RL or RR as before, CR X+5 Y+0 R+25.4 DR+");
   help.leaves = true;
   help.needed_length = 0;
   help.third_axis = 1;
