@@ -114,6 +114,15 @@ Exit write_converted(const Call& call, const v1::ProgramSetup& setup, const std:
   return output.write(converted.text) && output.commit() ? Exit::done : Exit::wrong_call;
 }
 
+// A word that selects nothing, such as G141 in place of G41, leaves the program as it is.
+void tell_where_nothing_is_compensated(const Call& call, const Job& job, const Input& input) {
+  if (!job.summary || call.program.loudness.quiet || !compensates_nothing(job.summary->path))
+    return;
+  std::cerr << told(input.name() +
+                    ": warning: nothing is compensated: no G41, G42 (RL, RR) with a radius")
+            << '\n';
+}
+
 // Writes the summary to standard error, after all output: for a user at a terminal, or on request.
 void tell_done(const Call& call, const Job& job, const Input& input, double seconds) {
   const Loudness& loudness = call.program.loudness;
@@ -167,6 +176,7 @@ Exit run(const Call& call) {
       std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   if (!call.to.empty()) {
     const Exit written = exit == Exit::done ? write_converted(call, setup, whole, output) : exit;
+    if (written == Exit::done) tell_where_nothing_is_compensated(call, job, input);
     if (written == Exit::done) tell_done(call, job, input, seconds);
     return written;
   }
@@ -174,6 +184,7 @@ Exit run(const Call& call) {
   // before a refusal remain: no control runs them.
   const bool keep = exit == Exit::done || (output.is_standard_output() && !as_nc);
   if (keep && !output.commit()) return Exit::wrong_call;
+  tell_where_nothing_is_compensated(call, job, input);
   tell_done(call, job, input, seconds);
   if (call.record.empty() || (exit != Exit::done && exit != Exit::refused)) return exit;
   Output record(call.record, Output::OnScreen::at_once, disk);

@@ -47,6 +47,8 @@ constexpr auto rows = std::to_array<Sentence>({
     {"The following arguments were not expected: {}", "diese Argumente sind zu viel: {}"},
     {"{}: several programs need --output-dir, where their results go",
      "{}: mehrere Programme brauchen --output-dir, wohin die Ergebnisse gehen"},
+    {"{}: warning: nothing is compensated: no G41, G42 (RL, RR) with a radius",
+     "{}: Warnung: nichts wird korrigiert: kein G41, G42 (RL, RR) mit einem Radius"},
     {"there is no code {}; trc explain lists all",
      "es gibt keinen Code {}; trc explain nennt alle"},
     // Settings in the spelling of the command line.

@@ -46,4 +46,14 @@ std::string summary_line(const wire::PathSummary& summary, LengthUnit unit, doub
   return line + ", " + fixed(seconds, 2) + " s";
 }
 
+bool compensates_nothing(const wire::PathSummary& summary) {
+  const auto& counts = summary.summary.blocks_by_origin;
+  std::uint64_t compensated = 0;
+  for (std::size_t origin = 0; origin < counts.size(); ++origin)
+    if (static_cast<Origin>(origin) != Origin::passthrough &&
+        static_cast<Origin>(origin) != Origin::uncompensated)
+      compensated += counts[origin];
+  return compensated == 0 && summary.warnings == 0;
+}
+
 }  // namespace trc::cli

@@ -15,4 +15,7 @@ namespace trc::cli {
 [[nodiscard]] std::string summary_line(const wire::PathSummary& summary, LengthUnit unit,
                                        double seconds, Language language);
 
+// No block was compensated, and no warning says why.
+[[nodiscard]] bool compensates_nothing(const wire::PathSummary& summary);
+
 }  // namespace trc::cli

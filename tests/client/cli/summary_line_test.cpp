@@ -48,5 +48,17 @@ TEST(SummaryLine, SaysTheLineWhereBlocksHaveNoNumbers) {
             "1 204 Sätze, 3 ausgeblendet, Abstand 6.000 mm bei Zeile 12, 0.04 s");
 }
 
+TEST(SummaryLine, GoesWithAWordWhereNothingWasCompensated) {
+  wire::PathSummary summary;
+  summary.summary.blocks_by_origin[static_cast<std::size_t>(Origin::uncompensated)] = 3;
+  summary.summary.blocks_by_origin[static_cast<std::size_t>(Origin::passthrough)] = 1;
+  EXPECT_TRUE(compensates_nothing(summary));
+  summary.warnings = 1;
+  EXPECT_FALSE(compensates_nothing(summary));
+  summary.warnings = 0;
+  summary.summary.blocks_by_origin[static_cast<std::size_t>(Origin::programmed)] = 1;
+  EXPECT_FALSE(compensates_nothing(summary));
+}
+
 }  // namespace
 }  // namespace trc::cli

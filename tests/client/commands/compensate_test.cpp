@@ -23,6 +23,18 @@ TEST(Compensate, WritesNcTextWithoutCompensation) {
   EXPECT_NE(ended.out.find("M8"), std::string::npos);
 }
 
+// G141 alone selects nothing.
+TEST(Compensate, SaysWhereNothingIsCompensated) {
+  const std::string program = "G141\nG0 X0 Y0\nG1 X9 F100\nM30\n";
+  const Ended ended = trc({"compensate", "-"}, program);
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_EQ(ended.err,
+            "<stdin>: warning: nothing is compensated: no G41, G42 (RL, RR) with a radius\n");
+  EXPECT_EQ(trc({"compensate", "-", "--lang", "de"}, program).err,
+            "<stdin>: Warnung: nichts wird korrigiert: kein G41, G42 (RL, RR) mit einem Radius\n");
+  EXPECT_EQ(trc({"compensate", "-", "--quiet"}, program).err, "");
+}
+
 TEST(Compensate, ListsOneBlockALine) {
   const Ended ended = trc({"compensate", "-", "--format", "listing"}, demo);
   EXPECT_EQ(ended.code, 0) << ended.err;
