@@ -15,6 +15,8 @@ namespace trc {
 namespace {
 
 constexpr double most_of_a_turn = 1.25 * std::numbers::pi;
+// What a tool of any size can go round, and no corner that the contour overshoots.
+constexpr double turn_of_a_post = 1.5 * std::numbers::pi;
 
 // Sums up the turn of consecutive walls.
 class WallTurn {
@@ -246,6 +248,25 @@ bool LoopRelease::holds_a_whole(const PathPlace& from, const PathPlace& to,
          (!obstacles_.walls().rings.empty() || std::abs(turn_of(from, to)) >= most_of_a_turn);
 }
 
+bool LoopRelease::goes_round(const PathPlace& from, const PathPlace& to,
+                             const LeftOut& stretch) const {
+  const std::size_t end = std::min(to.block, end_of_path());
+  const std::size_t first = number_of(from.block);
+  const std::size_t last = number_of(end - 1);
+  if (is_parted_by_rapid(first, last + 1)) return true;
+  if (stretch.is_long() && path_.changes_depth(from.block, end)) return true;
+  // Of the blocks at both ends of a lap, parts may be travelled.
+  const Walls& walls = obstacles_.walls();
+  if (!walls.rings.empty() && !walls.goes_round(first - std::min<std::size_t>(first, 1), last + 1))
+    return false;
+  const double turn = turn_of(from, to);
+  // The lap of a small post is shorter than a stretch that counts as long.
+  const Side side = path_.mode_of(from.block).cutting_side();
+  const double away = side == Side::left ? -turn : turn;
+  if (away >= turn_of_a_post && stretch.length > stretch.tool_radius) return true;
+  return stretch.is_long() && std::abs(turn) >= most_of_a_turn;
+}
+
 double LoopRelease::turn_of(const PathPlace& from, const PathPlace& to) const {
   WallTurn walls;
   for (std::size_t block = from.block; block <= std::min(to.block, end_of_path() - 1); ++block) {
@@ -283,6 +304,29 @@ double LoopRelease::length_of_walls() const {
   return length;
 }
 
+template <class Visit>
+PathPlace LoopRelease::visit_left_out(std::size_t end, const Visit& visit) const {
+  PathPlace reached = left_up_to();
+  for (std::size_t number = walked_.begin(); number < end; ++number) {
+    const auto& [block, cut] = walked_.kept(number);
+    const bool whole = cut == WalkedPath::Kept::whole;
+    visit(reached, PathPlace{block, whole ? 0 : walked_.cut(cut).from});
+    reached = whole ? PathPlace{block + std::size_t{1}, 0} : PathPlace{block, walked_.cut(cut).to};
+  }
+  return reached;
+}
+
+bool LoopRelease::check_leaving(std::size_t end) {
+  if (largest_masked_share_ >= 1) return true;
+  std::optional<LeftOut> lap;
+  visit_left_out(end, [&](const PathPlace& from, const PathPlace& to) {
+    if (lap || to.block <= from.block) return;
+    const LeftOut stretch = left_out(from, to);
+    if (goes_round(from, to, stretch)) lap = stretch;
+  });
+  return !lap || diagnostics_.report(refusal_of(*lap, std::nullopt));
+}
+
 bool LoopRelease::check_left_out() {
   if (largest_masked_share_ >= 1 || path_.empty()) return true;
   LeftOut longest = longest_left_out_;
@@ -294,22 +338,18 @@ bool LoopRelease::check_left_out() {
   };
   std::optional<LeftOut> whole_part;
   double left_out_in_all = 0;
-  PathPlace reached = left_up_to();
-  const auto consider = [&](const PathPlace& next) {
+  const auto consider = [&](const PathPlace& reached, const PathPlace& next) {
     if (next.block <= reached.block) return;
     LeftOut stretch = left_out(reached, next);
     if (stretch.length > 0) stretch.of_walls = of_walls();
     longest.add(stretch);
     left_out_in_all += stretch.length;
-    if (!whole_part && holds_a_whole(reached, next, stretch)) whole_part = stretch;
+    // Where a window has left the begin of the contour behind, laps may be unknown.
+    const bool is_whole = path_.begin_of_contour() > 0 ? goes_round(reached, next, stretch)
+                                                       : holds_a_whole(reached, next, stretch);
+    if (!whole_part && is_whole) whole_part = stretch;
   };
-  for (std::size_t number = walked_.begin(); number < walked_.end(); ++number) {
-    const auto& [block, cut] = walked_.kept(number);
-    const bool whole = cut == WalkedPath::Kept::whole;
-    consider({block, whole ? 0 : walked_.cut(cut).from});
-    reached = whole ? PathPlace{block + std::size_t{1}, 0} : PathPlace{block, walked_.cut(cut).to};
-  }
-  consider({end_of_path(), 0});
+  consider(visit_left_out(walked_.end(), consider), {end_of_path(), 0});
   if (longest.length == 0) return true;
   longest.of_walls = of_walls();
   is_most_left_out_ = left_out_in_all > 0.5 * longest.of_walls;

@@ -37,6 +37,8 @@ class LoopRelease {
   void begin();
   // For a window only: a contour block of that length, mm, has come.
   void note_contour_block(double length) { contour_length_ += length; }
+  // For a window only: refuses a lap that is left out before the pieces before `end` (D-39).
+  bool check_leaving(std::size_t end);
   // Refuses a contour most of which is lost in one loop, once it has been walked whole (D-39).
   bool check_left_out();
 
@@ -100,6 +102,12 @@ class LoopRelease {
   // it includes a lap, a change of depth or a rapid motion.
   [[nodiscard]] bool holds_a_whole(const PathPlace& from, const PathPlace& to,
                                    const LeftOut& stretch) const;
+  // holds_a_whole() as far as it can be seen without the closing of the contour.
+  [[nodiscard]] bool goes_round(const PathPlace& from, const PathPlace& to,
+                                const LeftOut& stretch) const;
+  // Calls visit(from, to) for each stretch of the path left out before the pieces before `end`.
+  template <class Visit>
+  PathPlace visit_left_out(std::size_t end, const Visit& visit) const;
   // The turn of the walls along the stretch left out, to the left, rad.
   [[nodiscard]] double turn_of(const PathPlace& from, const PathPlace& to) const;
   // Whether the walls among these contour blocks go round a part of the workpiece, which a tool of

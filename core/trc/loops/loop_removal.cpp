@@ -172,6 +172,7 @@ void LoopRemoval::note_contour_block(const Box& programmed, const Certificate::B
   while (due < walked_.end() && walk_.has_had_its_window(walked_.kept(due).block)) ++due;
   due = settle(due);
   if (walked_.begin() < due) release_entry(out);
+  if (!release_.check_leaving(due)) return false;
   release_.release_to(due, out);
   forget();
   return true;
