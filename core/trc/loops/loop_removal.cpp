@@ -106,24 +106,36 @@ void LoopRemoval::forget_selection() {
   held_.clear();
   obstacles_.clear();
   obstacles_.set_walls({});
+  closing_.begin();
   walked_.clear();
   walk_.begin();
   release_.begin();
   phase_ = Phase::idle;
 }
 
-void LoopRemoval::find_walls() {
-  if (held_.path.empty() || held_.path.begin_of_contour() > 0) return;
-  ContourView view{.count = end_of_contour(),
-                   .segment = [this](std::size_t number) { return contour(number).programmed; },
-                   .tool_side = held_.path.mode_of(end_of_path() - 1).cutting_side(),
-                   .tolerances = tolerances_,
-                   .checkpoint = &checkpoint_};
+ContourView LoopRemoval::contour_from(std::size_t first) const {
+  ContourView view{
+      .count = end_of_contour() - first,
+      .segment = [this, first](std::size_t number) { return contour(first + number).programmed; },
+      .tool_side = held_.path.mode_of(end_of_path() - 1).cutting_side(),
+      .tolerances = tolerances_,
+      .checkpoint = &checkpoint_};
   if (held_.path.has_roles())
-    view.role = [this](std::size_t number) { return contour(number).role; };
+    view.role = [this, first](std::size_t number) { return contour(first + number).role; };
   if (held_.has_short) view.shift = held_.path.setting_of(end_of_path() - 1).at_end.shift;
-  Walls walls = trc::find_walls(view, lead_settings_, held_.largest_radius);
+  return view;
+}
+
+void LoopRemoval::find_walls() {
+  if (held_.path.empty()) return;
+  std::size_t first = 0;
+  if (held_.path.begin_of_contour() > 0) {
+    first = closing_.begin_of_last_lap().value_or(0);
+    if (first < held_.path.begin_of_contour()) return;
+  }
+  Walls walls = trc::find_walls(contour_from(first), lead_settings_, held_.largest_radius);
   if (walls.are_plain()) return;
+  walls.move_by(first);
   obstacles_.set_walls(std::move(walls));
   // In a window the path has been walked with leads as walls: it is walked again.
   walk_.start_over();
@@ -162,12 +174,25 @@ void LoopRemoval::note_contour_block(const Box& programmed, const Certificate::B
   held_.has_short = held_.has_short || programmed.sizes().maxCoeff() <=
                                            longest_in_bow_tie(tolerances_.input_resolution);
   if (window_ == 0) return;
-  release_.note_contour_block(length_of(contour(end_of_contour() - 1).programmed));
+  const Segment block = contour(end_of_contour() - 1).programmed;
+  release_.note_contour_block(length_of(block));
+  closing_.note(end_of_contour() - 1, block, held_.largest_radius);
   walk_.note_contour_block(programmed, held_.farthest_reach);
 }
 
+bool LoopRemoval::walk() {
+  if (closing_.needs_begin()) {
+    if (auto walls = closing_.find_lead_in(contour_from(0), obstacles_.boxes())) {
+      obstacles_.set_walls(*std::move(walls));
+      walk_.start_over();
+    }
+  }
+  return walk_.is_waiting() || walk_.go_on();
+}
+
 [[gnu::noinline]] bool LoopRemoval::proceed(PathBlocks& out) {
-  if (!walk_.is_waiting() && !walk_.go_on()) return false;
+  if (!walk()) return false;
+  if (walk_.waits_for_closing()) return true;
   std::size_t due = walked_.begin();
   while (due < walked_.end() && walk_.has_had_its_window(walked_.kept(due).block)) ++due;
   due = settle(due);
@@ -196,7 +221,7 @@ std::size_t LoopRemoval::settle(std::size_t due) {
 // Drops blocks that no window reaches any more.
 void LoopRemoval::forget() {
   walked_.drop_boxes_before(walked_.begin());
-  if (release_.next() >= end_of_path()) return;
+  if (release_.next() >= end_of_path() || closing_.needs_begin()) return;
   const std::size_t number = held_.path.number_of(release_.next());
   // Some more than the window, so that dropping is rare.
   const std::size_t some = std::min<std::size_t>(window_ / 8, 64);

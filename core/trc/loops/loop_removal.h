@@ -17,6 +17,7 @@
 #include "core/trc/path_block.h"
 #include "core/trc/result/refused_way.h"
 #include "core/trc/setup.h"
+#include "core/trc/walls/closing_watch.h"
 
 namespace trc {
 
@@ -36,9 +37,10 @@ class LoopRemoval {
         tolerances_(setup.tolerances),
         diagnostics_(diagnostics),
         checkpoint_(checkpoint),
+        closing_(lead_settings_, window_),
         obstacles_(held_.path, window_, tolerances_, checkpoint),
         walked_(held_.path, window_ > 0),
-        walk_(setup, {held_.path, obstacles_, walked_}, diagnostics, checkpoint),
+        walk_(setup, {held_.path, obstacles_, walked_, closing_}, diagnostics, checkpoint),
         linear_(held_.path, walked_, obstacles_, tolerances_, checkpoint),
         release_(setup, held_.path, walked_, obstacles_, diagnostics) {}
 
@@ -64,7 +66,7 @@ class LoopRemoval {
   // Not allowed while a selection is leaving.
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(held_, obstacles_, walked_, walk_, linear_, release_);
+    archive(held_, closing_, obstacles_, walked_, walk_, linear_, release_);
     if constexpr (Archive::is_loading::value)
       phase_ = held_.is_empty() ? Phase::idle : Phase::holding;
   }
@@ -92,8 +94,13 @@ class LoopRemoval {
   // Returns false.
   bool has_no_room_for(const Source& source);
   void note_contour_block(const Box& programmed, const Certificate::Block& course);
-  // Finds the walls (D-38), once the contour has ended and if its begin is still known.
+  // The contour from a block on.
+  [[nodiscard]] ContourView contour_from(std::size_t first) const;
+  // Finds the walls (D-38), once the contour has ended and if its begin is still known, or that of
+  // its last lap.
   void find_walls();
+  // Walks as far as the contour is known. Returns false once the stream must stop.
+  bool walk();
   bool proceed(PathBlocks& out);
   // The piece up to which the path may leave when its window has come: the replacement of an arc
   // takes part of the block before it.
@@ -116,6 +123,7 @@ class LoopRemoval {
 
   Phase phase_ = Phase::idle;
   HeldSelection held_;
+  ClosingWatch closing_;
   Obstacles obstacles_;
   WalkedPath walked_;
   LoopWalk walk_;

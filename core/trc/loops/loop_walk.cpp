@@ -12,6 +12,7 @@ namespace trc {
 void LoopWalk::begin() {
   walking_ = false;
   ended_ = false;
+  waits_for_closing_ = false;
   at_ = {};
   tolerated_ = {};
   passes_.clear();
@@ -119,6 +120,7 @@ std::optional<Obstacles::Onset> LoopWalk::next_onset() const {
 
 bool LoopWalk::go_on() {
   waiting_with_.reset();
+  waits_for_closing_ = false;
   if (!walking_ && !set_out()) return false;
   while (walking_ && at_.block < end_of_path() && is_known(at_.block, 1)) {
     checkpoint_.pass();
@@ -147,10 +149,11 @@ bool LoopWalk::go_on() {
 
 bool LoopWalk::set_out() {
   if (path_.empty() || !is_known(0, window_)) return true;
-  walking_ = true;
   at_ = {.block = 0, .start = start_of(path(0).path)};
   // The approach leads to the first point, which therefore has to stay (D-11).
   const auto at_start = obstacles_.onset(0, 0, length_of(path(0).path), Nearness::passable);
+  if (at_start && is_undecided(*at_start)) return true;
+  walking_ = true;
   return !at_start || at_start->along > 0 || counts_as_none(*at_start) || refuse(*at_start);
 }
 
@@ -191,7 +194,13 @@ void LoopWalk::keep_cut() {
   if (is_tolerated()) exact_from_ = walked_.end();
 }
 
+bool LoopWalk::is_undecided(const Onset& onset) {
+  waits_for_closing_ = !ended_ && closing_.is_undecided(number_of(at_.block), onset.obstacle);
+  return waits_for_closing_;
+}
+
 LoopWalk::Step LoopWalk::leave(const Onset& onset) {
+  if (is_undecided(onset)) return Step::wait;
   // The transition after the obstacle comes with the next block.
   const bool complete = ended_ || onset.obstacle + 1 < end_of_contour();
   if (!complete && !is_known(at_.block, window_)) {

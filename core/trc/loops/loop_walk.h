@@ -14,6 +14,7 @@
 #include "core/trc/loops/seam.h"
 #include "core/trc/loops/walked_path.h"
 #include "core/trc/setup.h"
+#include "core/trc/walls/closing_watch.h"
 
 namespace trc {
 
@@ -32,11 +33,12 @@ namespace trc {
 // from there the path is walked again.
 class LoopWalk {
  public:
-  // The path, the obstacles in its way, and the pieces walked.
+  // The path, the obstacles in its way, the pieces walked, and where the contour may close.
   struct Rooms {
     const HeldPath& path;
     Obstacles& obstacles;
     WalkedPath& walked;
+    const ClosingWatch& closing;
   };
 
   LoopWalk(const CompensatorSetup& setup, const Rooms& rooms, Diagnostics& diagnostics,
@@ -44,6 +46,7 @@ class LoopWalk {
       : path_(rooms.path),
         obstacles_(rooms.obstacles),
         walked_(rooms.walked),
+        closing_(rooms.closing),
         window_(setup.limits.look_ahead_blocks),
         tolerances_(setup.tolerances),
         diagnostics_(diagnostics),
@@ -66,6 +69,9 @@ class LoopWalk {
   bool go_on();
   // Whether it cannot go on yet, because it ran into the last contour block known.
   [[nodiscard]] bool is_waiting() const;
+  // Whether it cannot go on yet, because it ran into a block, or with one, that may be a lead: no
+  // block of the path may leave meanwhile.
+  [[nodiscard]] bool waits_for_closing() const { return waits_for_closing_; }
   // The piece being walked; beyond the path where all of it has been walked.
   [[nodiscard]] const PathPiece& at() const { return at_; }
   // Whether the contour is known a whole window beyond the block.
@@ -111,6 +117,8 @@ class LoopWalk {
   void keep_waiting();
   void drop_pieces(std::size_t kept);
 
+  // Notes whether an onset in the block being walked has to wait until the closing is known.
+  [[nodiscard]] bool is_undecided(const Onset& onset);
   // Acts on an onset in the block being walked.
   Step leave(const Onset& onset);
   Step leave_at_once(const Onset& onset);
@@ -161,6 +169,7 @@ class LoopWalk {
   const HeldPath& path_;
   Obstacles& obstacles_;
   WalkedPath& walked_;
+  const ClosingWatch& closing_;
   std::size_t window_;
   Tolerances tolerances_;
   Diagnostics& diagnostics_;
@@ -170,6 +179,7 @@ class LoopWalk {
 
   bool walking_ = false;
   bool ended_ = false;  // the contour has
+  bool waits_for_closing_ = false;
   PathPiece at_{};
   Tolerated tolerated_{};
   std::vector<Pass> passes_;  // the last ones, whose loops the walk may still be in

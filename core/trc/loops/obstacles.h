@@ -43,6 +43,8 @@ class Obstacles {
 
   // The contour block that has been appended to the path.
   void append(const Certificate::Block& course, Certificate::Begin begin, const Box& area);
+  // About the contour blocks.
+  [[nodiscard]] const BoxTree& boxes() const { return boxes_; }
   [[nodiscard]] const Walls& walls() const { return walls_; }
   // Sets which of them are walls, and for whose path (D-38). Without it all are, for all.
   void set_walls(Walls walls) {

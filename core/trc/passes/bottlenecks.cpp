@@ -62,7 +62,13 @@ void Bottlenecks::hold(PathBlockPtr block) {
   if (is_contour(*block)) {
     const std::size_t number = contour_base_ + contour_.size();
     const bool first = contour_.empty();
-    if (!first && contour_.back().mode->side != block->mode().side) changes_.push_back(number);
+    if (!first && contour_.back().mode->side != block->mode().side) {
+      changes_.push_back(number);
+      // Each side has its own closing, and the begin of this one may have been forgotten.
+      walls_.reset();
+    }
+    has_roles_ = has_roles_ || block->programmed.role != ContourRole::unspecified;
+    closing_.note(number, block->programmed.path, block->mode().cutting_radius());
     boxes_.append(bounding_box(block->programmed.path));
     contour_.push_back(block->programmed);
   }
@@ -79,27 +85,40 @@ bool Bottlenecks::end_selection(PathBlocks& out) {
   contour_.clear();
   contour_base_ = 0;
   changes_.clear();
+  has_roles_ = false;
   walls_.reset();
+  closing_.begin();
   boxes_ = BoxTree();
   violating_ = false;
   return true;
 }
 
+ContourView Bottlenecks::contour_from(std::size_t first) const {
+  const std::size_t gone = first - contour_base_;
+  ContourView view{
+      .count = contour_.size() - gone,
+      .segment = [this, gone](std::size_t number) { return contour_[gone + number].path; },
+      .tool_side = contour_.front().mode->cutting_side(),
+      .tolerances = tolerances_,
+      .checkpoint = &checkpoint_};
+  if (has_roles_)
+    view.role = [this, gone](std::size_t number) { return contour_[gone + number].role; };
+  return view;
+}
+
 void Bottlenecks::find_walls() {
-  if (contour_base_ > 0 || contour_.empty()) return;
+  if (contour_.empty()) return;
   double radius = 0;
-  bool has_roles = false;
-  for (const MotionBlock& block : contour_) {
-    radius = std::max(radius, block.mode->cutting_radius());
-    has_roles = has_roles || block.role != ContourRole::unspecified;
+  for (const MotionBlock& block : contour_) radius = std::max(radius, block.mode->cutting_radius());
+  if (contour_base_ == 0) {
+    walls_ = trc::find_walls(contour_from(0), changes_, lead_settings_, radius);
+    return;
   }
-  ContourView view{.count = contour_.size(),
-                   .segment = [this](std::size_t number) { return contour_[number].path; },
-                   .tool_side = contour_.front().mode->cutting_side(),
-                   .tolerances = tolerances_,
-                   .checkpoint = &checkpoint_};
-  if (has_roles) view.role = [this](std::size_t number) { return contour_[number].role; };
-  walls_ = trc::find_walls(view, changes_, lead_settings_, radius);
+  const std::size_t first = closing_.begin_of_last_lap().value_or(0);
+  if (first < contour_base_ || !changes_.empty()) return;
+  Walls walls = trc::find_walls(contour_from(first), lead_settings_, radius);
+  walls.move_by(first);
+  walls_ = SidedWalls{.sides = {std::move(walls)}};
 }
 
 std::optional<Bottlenecks::Wall> Bottlenecks::wall_for(std::size_t path, std::size_t other,
@@ -116,12 +135,17 @@ std::optional<Bottlenecks::Wall> Bottlenecks::wall_for(std::size_t path, std::si
 }
 
 bool Bottlenecks::examine(Input input, PathBlocks& out) {
+  if (closing_.needs_begin() && changes_.empty() && !contour_.empty())
+    if (auto walls = closing_.find_lead_in(contour_from(0), boxes_))
+      walls_ = SidedWalls{.sides = {*std::move(walls)}};
   std::size_t examined = 0;
   const std::size_t end = contour_base_ + contour_.size();
   while (examined < held_.size() && (input == Input::ended || numbers_[examined] + window_ < end)) {
     // Blocks at a distance are examined only by their boxes.
     checkpoint_.pass_many(contour_.size());
-    if (!check(*held_[examined], numbers_[examined])) return false;
+    const Verdict verdict = check(*held_[examined], numbers_[examined], input);
+    if (verdict == Verdict::stops) return false;
+    if (verdict == Verdict::undecided) break;
     ++examined;
   }
   const auto gone = static_cast<std::ptrdiff_t>(examined);
@@ -134,6 +158,7 @@ bool Bottlenecks::examine(Input input, PathBlocks& out) {
 
 // Drops blocks that no window reaches any more; not one by one, to keep it cheap.
 void Bottlenecks::forget() {
+  if (closing_.needs_begin()) return;
   if (numbers_.empty() || numbers_.front() <= contour_base_ + 2 * window_ + 64) return;
   const std::size_t gone = numbers_.front() - window_ - contour_base_;
   contour_.erase(contour_.begin(), contour_.begin() + static_cast<std::ptrdiff_t>(gone));
@@ -141,11 +166,12 @@ void Bottlenecks::forget() {
   boxes_.drop_before(contour_base_);
 }
 
-bool Bottlenecks::check(const PathBlock& block, std::size_t number) {
-  if (!is_monitored(block)) return true;
+Bottlenecks::Verdict Bottlenecks::check(const PathBlock& block, std::size_t number, Input input) {
+  if (!is_monitored(block)) return Verdict::goes_on;
   const double radius = tool_radius(block);
   const double limit = radius - tolerances_.clearance * std::max(radius, 1.0);
   Violation worst{.distance = limit};
+  bool is_undecided = false;
   boxes_.for_each_near(bounding_box(block.tool_path), limit, [&](std::size_t other) {
     checkpoint_.pass();
     if (window_ > 0 && (other + window_ < number || other > number + window_)) return;
@@ -153,13 +179,16 @@ bool Bottlenecks::check(const PathBlock& block, std::size_t number) {
     const auto wall = wall_for(number, other, limit);
     if (!wall) return;
     const auto near = nearness(block.tool_path, wall->path, tolerances_.same_point);
-    if (near.distance < std::min(worst.distance, wall->limit))
-      worst = {.contour = &contour, .distance = near.distance, .place = near.on_first};
+    if (near.distance >= std::min(worst.distance, wall->limit)) return;
+    worst = {.contour = &contour, .distance = near.distance, .place = near.on_first};
+    is_undecided = is_undecided || closing_.is_undecided(number, other);
   });
+  if (is_undecided && input == Input::more) return Verdict::undecided;
   const bool violates = worst.contour != nullptr;
   const bool first = violates && !std::exchange(violating_, violates);
   violating_ = violates;
-  return !first || report(block, *worst.contour, worst.distance, worst.place);
+  const bool goes_on = !first || report(block, *worst.contour, worst.distance, worst.place);
+  return goes_on ? Verdict::goes_on : Verdict::stops;
 }
 
 bool Bottlenecks::report(const PathBlock& path, const MotionBlock& contour, double distance,

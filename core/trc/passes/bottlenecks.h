@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "core/trc/pass.h"
 #include "core/trc/path_block.h"
 #include "core/trc/setup.h"
+#include "core/trc/walls/closing_watch.h"
 #include "core/trc/walls/sided_walls.h"
 
 namespace trc {
@@ -32,7 +34,8 @@ class Bottlenecks {
         lead_settings_(setup.leads),
         tolerances_(setup.tolerances),
         diagnostics_(diagnostics),
-        checkpoint_(checkpoint) {}
+        checkpoint_(checkpoint),
+        closing_(lead_settings_, window_) {}
 
   bool feed(PathBlockPtr block, PathBlocks& out);
   bool drain(PathBlocks& out) { return end_selection(out); }
@@ -44,7 +47,8 @@ class Bottlenecks {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(held_, numbers_, contour_, contour_base_, changes_, violating_);
+    archive(held_, numbers_, contour_, contour_base_, changes_, walls_, closing_, has_roles_,
+            violating_);
     boxes_ = BoxTree(contour_base_);
     for (const MotionBlock& block : contour_) boxes_.append(bounding_box(block.path));
   }
@@ -53,7 +57,10 @@ class Bottlenecks {
   // A warning may come after its block: the block need not wait for its window.
   [[nodiscard]] bool passes_at_once() const { return window_ > 0 && !implicit_; }
   void hold(PathBlockPtr block);
-  // Finds the walls, once the contour has ended and if its begin is still known.
+  // The contour from a block on.
+  [[nodiscard]] ContourView contour_from(std::size_t first) const;
+  // Finds the walls, once the contour has ended and if its begin is still known, or that of its
+  // last lap.
   void find_walls();
   // The part of a contour block that is a wall for the path of another one, and how near that path
   // may come to it where `limit` holds for walls; empty if it is no wall.
@@ -66,7 +73,9 @@ class Bottlenecks {
   bool end_selection(PathBlocks& out);
   // Releases all blocks around which the contour is known.
   bool examine(Input input, PathBlocks& out);
-  bool check(const PathBlock& block, std::size_t number);
+  enum class Verdict : std::uint8_t { goes_on, stops, undecided };
+  // Undecided: a lead may be in the way, and the closing is not known yet.
+  Verdict check(const PathBlock& block, std::size_t number, Input input);
   void forget();
   bool report(const PathBlock& path, const MotionBlock& contour, double distance,
               const Point& place);
@@ -86,7 +95,9 @@ class Bottlenecks {
   std::size_t contour_base_ = 0;
   std::vector<std::size_t> changes_;  // of side: the first contour block behind each
   std::optional<SidedWalls> walls_;   // nothing: all of the contour is one
+  ClosingWatch closing_;              // for a window only
   BoxTree boxes_;
+  bool has_roles_ = false;  // of the contour blocks
   bool violating_ = false;  // the block before was too near: one report per stretch
 };
 

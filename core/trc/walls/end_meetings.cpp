@@ -11,8 +11,6 @@
 namespace trc {
 namespace {
 
-constexpr std::size_t first_few = 5;
-constexpr double reach_in_radii = 10;
 // One of the first or the last blocks.
 struct End {
   std::size_t number = 0;
@@ -26,7 +24,7 @@ Ends first_blocks(const ContourView& contour, double reach, std::pmr::memory_res
   Ends blocks(memory);
   double before = 0;
   for (std::size_t number = 0; number < contour.count; ++number) {
-    if (number >= first_few && before >= reach) break;
+    if (number >= blocks_at_ends && before >= reach) break;
     contour.pass();
     blocks.push_back({number, contour.segment(number), before});
     before += length_of(blocks.back().path);
@@ -38,7 +36,7 @@ Ends last_blocks(const ContourView& contour, double reach, std::pmr::memory_reso
   Ends blocks(memory);
   double behind = 0;
   for (std::size_t number = contour.count; number-- > 0;) {
-    if (contour.count - number > first_few && behind >= reach) break;
+    if (contour.count - number > blocks_at_ends && behind >= reach) break;
     contour.pass();
     blocks.push_back({number, contour.segment(number), behind});
     behind += length_of(blocks.back().path);
@@ -76,7 +74,7 @@ class NearEnds {
 std::pmr::vector<EndsMeeting> meetings_of_ends(const ContourView& contour, double closing_tolerance,
                                                double tool_radius, double length,
                                                std::pmr::memory_resource* memory) {
-  const double reach = reach_in_radii * tool_radius;
+  const double reach = reach_of_ends * tool_radius;
   const Ends first = first_blocks(contour, reach, memory);
   const Ends last = last_blocks(contour, reach, memory);
   const double most = 0.5 * length + 2 * closing_tolerance + contour.tolerances.same_place;

@@ -2,6 +2,7 @@
 
 #include "core/nc/state/state_archive.h"
 #include "core/trc/walls/left_out.h"
+#include "core/trc/walls/sided_walls.h"
 #include "core/trc/walls/walls.h"
 
 namespace trc {
@@ -24,6 +25,12 @@ void serialize(Archive& archive, Walls& walls) {
          blocks_of_overrun, blocks_of_round, turns_in, turns_out, touch_of_turns] = walls;
   archive(leads, parts, rings, head, tail, touch, touch_of_rings, blocks_beside_lead,
           blocks_of_overrun, blocks_of_round, turns_in, turns_out, touch_of_turns);
+}
+
+template <class Archive>
+void serialize(Archive& archive, SidedWalls& walls) {
+  auto& [changes, sides] = walls;
+  archive(changes, sides);
 }
 
 template <class Archive>

@@ -35,6 +35,17 @@ bool Walls::goes_round(std::size_t from, std::size_t to) const {
   return to - from + 1 >= rings[ring] - (ring > 0 ? rings[ring - 1] : begin);
 }
 
+void Walls::move_by(std::size_t blocks) {
+  for (Range* range : {&head, &tail, &turns_in, &turns_out}) {
+    if (range->first == range->end) continue;
+    range->first += blocks;
+    range->end += blocks;
+  }
+  for (Range& range : leads) range = {range.first + blocks, range.end + blocks};
+  for (Part& part : parts) part.number += blocks;
+  for (std::size_t& ring : rings) ring += blocks;
+}
+
 double Walls::touch_between(std::size_t number, std::size_t path) const {
   const auto meet = [&](const Range& begin, const Range& end) {
     return (begin.holds(number) && end.holds(path)) || (end.holds(number) && begin.holds(path));

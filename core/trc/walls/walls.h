@@ -82,6 +82,9 @@ struct Walls {
   // How much nearer than the tool radius the path of `path` may come to `number`, mm.
   [[nodiscard]] double touch_between(std::size_t number, std::size_t path) const;
 
+  // Counts the blocks from another one on: each number becomes larger by this many.
+  void move_by(std::size_t blocks);
+
   bool operator==(const Walls&) const = default;
 };
 
