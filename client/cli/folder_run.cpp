@@ -254,6 +254,7 @@ void print_table(const std::vector<Item>& items) {
   std::cout << '\n';
 }
 
+// Reports it, too.
 bool overwrites(const std::string& path, const FilesRead& read) {
   const std::string other = read.named(path);
   if (!other.empty()) complain(path + " would be written over " + other);
