@@ -72,6 +72,7 @@ void MeasuredPath::add(const MotionBlock& block) {
                            .source = block.source,
                            .rule = rule,
                            .is_contour = contour,
+                           .from_anywhere = block.mode->from_anywhere,
                            .role = block.role};
   });
   if (own.nominal > 0) put_at_part(piece);
@@ -113,7 +114,8 @@ void MeasuredPath::add_way(const CompensatedBlock& block) {
   if (block.origin == Origin::retract) {
     if (number == programmed_.begin()) return;
     --number;
-  } else if (number == programmed_.end() || is_before(block.source, programmed_[number].source)) {
+  } else if (number == programmed_.end() || programmed_[number].from_anywhere ||
+             is_before(block.source, programmed_[number].source)) {
     return;
   }
   ways_.push_back({.piece = piece_of(block.path),

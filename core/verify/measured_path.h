@@ -37,6 +37,7 @@ struct ProgrammedPiece {
   std::uint32_t number = 0;
   bool is_contour = false;
   bool crosses_behind = false;  // what is inserted behind it crosses the corner (REVERSE, D-22)
+  bool from_anywhere = false;   // an approach whose start nobody knows (D-170)
   ContourRole role = ContourRole::unspecified;
 };
 

@@ -27,8 +27,8 @@ void serialize(Archive& archive, Rule& rule) {
 
 template <class Archive>
 void serialize(Archive& archive, ProgrammedPiece& programmed) {
-  auto& [piece, source, rule, number, is_contour, crosses_behind, role] = programmed;
-  archive(piece, source, rule, number, is_contour, crosses_behind, role);
+  auto& [piece, source, rule, number, is_contour, crosses_behind, from_anywhere, role] = programmed;
+  archive(piece, source, rule, number, is_contour, crosses_behind, from_anywhere, role);
 }
 
 template <class Archive>

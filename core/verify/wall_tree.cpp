@@ -98,7 +98,8 @@ void WallTree::hide_copies(Checkpoint& checkpoint) {
   if (sides_.sides.size() != 1 || sides_.sides.front().rings.empty()) return;
   const auto& programmed = held_->programmed();
   const auto what_is_compared = [&](std::size_t number) {
-    const auto& [piece, source, rule, its_number, is_contour, crosses, role] = programmed[number];
+    const auto& [piece, source, rule, its_number, is_contour, crosses, anywhere, role] =
+        programmed[number];
     return std::array{piece.start.x(),  piece.start.y(),  piece.end.x(), piece.end.y(),
                       piece.center.x(), piece.center.y(), piece.sweep,   static_cast<double>(rule)};
   };

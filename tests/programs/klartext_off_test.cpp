@@ -21,6 +21,8 @@ std::string text_of(const std::string& text) {
 }
 
 const std::string contour = "L X+0 Y-10 RL F200\nL Y+40\nL X-20 R0\n";
+// It counts from where the tool stands.
+const std::string step = "L IX+1 IY+1 R0 FMAX\n";
 const std::string loop =
     "FN 0: Q1 = +0\nLBL 1\nL X+Q1 Y+0 R0 FMAX M3\nFN 1: Q1 = +Q1 + +10\n"
     "FN 12: IF +Q1 LT +50 GOTO LBL 1\nL Z+50 R0 FMAX\nM30\n";
@@ -51,9 +53,9 @@ TEST(KlartextOff, LinesAlongOneAxis) {
   EXPECT_EQ(code_of("X-20 R0 FMAX\nY-20 R0 FMAX M3\nZ-5 R0 F100\n" + contour), 0);
   EXPECT_EQ(code_of("L X-20 Y-20 R0 FMAX\nZ-5\nIX+1\nC+90 R0 FMAX\n" + contour), 0);
   EXPECT_EQ(code_of("L X-20 Y-20 R0 FMAX\nX+5 R+\n" + contour), 900003);
-  EXPECT_EQ(code_of("L X-20 Y-20 R0 FMAX\nX+5 M91\n" + contour), 900106);
-  EXPECT_EQ(code_of("L X-20 Y-20 R0 FMAX\n/ X+5\n" + contour), 900106);
-  EXPECT_EQ(code_of("L X-20 Y-20 R0 FMAX\nX+Q9\n" + contour), 900106);
+  EXPECT_EQ(code_of("L X-20 Y-20 R0 FMAX\nX+5 M91\n" + step), 900106);
+  EXPECT_EQ(code_of("L X-20 Y-20 R0 FMAX\n/ X+5\n" + step), 900106);
+  EXPECT_EQ(code_of("L X-20 Y-20 R0 FMAX\nX+Q9\n" + step), 900106);
   EXPECT_EQ(code_of("L X-20 Y-20 R0 FMAX\nL X+0 Y-10 RL F200\nZ-5\nL Y+40\nL X-20 R0\n"), 900003);
 }
 
@@ -92,7 +94,7 @@ TEST(KlartextOff, ThePlaceOfTurnedAxesIsNoPartOfAContour) {
     EXPECT_EQ(code_of(begin + within + "L X+20 " + function + "\nL X+40\nL Y+80 R0\n"), 900003)
         << function;
   // M130: only the control knows where that is.
-  EXPECT_EQ(code_of("L X-20 Y-20 R0 FMAX M130\n" + contour), 900106);
+  EXPECT_EQ(code_of("L X-20 Y-20 R0 FMAX M130\n" + step), 900106);
 }
 
 // V of M200 to M204 is a voltage.
@@ -117,7 +119,7 @@ TEST(KlartextOff, HolesOfACircleAreCopied) {
         text_of("BEGIN PGM A MM\nTOOL CALL 5 Z S5000\nL X-20 Y-20 R0 FMAX\n" + contour + drill +
                 holes + "M30\n");
     EXPECT_NE(behind.find(holes), std::string::npos) << behind;
-    EXPECT_EQ(code_of(drill + holes + contour), 900106);
+    EXPECT_EQ(code_of(drill + holes + step), 900106);
     EXPECT_EQ(code_of(drill + holes + "L X-20 Y-20 R0 FMAX\n" + contour), 0);
   }
   // The contour has a pole of its own, and LP no place without one.
@@ -152,7 +154,7 @@ TEST(KlartextOff, CyclesThatMoveAtOnce) {
         "TCH PROBE 413 DATUM OUTSIDE CIRCLE ~\n  Q321=+50 ;CENTRE ~\n  Q322=+50 ;CENTRE\n",
         "CYCL DEF 220 POLAR PATTERN Q216=+50 Q217=+50\n", "CYCL DEF 221 CARTESIAN PATTERN Q225=5\n",
         "CYCL DEF 224 DATAMATRIX CODE PATTERN Q458=0\n"}) {
-    EXPECT_EQ(code_of("L X-20 Y-20 R0 FMAX\n" + moving + contour), 900106) << moving;
+    EXPECT_EQ(code_of("L X-20 Y-20 R0 FMAX\n" + moving + step), 900106) << moving;
     EXPECT_EQ(code_of("L X-20 Y-20 R0 FMAX\n" + moving + "L X-20 Y-20 R0 FMAX\n" + contour), 0)
         << moving;
     EXPECT_EQ(code_of("L X-20 Y-20 R0 FMAX\nL X+0 Y-10 RL F200\n" + moving + "L Y+40\nL X-20 R0\n"),

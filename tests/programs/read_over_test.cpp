@@ -196,7 +196,7 @@ TEST(ReadOver, ArcsAcrossThePlaneAreCopied) {
   }
   // Y is where it was, X is not.
   const std::string alone = "CC X-18 Z-14\nCP IPA-90 DR-\n";
-  EXPECT_EQ(refusal_of(with(alone, "L Y-16\n"), setup), std::pair(900106, 8U));
+  EXPECT_EQ(refusal_of(with(alone, "L IX+1\n"), setup), std::pair(900106, 7U));
   EXPECT_EQ(told(with(alone, "L X-16\n"), setup), "");
   // In a contour it is none of the plane.
   const std::string contour = with("", place);

@@ -127,7 +127,9 @@ TEST(Unfollowed, WordsOfControlsOfTheSameFamilyComeOutAsTheyStand) {
   for (const std::string reference : {"G28.1 X0. Y0.", "G30.1 X0. Y0."}) {
     const std::string text = "G90 G17\nG0 X-20. Y-20.\n" + reference + "\n";
     EXPECT_EQ(text_of(fanuc, text + "M30\n"), text + "M30\n");
-    EXPECT_NE(refusal_of(text + contour, computing_setup(fanuc, 5)).first, 0) << reference;
+    EXPECT_EQ(refusal_of(text + "G91\nG0 X1. Y1.\n", computing_setup(fanuc, 5)),
+              std::pair(900106, 5U))
+        << reference;
     EXPECT_EQ(refusal_of(text + "G0 X-20. Y-20.\n" + contour, computing_setup(fanuc, 5)).first, 0)
         << reference;
   }
@@ -165,7 +167,8 @@ TEST(Unfollowed, MotionsOfOtherTasksComeOutAsTheyStand) {
     const std::string text = begin + each.line + "\nG0 Z5.\n";
     EXPECT_EQ(to_text(text + "M30\n", setup).text, text + "M30\n");
     const std::string end = "G40 X-20. Y-20.\nM30\n";
-    EXPECT_EQ(refusal_of(text + contour + end, setup).first, each.loses ? 900106 : 0) << each.line;
+    EXPECT_EQ(refusal_of(text + "G91\nG0 X1. Y1.\n", setup).first, each.loses ? 900106 : 0)
+        << each.line;
     EXPECT_EQ(refusal_of(text + "G0 X-20. Y-20.\n" + contour + end, setup).first, 0) << each.line;
     const ProgramRun within = to_text(begin + contour + each.line + "\n" + end, setup);
     ASSERT_TRUE(within.stopped) << each.line;

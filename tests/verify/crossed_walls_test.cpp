@@ -44,6 +44,13 @@ TEST(CrossedWalls, OfAnApproachAreTold) {
   EXPECT_EQ(told(from("X-40 Y90") + "G40 X-40\nM30\n"), "");
 }
 
+// The old coordinates of the start are none of the contour (D-170).
+TEST(CrossedWalls, AreNotAskedForFromAPlaceNobodyKnows) {
+  EXPECT_EQ(told("G138\n" + from("X120 Y42") + "G40 X-40\nM30\n"), "900229 at line 3");
+  EXPECT_EQ(told("G138\n" + from("X120 Y42\nG55") + "G40 X-40\nM30\n"), "");
+  EXPECT_EQ(told("G138\n" + from("X120 Y42\nG55") + "G40 X120 Y42\nM30\n"), "900229 at line 10");
+}
+
 TEST(CrossedWalls, AreToldWithThePlace) {
   // The path ends at X-5 Y35.
   const ProgramRun ran = run(from("X-40 Y30") + "G40 X120\nM30\n");

@@ -163,6 +163,23 @@ std::optional<Refusal> ProgramState::unknown_start(const MoveRequest& request) c
   return {};
 }
 
+std::optional<std::size_t> ProgramState::axis_of_unknown_start() const {
+  const PlaneAxes axes = axes_of(mode_.plane);
+  for (const std::size_t axis : {axes.first, axes.second})
+    if (!known_[axis]) return axis;
+  return {};
+}
+
+// The tangential approach and that of the other modes depend on where the tool comes from.
+bool ProgramState::approaches_from_anywhere(const MoveRequest& request) const {
+  const PlaneAxes axes = axes_of(mode_.plane);
+  const bool is_direct =
+      mode_.selection == Selection::direct || mode_.selection == Selection::without_block;
+  return awaits_approach() && !lead_ && is_direct && !mode_.tangential &&
+         mode_.options.split.where == SplitOption::Where::off && !is_circle(request.kind) &&
+         !request.incremental && request.end[axes.first] && request.end[axes.second];
+}
+
 std::optional<std::size_t> ProgramState::axis_of_assumed_start(const MoveRequest& request) const {
   if (!setup_.start_is_assumed || !awaits_approach()) return {};
   const PlaneAxes axes = axes_of(mode_.plane);
@@ -224,7 +241,7 @@ bool ProgramState::travel_on_tracking_axes(const MoveRequest& request, TrackingT
 bool ProgramState::move(const MoveRequest& request) {
   Position end;
   if (!find_end(request, end)) return refuse(request.source, end_out_of_range(request));
-  if (!all_known())
+  if (!all_known() && !approaches_from_anywhere(request))
     if (auto refusal = unknown_start(request)) return refuse(request.source, std::move(*refusal));
   // 0: no feed is given; the reader of the words finds F0 (D-139).
   if (request.feed != 0 && !is_feed(request.feed))
@@ -265,7 +282,9 @@ bool ProgramState::move_straight(const MoveRequest& request, const Position& end
     return report(request.source, Code::nc_unsupported, "a circle word in a straight motion");
   TrackingTravel tracking;
   if (!move_tracking(request, tracking)) return false;
-  const std::optional<std::size_t> assumed = axis_of_assumed_start(request);
+  const std::optional<std::size_t> unknown =
+      approaches_from_anywhere(request) ? axis_of_unknown_start() : std::nullopt;
+  const std::optional<std::size_t> assumed = unknown ? unknown : axis_of_assumed_start(request);
   const std::optional<std::size_t> kept = axis_kept_from_assumed_start(request);
   const bool is_way_back = retract_pending_ && leads_back(request, end);
   enter_target(request, end);
@@ -275,9 +294,10 @@ bool ProgramState::move_straight(const MoveRequest& request, const Position& end
     if (kept) return refuse_assumed_start(request.source, *kept);
     if (awaits_approach() && !check_radius(request.source)) return false;
     displaced_ = false;
+    if (unknown) change_mode().from_anywhere = true;
     return append_between_corners(request, line, end, std::move(tracking));
   }
-  // The tool would go along the contour itself (D-156).
+  // The tool would go along the contour itself (D-156, D-170).
   if (assumed) return refuse_assumed_start(request.source, *assumed);
   append_passive(request, end, std::move(tracking));
   return true;
@@ -367,6 +387,7 @@ void ProgramState::append_motion(const MoveRequest& request, const Shape& path, 
     just_deselected_ = false;
   }
   if (mode_.tangential) change_mode().tangential = false;
+  if (mode_.from_anywhere) change_mode().from_anywhere = false;
 }
 
 template void ProgramState::append_motion<Line>(const MoveRequest&, const Line&, const Position&,

@@ -163,9 +163,9 @@ class ProgramState {
   // The coordinates mean something else from here on (zero shift, preset): where the machine stands
   // is not known on the axes given (X Y Z) until each is programmed absolutely in a straight
   // motion. Such motions are shown as starting from the old coordinates, so that joints stay
-  // shared; motions that need the position (an arc, G91, a selection) are refused (900106). While a
-  // retract is still to come, one axis of the plane that is forgotten makes the other one unknown
-  // too.
+  // shared; motions that need the position (an arc, G91, a selection but for D-170) are refused
+  // (900106). While a retract is still to come, one axis of the plane that is forgotten makes the
+  // other one unknown too.
   void forget_position(const std::array<bool, 3>& axes, const Source& source,
                        Unknown why = Unknown::coordinates_changed);
   // Lengths have counted in another unit than was assumed: so of each axis that the program has led
@@ -328,6 +328,10 @@ class ProgramState {
   [[nodiscard]] bool all_known() const { return known_[0] && known_[1] && known_[2]; }
   [[nodiscard]] std::string told_increments() const;
   [[nodiscard]] std::optional<Refusal> unknown_start(const MoveRequest& request) const;
+  [[nodiscard]] std::optional<std::size_t> axis_of_unknown_start() const;
+  // A direct approach that names both axes of the plane ends where it does from wherever the tool
+  // comes (D-170).
+  [[nodiscard]] bool approaches_from_anywhere(const MoveRequest& request) const;
   // An axis of the plane whose position was never given before the first motion of a selection,
   // which names it ...
   [[nodiscard]] std::optional<std::size_t> axis_of_assumed_start(const MoveRequest& request) const;

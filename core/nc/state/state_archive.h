@@ -58,11 +58,11 @@ void serialize(Archive& archive, TrcOptions& options) {
 template <class Archive>
 void serialize(Archive& archive, TrcMode& mode) {
   auto& [plane, side, tool_radius, nominal_radius, below_nominal, selection_number, selection,
-         deselection, tangential, touches_corner_circle, transition, masking, feed_adaptation,
-         tangfeed_minimum, options] = mode;
+         deselection, tangential, from_anywhere, touches_corner_circle, transition, masking,
+         feed_adaptation, tangfeed_minimum, options] = mode;
   archive(plane, side, tool_radius, nominal_radius, below_nominal, selection_number, selection,
-          deselection, tangential, touches_corner_circle, transition, masking, feed_adaptation,
-          tangfeed_minimum, options);
+          deselection, tangential, from_anywhere, touches_corner_circle, transition, masking,
+          feed_adaptation, tangfeed_minimum, options);
 }
 
 template <class Archive>

@@ -85,7 +85,8 @@ struct TrcMode {
   // The mode that was in force at the last G40; it governs the retract even when
   // another mode is programmed before the retract block (rule 1.10).
   Selection deselection = Selection::indirect;
-  bool tangential = false;  // G05 in this block's selection or deselection
+  bool tangential = false;     // G05 in this block's selection or deselection
+  bool from_anywhere = false;  // the block is an approach whose start nobody knows (D-170)
   // KONT: under `indirect` the way to and from an outside corner touches the circle round it, D-51.
   bool touches_corner_circle = false;
   Transition transition = Transition::linear;

@@ -24,7 +24,7 @@ bool is_plain(const TrcMode& mode, Loops loops) {
   [[maybe_unused]] const auto& [plane, side /* the shift */, tool_radius /* the shift */,
                                 nominal_radius, below_nominal, selection_number,
                                 selection /* at the ends */, deselection /* at the ends */,
-                                tangential /* at the ends */,
+                                tangential /* at the ends */, from_anywhere /* for verification */,
                                 touches_corner_circle /* at the ends */, transition /* asked for */,
                                 masking, feed_adaptation, tangfeed_minimum /* of feed_adaptation */,
                                 options] = mode;
