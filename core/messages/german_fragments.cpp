@@ -32,6 +32,7 @@ constexpr auto fragments = std::to_array<Fragment>({
     {"RL, RR behind line", "RL, RR hinter Zeile"},
     {"RL, RR in the contour of the cycles of line", "RL, RR in der Kontur der Zyklen von Zeile"},
     {"RR behind RL without R0 in between", "RR hinter RL ohne R0 dazwischen"},
+    {"SPLIT counts along an axis of the plane", "SPLIT zählt entlang einer Achse der Ebene"},
     {"SPLIT needs a main axis (or SPLIT_PATH) and a positive DIST_SEG and FEED_SEG for each "
      "segment",
      "SPLIT braucht eine Hauptachse (oder SPLIT_PATH) und für jeden Abschnitt DIST_SEG und "

@@ -144,6 +144,8 @@ INSTANTIATE_TEST_SUITE_P(
              "L UP1, a subprogram that is not given", "--subprograms"},
         Told{isg, "G90 G0 X0 Y0\n$GOTO N70\nX5\nN70 Y0\nM30\n", "2:7 900305",
              "N70, a block without a colon behind its number", "N70: Y0"},
+        Told{isg, "PROC PART\nG90 G0 X0 Y0\nM30\n", "1:1 900016", "PROC, as in sinumerik",
+             "sinumerik"},
         Told{isg, "R1 = -5\nG90 G0 X0 Y0\nM30\n", "1:1 900016", "as in sinumerik", "sinumerik"},
         Told{isg, "G90 G0 X0 Y0\nN10 R1=5\nM30\n", "2:5 900016", "as in sinumerik", "sinumerik"},
         Told{isg, "G90 G0 X0 Y0\nG1 Z=R1 F300\nM30\n", "2:4 900016", "as in sinumerik",

@@ -35,14 +35,17 @@ std::string command_name(std::string_view command) {
   return name;
 }
 
+// What becomes of a command while TRC is off. What stays in effect after the line and is no line,
+// as loops, is refused.
+enum class WhileOff { passes, unfollowed, refused };
+
 struct ForbiddenCommand {
   std::string_view name;
   Code while_active;
-  bool copied_while_off = true;
+  WhileOff while_off = WhileOff::unfollowed;
 };
 
-// Rule 1.11. While TRC is off their lines are copied like unfollowed_commands, except commands that
-// stay in effect after the line: motions that are no lines, and loops.
+// Rule 1.11.
 constexpr auto forbidden_commands = std::to_array<ForbiddenCommand>({
     {"CS ", Code::coordinate_system_while_active},
     {"ACS ", Code::coordinate_system_while_active},
@@ -52,8 +55,9 @@ constexpr auto forbidden_commands = std::to_array<ForbiddenCommand>({
     {"DISABLE AX", Code::axis_link_while_active},
     {"PSET ", Code::preset_while_active},
     {"PRESET ", Code::preset_while_active},
-    {"PTP ", Code::point_to_point_while_active, false},
-    {"RT WHILE", Code::real_time_loop_while_active, false},
+    {"PTP OFF", Code::point_to_point_while_active, WhileOff::passes},
+    {"PTP ", Code::point_to_point_while_active, WhileOff::refused},
+    {"RT WHILE", Code::real_time_loop_while_active, WhileOff::refused},
 });
 
 // Commands that do not affect the path.
@@ -61,7 +65,7 @@ constexpr auto passing_commands = std::to_array<std::string_view>(
     {"MSG ",        "FLUSH ",     "SLOPE ",    "CONTOUR MODE", "HSC ",        "TRANSVELLIM ",
      "VECTOR ",     "FILTER ",    "FRICTION ", "OVERRIDE ",    "TIMER ",      "WAIT ",
      "SIGNAL ",     "ERROR ",     "FILE ",     "TOOL LIFE",    "SINGLESTEP ", "SET SLOPE",
-     "SET ASPLINE", "SPLINE OFF", "PTP OFF",   "VAR ",         "ENDVAR ",     "DELETE "});
+     "SET ASPLINE", "SPLINE OFF", "VAR ",      "ENDVAR ",      "DELETE "});
 
 // After these commands only the control knows the position or the zero point of an axis.
 constexpr auto unfollowed_commands = std::to_array<std::string_view>(
@@ -129,10 +133,11 @@ bool copy_unfollowed_command(Reading& reading, const Word& word, std::string_vie
   const auto forbidden = std::ranges::find_if(
       forbidden_commands, [&](const auto& candidate) { return name.starts_with(candidate.name); });
   const bool is_forbidden = forbidden != forbidden_commands.end();
-  const bool is_unfollowed =
-      is_forbidden ? forbidden->copied_while_off : begins_with_any(name, unfollowed_commands);
-  if (is_unfollowed && !reading.contour_open()) {
-    block.forget = all_axes;
+  const WhileOff while_off = is_forbidden                                 ? forbidden->while_off
+                             : begins_with_any(name, unfollowed_commands) ? WhileOff::unfollowed
+                                                                          : WhileOff::refused;
+  if (while_off != WhileOff::refused && !reading.contour_open()) {
+    if (while_off == WhileOff::unfollowed) block.forget = all_axes;
     add(line, word, WordRole::technology);
     return true;
   }

@@ -15,6 +15,13 @@ bool retracts_in_a_block(Selection selection) {
   return selection != Selection::perpendicular && selection != Selection::without_block;
 }
 
+// The distance that SPLIT counts is one of an axis of the plane (rule 7.2).
+bool splits_across(const SplitOption& split, Plane plane) {
+  return split.where != SplitOption::Where::off && !split.along_path &&
+         split.axis == axes_of(plane).third;
+}
+constexpr const char* split_across = "SPLIT counts along an axis of the plane";
+
 }  // namespace
 
 void ProgramState::update_side() {
@@ -36,6 +43,8 @@ bool ProgramState::select(Side side, const Source& source) {
   if (!mode_.active()) {
     if (retract_pending_) return report(source, Code::deselection_without_motion);
     if (mode_.options.inverse) return report(source, Code::inverse_without_online);
+    if (splits_across(mode_.options.split, mode_.plane))
+      return report(source, Code::trc_option_out_of_range, split_across);
     in_plane_blocks_ = 0;
     selected_ = source;
     change_mode().selection_number = ++selections_;
@@ -220,6 +229,8 @@ bool ProgramState::set_options(const TrcOptions& options, const Source& source) 
                     "SPLIT needs a main axis (or SPLIT_PATH) and a positive DIST_SEG and FEED_SEG "
                     "for each segment");
   }
+  if (mode_.active() && splits_across(split, mode_.plane))
+    return report(source, Code::trc_option_out_of_range, split_across);
   TrcMode& mode = change_mode();
   mode.options = options;
   if (in_range(options.stretch_factor, 1, 9)) return true;

@@ -277,7 +277,11 @@ Word WordReader::address() {
   const char* const begin = at_++;
   Word word{.kind = WordKind::address, .letter = upper(*begin), .begin = place_of(begin)};
   if (word.letter == 'L') return subprogram_call(begin);
-  if (word.letter == 'P') return fail(Code::nc_unsupported, begin, "P, a parameter");
+  if (word.letter == 'P') {
+    const char* const behind = std::find_if_not(begin, end_, is_letter);
+    return fail(Code::nc_unsupported, begin,
+                behind - begin > 1 ? std::string(begin, behind) : "P, a parameter");
+  }
   const std::string_view rest = line_.substr(word.begin);
   if (const std::size_t length = word.letter == 'S' ? behind_spindle_words(rest) : 0; length > 0) {
     at_ = begin + length;

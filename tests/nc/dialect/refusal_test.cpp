@@ -160,6 +160,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Refused{"APreset", "G41 X1\n#PSET X0", "2:1 20608"},
                       Refused{"ASecondPreset", "G41 X1\n#PRESET [X0]", "2:1 20608"},
                       Refused{"PointToPoint", "G41 X1\n#PTP ON", "2:1 21525"},
+                      Refused{"TheEndOfPointToPoint", "G41 X1\n#PTP OFF", "2:1 21525"},
                       Refused{"ARealTimeLoop", "G41 X1\n#RT WHILE TRUE", "2:1 22158"},
                       Refused{"AChangeToG238", "G41 X1\nG238", "2:1 21317"},
                       Refused{"AChangeFromG238", "G238 G41 X1\nG139", "2:1 21318"},
@@ -178,7 +179,11 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"ANegativeMinimum", "#TANGFEED [RMIN=-1]", "1:1 20963"},
         Refused{"AMinimumOutOfRange", "#TANGFEED [RMIN=10000000]", "1:1 900105"},
         Refused{"Online", "#TRC [ONLINE=1]", "1:7 900102"},
-        Refused{"ASplitWithoutLength", "#TRC [SPLIT_PATH FEED_SEG1=5]", "1:1 900005"}),
+        Refused{"ASplitWithoutLength", "#TRC [SPLIT_PATH FEED_SEG1=5]", "1:1 900005"},
+        Refused{"ASplitAcrossThePlane", "#TRC [SPLIT AX=Z DIST_SEG1=5 FEED_SEG1=9]\nG41 X1",
+                "2:1 900005"},
+        Refused{"ASplitAcrossThePlaneInTheContour",
+                "G18 G41 X1\n#TRC [SPLIT AX=Y DIST_SEG1=5 FEED_SEG1=9]", "2:1 900005"}),
     named);
 
 // Lines of cycles and calls are copied as they stand; a terminal would obey what is in them.
