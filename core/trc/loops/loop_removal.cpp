@@ -65,9 +65,11 @@ bool LoopRemoval::end() {
 bool LoopRemoval::end_selection() {
   if (phase_ != Phase::holding) return true;
   phase_ = Phase::leaving;
-  find_walls();
   walk_.end_contour();
-  if (!walk_.go_on()) return false;
+  if (!walk_.go_undisturbed()) {
+    find_walls();
+    if (!walk_.go_on()) return false;
+  }
   linear_.end_at(walk_.at().start);
   static_cast<void>(settle(walked_.end()));
   if (!release_.check_left_out()) return false;

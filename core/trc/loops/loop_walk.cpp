@@ -147,6 +147,21 @@ bool LoopWalk::go_on() {
   return true;
 }
 
+bool LoopWalk::go_undisturbed() {
+  constexpr std::size_t most = 32;
+  const std::size_t end = end_of_path();
+  if (walking_ || end == 0 || end > most || path_.begin() > 0) return false;
+  // From the end: leads that are walls for now stand in the way there.
+  for (std::size_t block = end; block-- > 0;)
+    if (path_.is_unreachable(block) || runs_backwards(block) ||
+        obstacles_.comes_nearer(block, 0, length_of(path(block).path), Nearness::exact))
+      return false;
+  walking_ = true;
+  walked_.add_whole(0, end);
+  at_ = {.block = end, .start = end_of(path(end - 1).path)};
+  return true;
+}
+
 bool LoopWalk::set_out() {
   if (path_.empty() || !is_known(0, window_)) return true;
   at_ = {.block = 0, .start = start_of(path(0).path)};

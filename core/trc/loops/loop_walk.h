@@ -64,6 +64,9 @@ class LoopWalk {
   // The walls have changed: the path that has not left is walked again.
   void start_over();
 
+  // Once the contour has ended: walks the whole path if it is short and nothing of it is in the way
+  // of the contour, whichever blocks are walls. Returns false where it has not.
+  bool go_undisturbed();
   // Walks as far as the contour is known well enough; all the way when it has ended. Returns false
   // once the stream must stop.
   bool go_on();
