@@ -122,7 +122,7 @@ struct Compensator::Passes {
   LoopRemoval loop_removal;
   ContourViolations contour_violations;
   Bottlenecks bottlenecks;
-  selection::Split split;
+  selection::Split split{setup.tolerances};
   Reporting reporting;
   ShortWay short_way;
   ShortRelease short_release;

@@ -107,7 +107,7 @@ class Passes {
   LoopRemoval loop_removal_{setup(), diagnostics_, checkpoint_};
   ContourViolations contour_violations_{setup().tolerances, diagnostics_};
   Bottlenecks bottlenecks_{setup(), diagnostics_, checkpoint_};
-  selection::Split split_;
+  selection::Split split_{setup().tolerances};
   Reporting reporting_{setup(), diagnostics_};
 
   std::vector<Block> programmed_;

@@ -49,6 +49,19 @@ TEST(NarrowPlace, OfASlotIsSaidInTheUnitOfTheProgram) {
             "tool ⌀12.0000 in does not fit, the slot is 8.0000 in wide here");
 }
 
+// Walls that do not face each other are no slot: the tool passes the corner of two of them.
+TEST(NarrowPlace, IsNoSlotBetweenTheWallsOfACorner) {
+  const Diagnostic found = last_told(
+      "V.G.WZ_AKT.R=7.5\nG141\nG0 X60 Y-20\nG138 G42 G1 X60 Y0 F800\nX5\nY14.99997\nX10\nY25\n"
+      "X-10\nG40 X-10 Y60\nM30\n");
+  EXPECT_EQ(found.code, Code::bottleneck);
+  EXPECT_EQ(begin_of(found).find("slot"), std::string::npos) << message_of(found);
+  const Diagnostic neck = last_told(
+      "G0 X-60 Y-80 F1000\nV.G.WZ_AKT.R=10\nG141\nG138 G41 G1 X-60 Y-40\nX0\nY0\nX50\nY-10\nX90\n"
+      "Y25\nX50\nY15\nX5\nY75\nX-60\nG40 Y95\nM30\n");
+  EXPECT_NE(begin_of(neck).find("the slot is"), std::string::npos) << message_of(neck);
+}
+
 // A chamfer between walls that open: what tool leaves it a length.
 TEST(NarrowPlace, BetweenOtherWallsIsTheLargestToolThere) {
   const std::string chamfer =

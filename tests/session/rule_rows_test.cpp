@@ -306,6 +306,17 @@ TEST(OtherAxes, TravelWithTheirBlock) {  // D-26
             "0 0; ");
 }
 
+// Behind a change of side as behind an approach: the line with G42 ends beside the contour with the
+// old radius.
+TEST(RadiusChangeAtOnce, FollowsAChangeOfSide) {  // D-21
+  const std::string begin =
+      "G0 X0 Y-10 F800\nV.G.WZ_AKT.R=5\n#TRC[PERPENDICULAR_RADIUS_CHANGE=1]\nG138 G41 G1 X0 Y0\n"
+      "X50\nG42 X100\nV.G.WZ_AKT.R=8\n";
+  const ProgramRun run = to_text(begin + "X150\nY50\nG40 X180\nM30\n");
+  EXPECT_NE(run.text.find("G01 X100 Y-5\nG01 X100 Y-8\nG01 X158 Y-8\n"), std::string::npos)
+      << run.text;
+}
+
 // D-30: what TRC inserts has the feed of the block before it under G10 and G11 alike; only
 // arcs of the program are adapted: 600 · 15 / 10 outside, 600 · 5 / 10 inside.
 TEST(InsertedBlocks, HaveTheProgrammedFeedUnderG11) {

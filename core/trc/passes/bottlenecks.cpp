@@ -30,6 +30,21 @@ double tool_radius(const PathBlock& block) {
   return std::min(std::abs(block.at_start.shift), std::abs(block.at_end.shift));
 }
 
+// The slot at that place of the path, mm (D-145): between the contour block of the path and the
+// other one, if they face each other across the tool.
+std::optional<double> slot_between(const PathBlock& path, const Segment& other,
+                                   const Point& place) {
+  constexpr double facing = -0.5;  // the cosine of 120 degrees
+  const TrcMode& mode = path.mode();
+  if (!is_contour(path) || mode.below_nominal) return {};
+  const Segment& own = path.programmed.path;
+  const Point touched = point_along(own, nearest_along(own, place));
+  const Vector to_own = touched - place;
+  const Vector to_other = point_along(other, nearest_along(other, place)) - place;
+  if (to_own.dot(to_other) > facing * to_own.norm() * to_other.norm()) return {};
+  return 2 * mode.cutting_radius(distance(touched, other) / 2);
+}
+
 struct Violation {
   const MotionBlock* contour = nullptr;
   double distance = 0;
@@ -199,12 +214,8 @@ bool Bottlenecks::report(const PathBlock& path, const MotionBlock& contour, doub
   const TrcMode& mode = path.mode();
   found.values = {{"clearance", mode.cutting_radius(distance)},
                   {"tool_radius", mode.cutting_radius(tool_radius(path))}};
-  if (is_contour(path) && !mode.below_nominal) {
-    const Segment& own = path.programmed.path;
-    const Point touched = point_along(own, nearest_along(own, place));
-    found.values.push_back(
-        {"slot_width", 2 * mode.cutting_radius(trc::distance(touched, contour.path) / 2)});
-  }
+  if (const auto width = slot_between(path, contour.path, place))
+    found.values.push_back({"slot_width", *width});
   append_place(found.values, "other", contour.source);
   const Position position = from_plane(path.mode().plane, place, path.programmed.normal.to);
   found.point = DiagnosticPoint{.x = position[0], .y = position[1], .z = position[2]};

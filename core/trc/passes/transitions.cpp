@@ -258,8 +258,9 @@ bool Transitions::join(PathBlock& after, PathBlocks& out) {
   complete(before, joint.end, tolerances_);
   if (left_of_block(before, before.cut_at_start, before.cut_at_end) < 0) measure_room(after);
   const Origin origin = origin_of_insertions(before, after);
-  const bool radius_changes = (is_contour(before) || before.role == Role::approach) &&
-                              is_contour(after) && after.at_start != after.at_end &&
+  const bool leads_on =
+      is_contour(before) || before.role == Role::approach || before.role == Role::side_change;
+  const bool radius_changes = leads_on && is_contour(after) && after.at_start != after.at_end &&
                               after.mode().options.perpendicular_radius_change;
   if (before.mode().below_nominal && !tell_depth(before, after, joint)) return false;
   const Point contour_start = joint.start;

@@ -18,11 +18,28 @@ struct Departure {
 
 enum class End { before, after };
 
-std::optional<Departure> departure(const OffsetCurve& path, double radius, End end,
-                                   const Tolerances& tolerances) {
+double extent_of(const Segment& programmed) {
+  const auto* arc = std::get_if<Arc>(&programmed);
+  return arc != nullptr ? std::abs(arc->sweep) : length_of(programmed);
+}
+
+// A block as long as is needed, within 0.1 um (D-14), is left at its far end.
+Departure within(const Segment& block, End end, const Departure& departure,
+                 const Tolerances& tolerances) {
+  const double extent = extent_of(block);
+  const auto* arc = std::get_if<Arc>(&block);
+  const double slack =
+      arc != nullptr ? tolerances.on_contour / radius_of(*arc) : tolerances.on_contour;
+  if (std::abs(departure.cut - extent) > slack) return departure;
+  return {.point = end == End::before ? start_of(block) : end_of(block), .cut = extent};
+}
+
+std::optional<Departure> departure(const Segment& block, const OffsetCurve& path, double radius,
+                                   End end, const Tolerances& tolerances) {
   if (!path.circular) {
     const double along = end == End::before ? -radius : radius;
-    return Departure{.point = path.anchor + along * path.tangent, .cut = radius};
+    return within(block, end, {.point = path.anchor + along * path.tangent, .cut = radius},
+                  tolerances);
   }
   std::optional<Departure> nearest;
   const Circle reach{.center = path.anchor, .radius = radius};
@@ -31,12 +48,8 @@ std::optional<Departure> departure(const OffsetCurve& path, double radius, End e
                                           : cut_after_anchor(path, point, tolerances.same_point);
     if (!nearest || cut < nearest->cut) nearest = Departure{.point = point, .cut = cut};
   }
+  if (nearest) nearest = within(block, end, *nearest, tolerances);
   return nearest;
-}
-
-double extent_of(const Segment& programmed) {
-  const auto* arc = std::get_if<Arc>(&programmed);
-  return arc != nullptr ? std::abs(arc->sweep) : length_of(programmed);
 }
 
 // The swing around the corner, clockwise for G41.
@@ -97,7 +110,8 @@ std::optional<Joint> approach_on_path(const Corner& corner, const Segment& selec
   if (angle < pi / 2 - tolerances.tangent) {
     if (const auto meeting = nearest_meeting(path, corner.after, tolerances))
       joint = Joint(*meeting);
-  } else if (const auto leave = departure(path, corner.tool_radius(), End::before, tolerances)) {
+  } else if (const auto leave =
+                 departure(selection, path, corner.tool_radius(), End::before, tolerances)) {
     joint.emplace();
     joint->cut_before = leave->cut;
     joint->end = leave->point;
@@ -121,7 +135,8 @@ std::optional<Joint> retract_on_path(const Corner& corner, const Segment& desele
   if (angle < pi / 2 - tolerances.tangent) {
     if (const auto meeting = nearest_meeting(corner.before, path, tolerances))
       joint = Joint(*meeting);
-  } else if (const auto arrive = departure(path, corner.tool_radius(), End::after, tolerances)) {
+  } else if (const auto arrive =
+                 departure(deselection, path, corner.tool_radius(), End::after, tolerances)) {
     joint.emplace();
     joint->cut_after = arrive->cut;
     joint->end = corner.before.anchor;

@@ -70,28 +70,33 @@ bool Split::feed(PathBlockPtr block, PathBlocks& out) {
       split.where == SplitOption::Where::combined ||
       split.where == (approach ? SplitOption::Where::pre : SplitOption::Where::post);
   const double one = wanted ? share_of_one_mm(split, *block) : 0;
+  const double slack = tolerances_.on_contour * one;  // D-14
   // From the contour outwards.
   std::array<Part, 2> parts{Part{split.distance_1 * one, split.feed_1}, Part{}};
   std::size_t count = split.distance_1 > 0 ? 1 : 0;
   if (split.distance_2 > 0) {
     parts = {Part{split.distance_2 * one, split.feed_2}, parts[0]};
     count += 1;
-    if (parts[0].share + parts[1].share > 1) count = 1;
+    if (parts[0].share + parts[1].share > 1 + slack) count = 1;
   }
-  if (one == 0 || count == 0 || parts[0].share > 1) {
+  if (one == 0 || count == 0 || parts[0].share > 1 + slack) {
     out.push_back(std::move(block));
     return true;
   }
   // The stretches along the line, from its start.
   std::array<Part, 3> stretches{};
-  double taken = 0;
-  for (std::size_t i = 0; i < count; ++i) taken += parts[i].share;
+  double rest = 1;
+  for (std::size_t i = 0; i < count; ++i) rest -= parts[i].share;
+  if (std::abs(rest) <= slack) {
+    parts[count - 1].share += rest;
+    rest = 0;
+  }
   if (approach) {
-    stretches[0] = {1 - taken, 0};
+    stretches[0] = {rest, 0};
     for (std::size_t i = 0; i < count; ++i) stretches[i + 1] = parts[count - 1 - i];
   } else {
     for (std::size_t i = 0; i < count; ++i) stretches[i] = parts[i];
-    stretches[count] = {1 - taken, 0};
+    stretches[count] = {rest, 0};
   }
   Point start = start_of(block->tool_path);
   double from = 0;

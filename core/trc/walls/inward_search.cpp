@@ -62,6 +62,15 @@ class InwardSearch {
       const bool is_lap =
           overruns_ == Overruns::along_the_last_lap && -earlier >= 0.5 * longest_ring();
       if (is_lap) return take(next);
+      switch (lead_along_wall(next)) {
+        case LeadAlongWall::none:
+          break;
+        case LeadAlongWall::in:
+          if (is_junction(next)) take(next);
+          return;
+        case LeadAlongWall::out:
+          return;
+      }
       if (-earlier > tolerance_ && !runs_along(next)) {
         // A lead-in that crosses the last walls, or comes near them, does not hide the start of the
         // contour.
@@ -142,13 +151,56 @@ class InwardSearch {
     const double most = most_on_top() + share * later;
     return stay_together(best_->first, later, best_->second, on, most);
   }
+  // All of a short tangential lead stays near the curve that it touches. If it moves off to the
+  // tool side beyond rounding, it is no overrun, which would be a wall; nothing comes nearer for
+  // that.
+  enum class LeadAlongWall { none, in, out };
+  [[nodiscard]] LeadAlongWall lead_along_wall(const EndsMeeting& next) const {
+    if (contour_.tool_side == Side::off || overruns_ == Overruns::along_the_last_lap)
+      return LeadAlongWall::none;
+    const double rounding = contour_.tolerances.input_resolution;
+    const EndsMeeting& from = overrun_.front();
+    // The outer end of the lead lies beside the curve, the inner one on it.
+    const bool is_all_in = from.before <= same_place_ && next.gap <= rounding;
+    const bool is_all_out = next.behind <= same_place_ && from.gap <= rounding;
+    if (!is_all_in && !is_all_out) return LeadAlongWall::none;
+    const double tool_side = contour_.tool_side == Side::left ? 1 : -1;
+    double farthest_begin = 0;  // on the tool side of the end, mm
+    double farthest_end = 0;    // on that of the beginning
+    const bool is_near =
+        go_together(from.first, next.before - from.before, from.second, from.behind - next.behind,
+                    [&](const ContourPlace& begin, const ContourPlace& end) {
+                      const Vector apart = point_at(end) - point_at(begin);
+                      const Vector along = tangent_along(contour_.segment(end.number), end.along);
+                      const double beside = tool_side * cross(along, apart);
+                      farthest_end = std::max(farthest_end, beside);
+                      farthest_begin = std::max(farthest_begin, -beside);
+                      return apart.norm() <= tolerance_;
+                    });
+    if (!is_near) return LeadAlongWall::none;
+    if (is_all_out && farthest_end > rounding && farthest_begin <= rounding)
+      return LeadAlongWall::out;
+    if (is_all_in && farthest_begin > rounding && farthest_end <= rounding)
+      return LeadAlongWall::in;
+    return LeadAlongWall::none;
+  }
   // Whether two ways along the contour are nowhere farther apart than `most`, mm.
-  [[nodiscard]] bool stay_together(ContourPlace begin, double later, ContourPlace end, double on,
-                                   double most) const {
+  [[nodiscard]] bool stay_together(const ContourPlace& begin, double later, const ContourPlace& end,
+                                   double on, double most) const {
+    return go_together(begin, later, end, on,
+                       [&](const ContourPlace& one, const ContourPlace& other) {
+                         return (point_at(one) - point_at(other)).norm() <= most;
+                       });
+  }
+  // Calls visit(place, place) along two ways, at the ends of their blocks and between these, as
+  // long as it returns true. Returns whether it always has.
+  template <class Visit>
+  bool go_together(ContourPlace begin, double later, ContourPlace end, double on,
+                   const Visit& visit) const {
     const auto go_on_together = [&](double share) {
       go_on(begin, later, share);
       go_on(end, on, share);
-      return (point_at(begin) - point_at(end)).norm() <= most;
+      return visit(begin, end);
     };
     // From one end of a block to the next one on either way, as shares of the way.
     double left = 1;

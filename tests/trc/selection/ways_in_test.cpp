@@ -68,6 +68,20 @@ TEST(SelectionOnPath, NeedsABlockAsLongAsItTakes) {  // D-03
   EXPECT_NEAR(*needed, 5, 1e-12);
 }
 
+// The rounding of a difference decides nothing.
+TEST(SelectionOnPath, TakesABlockAsLongAsTheRadiusWithinATenthOfAMicrometre) {  // D-14
+  const Corner corner = corner_into({0, -1}, 5);
+  for (const double more : {-9e-5, -1e-12, 0.0, 1e-12, 9e-5}) {
+    const Line block{.start = {-5 - more, 0}, .end = {0, 0}};
+    const auto joint = approach_on_path(corner, block, {1, 0}, AroundCorner::arc, Tolerances{});
+    ASSERT_TRUE(joint) << more;
+    EXPECT_EQ(joint->end, block.start);
+    EXPECT_EQ(joint->cut_before, length_of(block));
+  }
+  const Line shorter{.start = {-4.9998, 0}, .end = {0, 0}};
+  EXPECT_FALSE(approach_on_path(corner, shorter, {1, 0}, AroundCorner::arc, Tolerances{}));
+}
+
 TEST(TangentialSelection, RunsIntoTheContourByAnArc) {  // rule 3.7
   const auto way = tangential_entry({-5, 5}, {0, 0}, {1, 0}, Tolerances{});
   ASSERT_TRUE(way);
@@ -121,13 +135,39 @@ TEST(SplitPass, GivesThePartNextToTheContourAFeedOfItsOwn) {  // rule 7.2
   PathBlockPtr approach = support::approach_block({.start = {0, 0}, .end = {100, 0}}, mode);
   approach->tool_path = Line{.start = {0, 0}, .end = {100, 0}};
   approach->splittable = true;
-  Split pass;
+  Split pass(Tolerances{});
   const PathBlocks out = support::all_from(pass, support::in_a_row(std::move(approach)));
   ASSERT_EQ(out.size(), 2U);
   expect_point(end_of(out[0]->tool_path), 90, 0);
   EXPECT_EQ(out[0]->programmed.feed, 100);
   expect_point(end_of(out[1]->tool_path), 100, 0);
   EXPECT_EQ(out[1]->programmed.feed, 50);
+}
+
+// The rounding of a difference decides nothing.
+TEST(SplitPass, GivesALineAsLongAsThePartItsFeed) {  // D-14
+  TrcMode mode = support::left_of_contour(2);
+  mode.options.split = {
+      .where = SplitOption::Where::pre, .along_path = true, .distance_1 = 10, .feed_1 = 50};
+  const auto split = [&](double length, double second) {
+    mode.options.split.distance_2 = second;
+    mode.options.split.feed_2 = second > 0 ? 20 : 0;
+    PathBlockPtr approach = support::approach_block({.start = {0, 0}, .end = {length, 0}}, mode);
+    approach->tool_path = Line{.start = {0, 0}, .end = {length, 0}};
+    approach->splittable = true;
+    Split pass(Tolerances{});
+    std::vector<double> feeds;
+    for (const PathBlockPtr& part : support::all_from(pass, support::in_a_row(std::move(approach))))
+      feeds.push_back(part->programmed.feed);
+    return feeds;
+  };
+  for (const double more : {-9e-5, -1e-12, 0.0, 1e-12, 9e-5}) {
+    EXPECT_EQ(split(10 + more, 0), std::vector<double>{50}) << more;
+    EXPECT_EQ(split(14 + more, 4), (std::vector<double>{50, 20})) << more;
+  }
+  EXPECT_EQ(split(9.9998, 0), std::vector<double>{100});
+  EXPECT_EQ(split(13.9998, 4), (std::vector<double>{100, 20}));
+  EXPECT_EQ(split(10.0002, 0), (std::vector<double>{100, 50}));
 }
 
 }  // namespace

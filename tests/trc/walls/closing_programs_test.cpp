@@ -83,6 +83,43 @@ TEST(ClosingPrograms, AnOverrunMayGoPastAFilletTheToolDoesNotFitInto) {  // D-38
   EXPECT_NEAR(outcome.clearance_to({right, bottom}), 2.5, 1e-9);
 }
 
+// A disc in chords of 0.1 mm, its leads along the tangent in front of the first chord and behind
+// the last one: so near to the chords that they seem to repeat them.
+TEST(ClosingPrograms, TangentialLeadsBesideFineChordsAreNoOverrun) {  // D-38
+  const auto position = [](double x, double y) {
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "X%.3f Y%.3f", x, y);
+    return std::string(text.data());
+  };
+  for (const double radius : {10.0, 50.0, 200.0})
+    for (const double lead : {0.3, 0.5, 1.0})
+      for (const bool left : {false, true}) {
+        SCOPED_TRACE(testing::Message() << radius << ' ' << lead << ' ' << left);
+        const double way = left ? -1 : 1;
+        const auto count = static_cast<int>(2 * std::numbers::pi * radius / 0.1);
+        std::string contour = "G0 " + position(-way * lead, -20) + " F800\nG138 " +
+                              (left ? "G41" : "G42") + " G1 " + position(-way * lead, 0) + "\n";
+        std::vector<Segment> walls;
+        Point last(0, 0);
+        contour += position(0, 0) + "\n";
+        for (int chord = 1; chord <= count; ++chord) {
+          const double angle = 2 * std::numbers::pi * chord / count;
+          const auto rounded = [](double value) { return std::round(1000 * value) / 1000; };
+          const Point next(rounded(way * radius * std::sin(angle)),
+                           rounded(radius * (1 - std::cos(angle))));
+          contour += position(next.x(), next.y()) + "\n";
+          walls.emplace_back(Line{.start = last, .end = next});
+          last = next;
+        }
+        contour += position(way * lead, 0) + "\nG40 " + position(way * lead, -20) + "\n";
+        for (const char* modes : {removing, "G140 G26"}) {
+          const Result outcome = run(modes, 5, contour, Verify::enforce);
+          EXPECT_TRUE(outcome.whole) << modes;
+          EXPECT_TRUE(outcome.diagnostics.empty()) << modes;
+        }
+      }
+}
+
 // The lap in that many depths, N10 to N90, N110 …; `back` leads from one to the next.
 std::string in_depths(int count, const std::vector<std::string>& lap, const std::string& back) {
   std::string contour;
