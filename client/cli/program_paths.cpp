@@ -32,10 +32,19 @@ bool is_inch(ContourReader& reader, const std::vector<Block>& blocks) {
   return first != nullptr && reader.is_inch(first->source.index);
 }
 
-// How far the middle of a path lies from the equidistant of the motion; mm.
+// How far the middle of a path lies from the equidistant of the motion, and its end from the height
+// of the motion's; mm.
 double misfit(const CompensatedBlock& path, const MotionBlock& motion) {
   const Point middle = point_along(path.path, length_of(path.path) / 2);
-  return std::abs(distance(middle, motion.path) - std::abs(motion.mode->cutting_radius()));
+  return std::abs(distance(middle, motion.path) - std::abs(motion.mode->cutting_radius())) +
+         std::abs(path.normal.to - motion.normal.to);
+}
+
+// Whether nothing of the motion comes after this part of its path.
+bool ends_with(const MotionBlock& motion, const CompensatedBlock& path) {
+  constexpr double at_end = 1e-3;  // mm
+  const double apart = (end_of(path.path) - end_of(motion.path)).norm();
+  return std::abs(apart - std::abs(motion.mode->cutting_radius())) <= at_end;
 }
 
 // If a line has become several motions (a rounded corner, the arc of a lead), the service does not
@@ -48,19 +57,25 @@ void tell_parts(const std::vector<Block>& programmed, std::vector<CompensatedBlo
   std::erase_if(motions_of_line, [](const auto& line) { return line.second.size() < 2; });
   std::uint64_t line = Source{}.index;
   std::size_t at = 0;
+  bool is_over = false;  // the motion there
   for (CompensatedBlock& block : path) {
     const auto found = motions_of_line.find(block.source.index);
     if (found == motions_of_line.end()) continue;
     const std::vector<const MotionBlock*>& motions = found->second;
-    if (block.source.index != line) at = 0;
+    if (block.source.index != line) {
+      at = 0;
+      is_over = false;
+    }
     line = block.source.index;
     if (block.origin == Origin::programmed) {
+      const std::size_t next = at + (is_over && at + 1 < motions.size() ? 1 : 0);
       const auto nearest =
-          std::min_element(motions.begin() + static_cast<std::ptrdiff_t>(at), motions.end(),
+          std::min_element(motions.begin() + static_cast<std::ptrdiff_t>(next), motions.end(),
                            [&](const MotionBlock* a, const MotionBlock* b) {
                              return misfit(block, *a) < misfit(block, *b);
                            });
       at = static_cast<std::size_t>(nearest - motions.begin());
+      is_over = ends_with(*motions[at], block);
     }
     block.source.part = motions[at]->source.part;
   }

@@ -35,6 +35,20 @@ std::string told(const std::string& text, const ProgramSessionSetup& setup) {
   return all;
 }
 
+// The tool that is missing is told at its word, where the contour needs it: the lines before that
+// have come out, whatever came at once.
+TEST(MissingTool, IsToldBehindTheSameOutputHoweverTheTextIsCut) {
+  ProgramSessionSetup setup = computing_setup(isg, 0);
+  setup.session.program.tools = {{1, ToolRow(2)}};
+  const std::string before = "N20 T3 D3\nN40 G00 X-20 Y-20\n";
+  for (const std::size_t piece : {0U, 1U, 7U, 30U}) {
+    const ProgramRun ran =
+        to_text(before + "N70 G41 G01 X0 Y0 F300\nN80 Y50\nN90 G40 X-20\nM30\n", setup, piece);
+    EXPECT_EQ(ran.text, before) << piece;
+    EXPECT_EQ(ran.codes(), "900013 at line 1") << piece;
+  }
+}
+
 // How far the tool is from the wall of the last contour; -1: it was refused.
 double distance(const std::string& text, const ProgramSessionSetup& setup) {
   const ProgramRun ran = to_blocks(text, setup);

@@ -49,8 +49,10 @@ bool ProgramState::report(const Source& source, Code code, std::string detail,
 }
 
 bool ProgramState::refuse(const Source& source, Refusal refusal) {
-  Diagnostic refused = diagnostic(refusal.code, refusal.place ? refusal.place->source : source,
-                                  std::move(refusal.detail));
+  Source place = refusal.place ? refusal.place->source : source;
+  // The lines up to the one that needs it have come out, whatever came at once.
+  if (place.line > 0) place.index = source.index;
+  Diagnostic refused = diagnostic(refusal.code, place, std::move(refusal.detail));
   constexpr std::array of_center{Code::center_and_radius_together, Code::circle_radius_zero,
                                  Code::center_out_of_range};
   const bool is_of_center =

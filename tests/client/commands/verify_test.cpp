@@ -43,6 +43,19 @@ TEST(Verify, FindsARetractThroughTheContour) {
             "<stdin>:8: the approach or the retract leads through the contour at line 3\n");
 }
 
+// Full turns of one line are so many blocks, on top of each other or one below the other.
+TEST(Verify, CountsEachTurnOfALine) {
+  for (const std::string depth : {"", " Z-6"}) {
+    const Ended ended = trc({"verify", "-", "--dialect", "sinumerik", "--radius", "3"},
+                            "G17 G90 G71\nG0 X0 Y0 Z2\nG1 Z0 F200\nG41 G1 X20 Y0\nG3 X20 Y0" +
+                                depth + " I-20 J0 TURN=2\nG3 X0 Y20 I-20 J0\nG40 G1 X0 Y0\nM30\n");
+    EXPECT_NE(ended.out.find("the path touches 100.0 % of 376.9911 mm of wall\n"),
+              std::string::npos)
+        << ended.out;
+    EXPECT_EQ(ended.out.find("left out"), std::string::npos) << ended.out;
+  }
+}
+
 // Inside a square of 40 mm: 5 mm at both sides of each corner.
 TEST(Verify, SaysWhyWallsAreNotTouched) {
   const Ended pocket = trc({"verify", "-", "--radius", "5"},
