@@ -36,6 +36,16 @@ TEST(ToldTogether, OfFanucAreStateAndWordsAndCalls) {
             "900002 7 G777\n900306 8 O1235\n900303 9 #501\n");
 }
 
+// What else is wrong in a program of another dialect is wrong in this one alone.
+TEST(ToldTogether, OfAnotherDialectIsThatAlone) {
+  const std::string all =
+      told("BEGIN PGM A MM\nTOOL CALL 1 Z S1000\nL Z+50 R0 FMAX\nAPPR LCT X+5 Y+5 R5 RL F300\n"
+           "RND R10\nCT X+40 Y+5\nEND PGM A MM\n",
+           DialectName::isg);
+  EXPECT_NE(all.find("900016 1 "), std::string::npos) << all;
+  EXPECT_EQ(all.find("900003"), std::string::npos) << all;
+}
+
 // While a value is unknown, what depends on it is no error.
 TEST(ToldTogether, AreNoConsequences) {
   EXPECT_EQ(told("#1=#5041\n#2=1/[#1-1]\nGOTO#1\nM98 P#1\nIF [#1 EQ 1] THEN #3000=1(NO)\n"

@@ -195,8 +195,12 @@ bool Reading::report_faults() { return diagnostics.report_together(told_faults()
 std::vector<Diagnostic> Reading::told_faults() const {
   // Each fault has recorded its call when it was found.
   diagnostics.calls().stand(blocks_read, CallPlaces::main_program, 0);
+  // What else is wrong in a program of another dialect is wrong in this one alone.
+  const bool is_of_another =
+      !isg_word_seen && !faults.empty() && faults.front().code == Code::other_dialect;
   std::vector<Diagnostic> all;
   for (const Fault& fault : faults) {
+    if (is_of_another && fault.code != Code::other_dialect) continue;
     Diagnostic found = diagnostic(fault.code, fault.source, fault.detail);
     found.column = fault.column;
     found.slip = fault.slip;
