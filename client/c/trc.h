@@ -2,7 +2,7 @@
  * the calling process, without a network.
  *
  *   trc_create -> trc_feed_text or trc_feed_blocks, as often as wanted -> trc_finish ->
- *   trc_summarize -> trc_free; and trc_next wherever answers are wanted, at the latest behind
+ *   trc_summarize -> trc_free; and trc_next wherever answers are wanted, at the latest after
  *   trc_finish.
  *
  * Units. Lengths and coordinates are mm, machine axes, finite and at most 1e6 in size; angles rad;
@@ -42,7 +42,7 @@ typedef struct trc_session trc_session;
 /* What functions give. */
 enum trc_status {
   TRC_OK = 0,
-  /* trc_next: there is no more for now; behind trc_finish there never will be. */
+  /* trc_next: there is no more for now; after trc_finish there never will be. */
   TRC_END = 1,
   /* The program or path is refused. The last answers are diagnostics of severity TRC_ERROR that
    * say where, why and what helps. Nothing of it may be machined. */
@@ -207,7 +207,7 @@ typedef struct trc_diagnostic {
 enum trc_answer_kind {
   TRC_ANSWER_TEXT = 1,      /* NC text, any stretch of it */
   TRC_ANSWER_MOTION = 2,    /* one compensated block */
-  TRC_ANSWER_DIAGNOSTIC = 3 /* behind all that was certain in the line or block it is about */
+  TRC_ANSWER_DIAGNOSTIC = 3 /* after all that was certain in the line or block it is about */
 };
 
 /* The next of what a session says. What it points at holds until the next call with the session. */
@@ -263,8 +263,8 @@ TRC_API int trc_feed_text(trc_session* session, const char* text, size_t length)
 
 /* Takes `count` blocks that lie `block_size` bytes apart: sizeof(trc_block). `blocks` may be NULL
  * where `count` is 0. What they point at is not needed afterwards. TRC_ARGUMENT: trc_last_error
- * names the block, counted from 0 since the begin of the path, and the member; the blocks before it
- * have been taken, it and those behind it have not, and the path may go on with a corrected one.
+ * names the block, counted from 0 since the start of the path, and the member; the blocks before it
+ * have been taken, it and those after it have not, and the path may go on with a corrected one.
  * TRC_REFUSED, TRC_ORDER: as of trc_feed_text. */
 TRC_API int trc_feed_blocks(trc_session* session, const trc_block* blocks, size_t count,
                             size_t block_size);
@@ -274,7 +274,7 @@ TRC_API int trc_feed_blocks(trc_session* session, const trc_block* blocks, size_
 TRC_API int trc_finish(trc_session* session);
 
 /* Fills in the next answer, in the order of the program. TRC_END: there is none for now. Answers
- * are kept until they are taken; behind a TRC_REFUSED, too. */
+ * are kept until they are taken; after a TRC_REFUSED, too. */
 TRC_API int trc_next(trc_session* session, trc_answer* answer);
 
 /* What the session has done. Nothing may be machined before this gave TRC_OK: TRC_ORDER before

@@ -125,7 +125,7 @@ std::string words_of_leads(const EntryHelp& help, const Words& words) {
       words.in("what leads to the contour has to be another one: replace the approach",
                "zur Kontur muss ein anderer Weg führen: den Anfahrsatz ersetzen");
   if (help.replaced > 0)
-    text += words.in(" and " + blocks("the ", help.replaced) + " behind it, as leads",
+    text += words.in(" and " + blocks("the ", help.replaced) + " after it, as leads",
                      help.replaced == 1 ? ", dazu den Satz dahinter, der anfährt"
                                         : ", dazu die " + std::to_string(help.replaced) +
                                               " Sätze dahinter, die anfahren");

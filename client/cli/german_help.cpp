@@ -256,7 +256,7 @@ constexpr auto rows = std::to_array<Row>({
      "Geschlossener Kreis (wie ohne Angabe): jedem Stream folgt sofort der nächste"},
     {"Streams open at once; with --rate, at most", "Zugleich offene Streams; mit --rate höchstens"},
     {"Connections the streams are spread over", "Verbindungen, auf die sich die Streams verteilen"},
-    {"Seconds to measure, behind the ramp", "Sekunden, die gemessen wird, nach dem Anlauf"},
+    {"Seconds to measure, after the ramp", "Sekunden, die gemessen wird, nach dem Anlauf"},
     {"Seconds in which the load grows from nothing", "Sekunden, in denen die Last von null wächst"},
     {"End after so many streams, if that is sooner",
      "Nach so vielen Streams enden, wenn das früher ist"},

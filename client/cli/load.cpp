@@ -175,7 +175,7 @@ void add_load_options(CLI::App& command, Call& call) {
   command.add_option("--connections", call.connections, "Connections the streams are spread over")
       ->check(CLI::Range(1, 10'000))
       ->default_str("one for 50 streams");
-  command.add_option("--duration", call.duration_s, "Seconds to measure, behind the ramp")
+  command.add_option("--duration", call.duration_s, "Seconds to measure, after the ramp")
       ->check(CLI::Range(0.01, 86'400.0))
       ->capture_default_str();
   command.add_option("--ramp", call.ramp_s, "Seconds in which the load grows from nothing")

@@ -125,7 +125,7 @@ ProgramInfo describe_program(const std::string& program, ProgramSessionSetup set
   if (!has_tools) say("tools: none are given, so that nothing is said of what fits");
   if (session.is_computing())
     say("computes: yes, " + std::to_string(session.executed_lines()) + " lines executed");
-  say(std::string(info.refused ? "selections in front of the fault: " : "selections: ") +
+  say(std::string(info.refused ? "selections before the fault: " : "selections: ") +
       std::to_string(contours.selections) + ", " + std::to_string(contours.blocks) + " blocks, " +
       rounded(contours.length) + " mm");
   std::vector<Diagnostic> found = whole.diagnostics;

@@ -67,7 +67,7 @@ LineOfWords::LineOfWords(std::string_view line) {
     if (is_word)
       take(sign, value);
     else if (!value.empty())
-      note('"' + std::string(value) + "\" has no letter in front of it");
+      note('"' + std::string(value) + "\" has no letter before it");
     at = std::max(end, at + 1);
   }
 }
@@ -75,7 +75,7 @@ LineOfWords::LineOfWords(std::string_view line) {
 void LineOfWords::take(char letter, std::string_view value) {
   letters_ += letter;
   const std::string name(1, letter);
-  if (value.empty()) return note(name + " has no number directly behind it");
+  if (value.empty()) return note(name + " has no number directly after it");
   const auto number = number_from(value);
   if (!number) return note(name + " is \"" + std::string(value) + "\", which is no number");
   words_.push_back({.letter = letter, .text = value, .number = *number});

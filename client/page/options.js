@@ -55,7 +55,7 @@ export class Options {
     const input = this.input(parameter);
     input.name = name;
     input.autocomplete = 'off';
-    // A screen reader says the title, and what it means behind it.
+    // A screen reader says the title, and what it means after it.
     title.id = `title-${name}`;
     note.id = `note-${name}`;
     input.setAttribute('aria-labelledby', title.id);

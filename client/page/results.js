@@ -70,7 +70,7 @@ function showNothing() {
   redraw();
 }
 
-// What is measured behind the first picture.
+// What is measured after the first picture.
 async function learn(program, view) {
   await program.tiles.drawn;
   while (view.measuring && program.view === view) {

@@ -70,7 +70,7 @@ const names = {
   renumber: ['Number blocks anew', 'Sätze neu nummerieren'],
   max_executed_lines: ['Lines executed at most', 'Höchstens ausgeführte Zeilen'],
   variables: ['Variables', 'Variablen'],
-  block_skip: ['Lines behind /', 'Zeilen hinter /'],
+  block_skip: ['Lines with /', 'Zeilen hinter /'],
   whole_numbers: ['Numbers without a point', 'Zahlen ohne Punkt'],
 };
 
@@ -80,7 +80,7 @@ const germanWords = {
   'names with commas between': 'Namen, mit Kommas dazwischen',
   'names with their values, as in #500=12.5,#501=3': 'Namen mit ihren Werten, wie in #500=12.5,#501=3',
   'auto, none or blocks:IN,OUT': 'auto, none oder blocks:EIN,AUS',
-  'the tool table, number of the D or T word:radius in mm, as in 1:5,2:3.5, or with the wear too, as in 1:5:-0.02; a name stands in quotes, an edge behind a stroke, as in 7"ROUGH"/2:5':
+  'the tool table, number of the D or T word:radius in mm, as in 1:5,2:3.5, or with the wear too, as in 1:5:-0.02; a name stands in quotes, an edge after a slash, as in 7"ROUGH"/2:5':
     'Nummer des D- oder T-Worts:Radius in mm, wie 1:5,2:3.5, mit Verschleiß 1:5:-0.02, mit Name und Schneide 7"ROUGH"/2:5',
   true: 'ja', false: 'nein', off: 'aus', on: 'ein', none: 'keine', auto: 'selbst finden', blocks: 'gezählt',
   direct: 'direkt', indirect: 'indirekt', on_path: 'auf der Bahn', perpendicular: 'senkrecht',
@@ -132,9 +132,9 @@ const germanMeanings = {
     'misst die Bahn nach: report warnt vor dem, was zu nah kommt (900216), enforce lehnt es ab',
   'which blocks of a contour are leads and bound no material': 'welche Sätze einer Kontur an- und abfahren und kein Material begrenzen',
   'how leads are found': 'wie An- und Abfahrsätze gefunden werden',
-  'leads behind the approach block, with leads.find=blocks': 'Anfahrsätze hinter dem Anwahlsatz, mit leads.find=blocks',
+  'leads after the approach block, with leads.find=blocks': 'Anfahrsätze hinter dem Anwahlsatz, mit leads.find=blocks',
   'leads before the retract block, with leads.find=blocks': 'Abfahrsätze vor dem Abwahlsatz, mit leads.find=blocks',
-  'up to here the end of a contour meets its begin': 'bis dahin trifft das Ende einer Kontur ihren Anfang',
+  'up to here the end of a contour meets its start': 'bis dahin trifft das Ende einer Kontur ihren Anfang',
   'largest share of the wall of a selection that may be left out, in one stretch or in all those longer than 10 tool radii (900218)':
     'größter Anteil der Wand einer Anwahl, der ausgelassen werden darf, am Stück oder in allen Stücken über 10 Werkzeugradien (900218)',
   'how finely the program is written; less counts as touching': 'wie fein das Programm geschrieben ist; weniger gilt als Berührung',
@@ -144,7 +144,7 @@ const germanMeanings = {
   'a larger wear is refused (900222)': 'ein größerer Verschleiß wird abgelehnt (900222)',
   'what the tool is larger by; negative: worn off; max_wear allows more than 1':
     'um so viel ist das Werkzeug größer; negativ: abgenutzt; max_wear erlaubt mehr als 1',
-  'lines behind /, as the switch of the machine stands: execute is off, leave_out on; refuse what hangs on it (900017)':
+  'lines with /, as the switch of the machine stands: execute is off, leave_out on; refuse what hangs on it (900017)':
     'Zeilen hinter /, wie der Schalter der Maschine steht: execute aus, leave_out ein; refuse lehnt ab, was davon abhängt (900017)',
   'words unknown here that say nothing about the path, as POPEN,G777: they pass, also in a contour':
     'hier unbekannte Wörter, die über den Weg nichts sagen, wie POPEN,G777: sie bleiben, auch in einer Kontur',

@@ -58,7 +58,7 @@ constexpr auto own_helps = std::to_array<OwnHelp>({
      .english = "Program CC before it, or CR with R, or L if it is meant to be straight.",
      .german = "Davor CC programmieren, oder CR mit R, oder L, wenn es eine Gerade sein soll."},
     {.code = Code::deselection_without_motion,
-     .english = "Program the retract motion behind G40.",
+     .english = "Program a retract motion after G40.",
      .german = "Hinter G40 die Abfahrbewegung programmieren."},
     {.code = Code::tool_radius_out_of_range,
      .english = "Check its unit: the radius of the setup is in mm, that of a word in the unit of "
@@ -67,7 +67,7 @@ constexpr auto own_helps = std::to_array<OwnHelp>({
                "der Einheit des Programms."},
     {.code = Code::position_unknown,
      .klartext_alone = true,
-     .english = "Program both axes of the plane in a straight line, absolutely, behind the "
+     .english = "Program both axes of the plane in a straight line, absolutely, after the "
                 "change, before incremental words, circles or RL.",
      .german = "Hinter dem Wechsel beide Achsen der Ebene als Gerade absolut programmieren, vor "
                "inkrementalen Wörtern, Kreisen oder RL."},

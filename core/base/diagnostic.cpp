@@ -27,7 +27,7 @@ constexpr auto rows = std::to_array<CodeRow>({
      "Program a centre (I, J, K) away from the start point, or a radius other than 0."},
     {Code::radius_and_tool_word_together, error, "RADIUS_AND_TOOL_WORD_TOGETHER",
      "a D word and a value for the tool radius stand in one block",
-     "Write the tool radius in a block of its own behind the D word."},
+     "Write the tool radius in a block of its own after the D word."},
     {Code::transition_type_twice, error, "TRANSITION_TYPE_TWICE",
      "one block programs more than one transition type (G25, G26)", "Keep one of them."},
     {Code::compensation_side_twice, error, "COMPENSATION_SIDE_TWICE",
@@ -77,7 +77,7 @@ constexpr auto rows = std::to_array<CodeRow>({
      "Let the first motion after G41 or G42 be a straight line, or select with G236 or G237."},
     {Code::too_many_passive_blocks, error, "TOO_MANY_PASSIVE_BLOCKS",
      "too many blocks without motion in the plane follow one another while TRC is active",
-     "Move them before G41 or behind G40, or raise the limit."},
+     "Move them before G41 or after G40, or raise the limit."},
     {Code::tool_not_smaller_than_arc, error, "TOOL_NOT_SMALLER_THAN_ARC",
      "the tool does not fit into the arc: its radius is not smaller than that of the arc",
      "Use a smaller tool or a larger arc, or G141 with #TRC [CONV_CIR_TO_LIN=1]."},
@@ -137,7 +137,7 @@ constexpr auto rows = std::to_array<CodeRow>({
      "comments",
      "Take it out, and save the program as plain text in UTF-8; ASCII is UTF-8 too."},
     {Code::nc_number, error, "NC_NUMBER", "a number is missing, malformed or out of range",
-     "Write a decimal number behind the address letter; where a range is named, one within it."},
+     "Write a decimal number after the address letter; where a range is named, one within it."},
     {Code::nc_unclosed, error, "NC_UNCLOSED", "something is opened but not closed",
      "Close the bracket or the comment, or complete the continued line."},
     {Code::nc_word_twice, error, "NC_WORD_TWICE", "one block programs an address twice",
@@ -152,7 +152,7 @@ constexpr auto rows = std::to_array<CodeRow>({
     {Code::program_empty, error, "PROGRAM_EMPTY", "the program has no block",
      "Check that the file is the one meant and is complete."},
     {Code::side_behind_end, error, "SIDE_BEHIND_END",
-     "G41 or G42 stands behind the end of the program (M02, M30)",
+     "G41 or G42 after the end of the program (M02, M30)",
      "Remove what follows the end, or compensate it as a program of its own."},
     {Code::other_dialect, error, "OTHER_DIALECT",
      "the word means something else in the dialect the program looks like",
@@ -160,14 +160,14 @@ constexpr auto rows = std::to_array<CodeRow>({
      "the word."},
     {Code::block_skip_undecided, error, "BLOCK_SKIP_UNDECIDED",
      "the path hangs on the switch for block skip",
-     "Say how it stands: `block_skip` EXECUTE in the setup where lines behind `/` are executed, "
+     "Say how it stands: `block_skip` EXECUTE in the setup where lines with `/` are executed, "
      "LEAVE_OUT where they are not."},
     {Code::turning, error, "TURNING",
      "this is a program of a lathe: turning is not compensated here",
      "Let the lathe compensate the nose of its tool."},
     {Code::motion_unknown, error, "MOTION_UNKNOWN",
      "a contour moves though the program has not said whether at the feed or at rapid",
-     "Program G01 (or G00) in front of the contour, or in its first block."},
+     "Program G01 (or G00) before the contour, or in its first block."},
 
     {Code::circle_incomplete, error, "CIRCLE_INCOMPLETE",
      "a circular block has neither centre nor radius",
@@ -176,14 +176,14 @@ constexpr auto rows = std::to_array<CodeRow>({
      "Remove it, or use another one."},
     {Code::deselection_without_motion, error, "DESELECTION_WITHOUT_MOTION",
      "G41 or G42 follows G40 although no motion in the plane has left the contour",
-     "Program the retract motion behind G40, or use G237 or G239."},
+     "Program a retract motion after G40, or use G237 or G239."},
     {Code::tool_radius_out_of_range, error, "TOOL_RADIUS_OUT_OF_RANGE",
      "the tool radius is out of range", "Check the unit: the radius is in mm, under G70 in inch."},
     {Code::field_invalid, error, "FIELD_INVALID", "a value is not a number or out of range",
      "Correct the word or the field named."},
     {Code::position_unknown, error, "POSITION_UNKNOWN",
      "the motion starts from a position that is not known",
-     "Program all axes of the plane absolutely (G90, G00 or G01) behind the change, before G91, "
+     "Program all axes of the plane absolutely (G90, G00 or G01) after the change, before G91, "
      "circles or G41."},
 
     {Code::selection_block_too_short, error, "SELECTION_BLOCK_TOO_SHORT",
@@ -270,13 +270,13 @@ constexpr auto rows = std::to_array<CodeRow>({
      "program."},
     {Code::tool_may_have_changed, warning, "TOOL_MAY_HAVE_CHANGED",
      "the tool may have been changed since its radius was said, which stays in force",
-     "Program the T or D word of the tool behind it, with its radius in the tool table, or "
+     "Program the T or D word of the tool after it, with its radius in the tool table, or "
      "compensate the parts of the program one by one. What changes no tool is declared in "
      "pass_words."},
     {Code::call_taken_as_harmless, note, "CALL_TAKEN_AS_HARMLESS",
      "the text of a called subprogram is not given: plane, unit, G25 or G26, G140 or G141 and #TRC "
-     "are taken to be behind it what they were in front of it",
-     "Give its text in `subprograms`, or program behind the call what has to hold. A name that "
+     "are taken to be the same after it as before it",
+     "Give its text in `subprograms`, or program after the call what has to hold. A name that "
      "changes nothing is declared in pass_words."},
     {Code::machine_compensates, warning, "MACHINE_COMPENSATES",
      "the machine compensates this cycle itself, with its own D register",
@@ -307,7 +307,7 @@ constexpr auto rows = std::to_array<CodeRow>({
      "than 64 KiB, jumps reach back only to the first line that computes."},
     {Code::subprogram_unknown, error, "SUBPROGRAM_UNKNOWN",
      "a subprogram is called that is not there",
-     "Put it into the same text, where the dialect has it (ISG: in front of the program, behind "
+     "Put it into the same text, where the dialect has it (ISG: before the program, after "
      "%L NAME), or give its text in `subprograms` of the setup."},
     {Code::machine_state, error, "MACHINE_STATE",
      "the program asks for, or changes, a state that only the machine knows",
@@ -326,7 +326,7 @@ constexpr auto rows = std::to_array<CodeRow>({
      "the text of a program that computes is too long to be held",
      "Divide the program, or let the part that does not compute be a program of its own."},
     {Code::program_alarm, error, "PROGRAM_ALARM", "the program itself raises an alarm",
-     "Its text says what the program asks for; look at the lines in front of it."},
+     "Its text says what the program asks for; look at the lines before it."},
 });
 
 static_assert(std::ranges::is_sorted(rows, {}, &CodeRow::code));

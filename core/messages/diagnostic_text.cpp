@@ -419,7 +419,7 @@ std::string_view help_about_values(const Diagnostic& diagnostic, bool german) {
                     "Programm vor G41 oder G42 aufruft (`tools` des Setups); ruft es keines auf, "
                     "hilft eine Tabelle nicht."
                   : "Give tool_radius in the setup, or a table with the tool that the program "
-                    "calls in front of G41 or G42 (`tools` of the setup); if it calls none, a "
+                    "calls before G41 or G42 (`tools` of the setup); if it calls none, a "
                     "table does not help.";
   if (diagnostic.code == Code::nc_unknown_function && diagnostic.detail.ends_with(" axis words"))
     return german
@@ -513,9 +513,9 @@ std::string help_of(const Diagnostic& diagnostic, Language language) {
         Code::clearance_violated};
     // For these reasons the general help for expressions says little.
     constexpr std::array<std::string_view, 12> own_reasons{
-        ", a block without a colon behind its number",
-        ", words behind a statement",
-        ", a block number behind other words",
+        ", a block without a colon after its number",
+        ", words after a statement",
+        ", a block number after other words",
         ", set by the program",
         " or a tool offset of Fanuc",
         ", which the program itself changes",

@@ -52,7 +52,7 @@ constexpr auto rows = std::to_array<Explanation>({
                 "jumps from outside do not reach.",
      .causes = {"The number was lost when the program was numbered anew.",
                 "The target stands in another program of the file.",
-                "Behind M99 P both the subprogram and its caller have the number: Fanuc means "
+                "After M99 P both the subprogram and its caller have the number: Fanuc means "
                 "the caller, Haas the subprogram."},
      .example = "G0 X0 Y0\n"
                 "GOTO 500\n"
@@ -63,8 +63,8 @@ constexpr auto rows = std::to_array<Explanation>({
                 "they are given.",
      .causes = {"The subprogram is in the memory of the control, or in a file of its own.",
                 "A slip in its number or name."},
-     .on_command_line = "Put it into the same file, where the dialect has it (ISG: in front of "
-                        "the program, behind %L NAME), or give its file: --subprograms FILE, or "
+     .on_command_line = "Put it into the same file, where the dialect has it (ISG: before "
+                        "the program, after %L NAME), or give its file: --subprograms FILE, or "
                         "the folder.",
      .example = "G0 X0 Y0\n"
                 "M98 P1001\n"
@@ -85,7 +85,7 @@ constexpr auto rows = std::to_array<Explanation>({
      .meaning = "Something stands where a number, a variable, an operator or the end of the line "
                 "belongs.",
      .causes = {"A bracket is missing.",
-                "Arithmetic behind an address without brackets, X#1+5 for X[#1+5].",
+                "Arithmetic after an address without brackets, X#1+5 for X[#1+5].",
                 "Parentheses, which are comments here, in place of brackets."},
      .example = "#1=5\n"
                 "G0 X#1+5\n"
@@ -102,7 +102,7 @@ constexpr auto rows = std::to_array<Explanation>({
      .options = "--dialect fanuc"},
     {.code = Code::block_structure,
      .meaning = "Loops and branches are pairs of lines, and a subprogram ends where it returns.",
-     .causes = {"The numbers behind DO and END differ.",
+     .causes = {"The numbers after DO and END differ.",
                 "Loops overlap in place of lying within one another.",
                 "M99 is missing at the end of a subprogram."},
      .example = "#1=0\n"
@@ -114,7 +114,7 @@ constexpr auto rows = std::to_array<Explanation>({
     {.code = Code::computing_text_too_long,
      .meaning = "From its first line with a variable, a jump or a call on a program is held as a "
                 "whole, as any line may be jumped to.",
-     .causes = {"One line that computes in front of the output of a CAM system."},
+     .causes = {"One line that computes before the output of a CAM system."},
      .example = "#1=0\n"
                 "G01 X1 F500\n"
                 "M30\n",

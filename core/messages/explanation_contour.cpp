@@ -34,7 +34,7 @@ constexpr auto rows = std::to_array<Explanation>({
     {.code = Code::circular_deselection_block,
      .meaning = "Under G138, G139 and G238 the tool leaves the contour in a straight line.",
      .causes = {"A CAM system that leads out by an arc puts G40 into the arc, not into the "
-                "line behind it."},
+                "line after it."},
      .example = "N10 G00 X0 Y0 F1000\n"
                 "N20 V.G.WZ_AKT.R = 3\n"
                 "N30 G41 G01 X20\n"
@@ -45,7 +45,7 @@ constexpr auto rows = std::to_array<Explanation>({
     {.code = Code::selection_without_contour,
      .meaning = "There is no motion in the plane between G41 or G42 and G40: the path is the "
                 "programmed one.",
-     .causes = {"The contour was removed, or stands behind G40."},
+     .causes = {"The contour was removed, or stands after G40."},
      .example = "N10 V.G.WZ_AKT.R=2\n"
                 "N20 G41\n"
                 "N30 M8\n"
@@ -121,7 +121,7 @@ constexpr auto rows = std::to_array<Explanation>({
     {.code = Code::side_change_under_inside_corner,
      .meaning = "A contour under G238 ends in the corner where it began, on the side it "
                 "began on.",
-     .causes = {"G40 is missing behind the contour before."},
+     .causes = {"G40 is missing after the previous contour."},
      .example = "N10 G00 X50 Y50\n"
                 "N20 G238 V.G.WZ_AKT.R = 5\n"
                 "N30 G41 G01 X0 Y0 F1000\n"

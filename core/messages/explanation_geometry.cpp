@@ -10,7 +10,7 @@ constexpr auto rows = std::to_array<Explanation>({
     {.code = Code::circular_selection_block,
      .meaning = "Under G138, G139, G238 and G239 the tool runs to the contour in a straight "
                 "line: a circle would end beside its end point and be none any more.",
-     .causes = {"The first motion behind G41 is already the first arc of the contour.",
+     .causes = {"The first motion after G41 is already the first arc of the contour.",
                 "A CAM system that leads in by an arc puts G41 into the arc, not into the "
                 "line before it."},
      .example = "N10 G00 X0 Y0 F1000\n"
@@ -24,9 +24,9 @@ constexpr auto rows = std::to_array<Explanation>({
                 "Blocks in between (M functions, moves of the third axis, dwells) are kept "
                 "until it comes, and only so many.",
      .causes = {"A long list of technology words in the middle of the contour.",
-                "G40 was forgotten, and the drilling behind the contour counts as part of "
+                "G40 was forgotten, and the drilling after the contour counts as part of "
                 "it."},
-     .on_command_line = "Move them before G41 or behind G40, or raise the limit: --set "
+     .on_command_line = "Move them before G41 or after G40, or raise the limit: --set "
                         "max_passive_blocks=200.",
      .example = "N10 V.G.WZ_AKT.R = 2\n"
                 "N20 G41 G01 X10 F1000\n"
@@ -173,9 +173,9 @@ constexpr auto rows = std::to_array<Explanation>({
                 "N20 G01 X1000000.1 F500\n"
                 "N30 M30\n"},
     {.code = Code::spatial_circle_after_deselection,
-     .meaning = "With the first motion behind G40 the tool leaves the contour. That motion "
+     .meaning = "With the first motion after G40 the tool leaves the contour. That motion "
                 "has to lie in the plane.",
-     .causes = {"G40 stands directly in front of G303."},
+     .causes = {"G40 stands directly before G303."},
      .example = "N10 V.G.WZ_AKT.R=2\n"
                 "N20 G42 G139\n"
                 "N30 G01 X10 Y10 F500\n"

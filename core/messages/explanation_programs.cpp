@@ -10,7 +10,7 @@ constexpr auto rows = std::to_array<Explanation>({
     {.code = Code::nc_syntax,
      .meaning = "At the place given nothing begins that could be a word: an address letter "
                 "with a number, a function, a comment or a command.",
-     .causes = {"A letter is missing in front of a number.",
+     .causes = {"A letter is missing before a number.",
                 "The program is written for another control (trc info FILE says what it "
                 "looks like)."},
      .example = "N10 G00 X0 Y0\n"
@@ -75,7 +75,7 @@ constexpr auto rows = std::to_array<Explanation>({
                 "N20 G01 X10 (bell \x07)\n"
                 "N30 M30\n"},
     {.code = Code::nc_number,
-     .meaning = "Behind an address letter stands a decimal number in the range of that word.",
+     .meaning = "An address letter is followed by a decimal number in the range of that word.",
      .causes = {"A comma in place of the decimal point.", "The letter O in place of the digit 0.",
                 "A feed of 0."},
      .example = "N10 G01 X0 Y0 F500\n"
@@ -127,7 +127,7 @@ constexpr auto rows = std::to_array<Explanation>({
      .causes = {"The wrong file, or one that was not written to its end."},
      .example = "(nothing but comments)\n"},
     {.code = Code::side_behind_end,
-     .meaning = "What stands behind M02 or M30 is not executed. A compensation that is "
+     .meaning = "What stands after M02 or M30 is not executed. A compensation that is "
                 "selected there would be lost.",
      .causes = {"Two programs were put into one file."},
      .example = "N10 G00 X0 Y0\n"
@@ -145,12 +145,12 @@ constexpr auto rows = std::to_array<Explanation>({
                 "G20 G40\n"
                 "G00 X1 Y2\n"},
     {.code = Code::block_skip_undecided,
-     .meaning = "A switch of the machine decides whether lines behind `/` are executed. The "
+     .meaning = "A switch of the machine decides whether lines with `/` are executed. The "
                 "contour has one path with them and another without, and only one of them can be "
                 "written.",
-     .causes = {"A leading `/` in front of G41, G40 or a motion of the contour.",
-                "A line behind `/` that computes, or says what the coordinates behind it mean."},
-     .on_command_line = "Say how it stands: --set block_skip=execute where lines behind `/` are "
+     .causes = {"A leading `/` before G41, G40 or a motion of the contour.",
+                "A line with `/` that computes, or says what the coordinates after it mean."},
+     .on_command_line = "Say how it stands: --set block_skip=execute where lines with `/` are "
                         "executed, leave_out where they are not.",
      .example = "N10 G00 X0 Y0\n"
                 "/ N20 G01 X10 F500\n"
@@ -192,7 +192,7 @@ constexpr auto rows = std::to_array<Explanation>({
                 "N20 #TRC [ONLINE=1]\n"
                 "N30 M30\n"},
     {.code = Code::deselection_without_motion,
-     .meaning = "Behind G40 the tool leaves the contour with the next motion in the plane. "
+     .meaning = "After G40 the tool leaves the contour with the next motion in the plane. "
                 "Before that it cannot be led to another one.",
      .causes = {"The retract motion was removed.",
                 "The retract is a move of the third axis alone."},
@@ -221,7 +221,7 @@ constexpr auto rows = std::to_array<Explanation>({
      .meaning = "A shift or another coordinate system moves the origin by what only the "
                 "control knows. Where the tool stands in the new coordinates is open until "
                 "it is said.",
-     .causes = {"G54 to G59, G92 or a shift, and behind it an incremental motion, a circle "
+     .causes = {"G54 to G59, G92 or a shift, and after it an incremental motion, a circle "
                 "or G41."},
      .example = "N10 G00 X0 Y0\n"
                 "N20 G54\n"

@@ -10,7 +10,7 @@ constexpr auto rows = std::to_array<Explanation>({
     {.code = Code::no_tool_radius,
      .meaning = "Which path the tool takes depends on its radius, and neither program nor "
                 "setup has said one.",
-     .causes = {"The tool table was not given.", "The D or T word stands behind G41."},
+     .causes = {"The tool table was not given.", "The D or T word stands after G41."},
      .on_command_line =
          "Give the radius: --radius 5, or those of the tools that the program names: "
          "--tools tools.csv, --set tools=1:5, once for each.",
@@ -74,12 +74,12 @@ constexpr auto rows = std::to_array<Explanation>({
                 "M30\n",
      .options = "--dialect sinumerik --set tools=1:5"},
     {.code = Code::tool_may_have_changed,
-     .meaning = "Between two contours the program calls what only the machine has, and behind it "
+     .meaning = "Between two contours the program calls what only the machine has, and after it "
                 "nothing says which tool is in the spindle. If the call changes it, the second "
-                "contour has the radius of the first tool. In ISG so does the first contour behind "
-                "a call where V.G.WZ_AKT.R in front of it has said the radius.",
+                "contour has the radius of the first tool. In ISG so does the first contour after "
+                "a call where V.G.WZ_AKT.R before it has said the radius.",
      .causes = {"A subprogram of the machine's builder changes the tool."},
-     .on_command_line = "Program the T or D word of the tool behind it, with its radius in the "
+     .on_command_line = "Program the T or D word of the tool after it, with its radius in the "
                         "table of tools, or compensate the parts of the program one by one. What "
                         "changes no tool: --set pass_words=NAME.",
      .example = "G17 G90 G71\n"
@@ -97,10 +97,10 @@ constexpr auto rows = std::to_array<Explanation>({
      .options = "--dialect sinumerik --radius 5"},
     {.code = Code::call_taken_as_harmless,
      .meaning = "A subprogram whose text is not given may change all that is modal. Position, "
-                "motion function and G90 or G91 have to be programmed anew behind it; the rest "
+                "motion function and G90 or G91 have to be programmed anew after it; the rest "
                 "subprograms hardly change: it is taken as it was, and that is said once.",
      .causes = {"The subprogram is in the memory of the control, or in a file of its own."},
-     .on_command_line = "Give its file (--subprograms FILE, or the folder), or program behind the "
+     .on_command_line = "Give its file (--subprograms FILE, or the folder), or program after the "
                         "call what has to hold. A name that changes nothing: --set "
                         "pass_words=NAME.",
      .example = "G17 G90 G71\n"

@@ -65,7 +65,7 @@ constexpr auto rows = std::to_array<Explanation>({
     {.code = Code::plane_change_while_active,
      .meaning = "The compensation works in one plane. Its path cannot go over into another "
                 "one in the middle of the contour.",
-     .causes = {"G40 is missing in front of the change.",
+     .causes = {"G40 is missing before the change.",
                 "A G17 that a CAM system writes at the head of each operation, though the "
                 "contour before is still open."},
      .example = "N10 V.G.WZ_AKT.R=2\n"
@@ -78,7 +78,7 @@ constexpr auto rows = std::to_array<Explanation>({
      .meaning = "An axis link gives the motions of one axis to another. While the "
                 "compensation is active the next blocks are already computed from what holds "
                 "now, so that it cannot change in between.",
-     .causes = {"G40 is missing in front of it.",
+     .causes = {"G40 is missing before it.",
                 "A cycle or a subprogram that was expanded into the contour brings it along."},
      .example = "N10 V.G.WZ_AKT.R=2\n"
                 "N20 G41 G01 X10 Y0 F500\n"
@@ -89,7 +89,7 @@ constexpr auto rows = std::to_array<Explanation>({
      .meaning = "A preset gives the place where the tool stands another coordinate. While "
                 "the compensation is active the next blocks are already computed from what "
                 "holds now, so that it cannot change in between.",
-     .causes = {"G40 is missing in front of it.",
+     .causes = {"G40 is missing before it.",
                 "A cycle or a subprogram that was expanded into the contour brings it along."},
      .example = "N10 V.G.WZ_AKT.R=2\n"
                 "N20 G41 G01 X10 Y0 F500\n"
@@ -100,7 +100,7 @@ constexpr auto rows = std::to_array<Explanation>({
      .meaning = "A new coordinate system moves or turns everything that follows. While the "
                 "compensation is active the next blocks are already computed from what holds "
                 "now, so that it cannot change in between.",
-     .causes = {"G40 is missing in front of it.",
+     .causes = {"G40 is missing before it.",
                 "A cycle or a subprogram that was expanded into the contour brings it along."},
      .example = "N10 V.G.WZ_AKT.R=2\n"
                 "N20 G41 G01 X10 Y0 F500\n"
@@ -139,7 +139,7 @@ constexpr auto rows = std::to_array<Explanation>({
     {.code = Code::inside_corner_selected_while_active,
      .meaning = "G238 decides at the first contour block where a closed contour begins. It "
                 "cannot take over one that has begun.",
-     .causes = {"G40 is missing behind the contour before."},
+     .causes = {"G40 is missing after the previous contour."},
      .example = "N10 V.G.WZ_AKT.R=2\n"
                 "N20 G41 G01 X10 Y0 F500\n"
                 "N30 G238\n"
@@ -148,7 +148,7 @@ constexpr auto rows = std::to_array<Explanation>({
     {.code = Code::mode_change_under_inside_corner,
      .meaning = "A contour under G238 ends in the corner where it began; another mode would "
                 "leave it elsewhere.",
-     .causes = {"G40 is missing behind the contour before."},
+     .causes = {"G40 is missing after the previous contour."},
      .example = "N10 V.G.WZ_AKT.R=2\n"
                 "N20 G238\n"
                 "N30 G41 G01 X10 Y0 F500\n"
@@ -159,7 +159,7 @@ constexpr auto rows = std::to_array<Explanation>({
      .meaning = "With #PTP the axes run each for itself: the path between two points is not "
                 "known. While the compensation is active the next blocks are already "
                 "computed from what holds now, so that it cannot change in between.",
-     .causes = {"G40 is missing in front of it.",
+     .causes = {"G40 is missing before it.",
                 "A cycle or a subprogram that was expanded into the contour brings it along."},
      .example = "N10 V.G.WZ_AKT.R=2\n"
                 "N20 G41 G01 X10 Y0 F500\n"
@@ -187,7 +187,7 @@ constexpr auto rows = std::to_array<Explanation>({
     {.code = Code::spatial_circle_while_active,
      .meaning = "G303 is a circle in space. The compensation knows circles in its plane "
                 "only.",
-     .causes = {"G40 is missing in front of it."},
+     .causes = {"G40 is missing before it."},
      .example = "N10 G00 X0 Y0\n"
                 "N20 V.G.WZ_AKT.R = 5\n"
                 "N30 G42 G01 X10 Y10 F500\n"
@@ -207,7 +207,7 @@ constexpr auto rows = std::to_array<Explanation>({
      .meaning = "#RT WHILE repeats lines while the machine moves. While the compensation is "
                 "active the next blocks are already computed from what holds now, so that it "
                 "cannot change in between.",
-     .causes = {"G40 is missing in front of it.",
+     .causes = {"G40 is missing before it.",
                 "A cycle or a subprogram that was expanded into the contour brings it along."},
      .example = "N10 V.G.WZ_AKT.R=2\n"
                 "N20 G41 G01 X10 Y0 F500\n"

@@ -21,7 +21,7 @@ constexpr std::string_view write_free_contour_in_german =
 
 constexpr std::string_view write_corner =
     "Write the corner as blocks of its own: the lines up to it, the arc or the chamfer, the line "
-    "behind it.";
+    "after it.";
 constexpr std::string_view write_corner_in_german =
     "Die Ecke als eigene Sätze schreiben: die Gerade bis dorthin, den Bogen oder die Fase, die "
     "Gerade dahinter.";
@@ -36,7 +36,7 @@ constexpr std::string_view change_lead_in_german =
     "Ein Satz, der dafür gehalten wird und Material begrenzt, ist als Wand zu kennzeichnen oder "
     "abzuzählen: leads im Setup.";
 constexpr std::string_view end_scaling =
-    "End the scaling in front of the contour, with a straight motion behind it that names both "
+    "End the scaling before the contour, with a straight motion after it that names both "
     "axes of the plane, and write the contour in full size.";
 constexpr std::string_view end_scaling_in_german =
     "Die Skalierung vor der Kontur beenden, dahinter eine Gerade mit beiden Achsen der Ebene "
@@ -44,8 +44,8 @@ constexpr std::string_view end_scaling_in_german =
 
 // The first match counts.
 constexpr auto helps = std::to_array<ReasonHelp>({
-    {", a subprogram in front of ",
-     "Put the main program first in the text, and what it calls behind it. Of several main "
+    {", a subprogram before ",
+     "Put the main program first in the text, and what it calls after it. Of several main "
      "programs give each in a text of its own.",
      "Das Hauptprogramm an den Anfang des Texts stellen, was es aufruft dahinter. Von mehreren "
      "Hauptprogrammen jedes in einem eigenen Text geben."},
@@ -69,7 +69,7 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Wo es sagt, wie oft das Unterprogramm läuft, L schreiben: M98 P2000 L3. Sonst es streichen."},
     {" beside M98",
      "Take the word out: a subprogram is executed from its beginning. Of one that is called from "
-     "within, make the lines behind that place a program of its own.",
+     "within, make the lines after that place a program of its own.",
      "Das Wort streichen: ein Unterprogramm läuft von seinem Anfang an. Von einem, das mittendrin "
      "begonnen wird, die Zeilen ab dort zu einem eigenen Programm machen."},
     {" beside G65", "Take the word out, or write it into a line of its own: it is no argument.",
@@ -77,7 +77,7 @@ constexpr auto helps = std::to_array<ReasonHelp>({
     {" beside G66", "Take the word out, or write it into a line of its own: it is no argument.",
      "Das Wort streichen oder in eine eigene Zeile schreiben: es ist kein Argument."},
     {"D0 or T0 is no tool",
-     "Program the tool in front of G41 or G42 with its number, which is not 0: its D or T word, "
+     "Program the tool before G41 or G42 with its number, which is not 0: its D or T word, "
      "in Klartext TOOL CALL.",
      "Das Werkzeug vor G41 oder G42 mit seiner Nummer programmieren, die nicht 0 ist: sein D- "
      "oder T-Wort, in Klartext TOOL CALL."},
@@ -90,10 +90,10 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Nicht fertigen. Die Seite prüfen, G41 oder G42. Stimmt sie, die Kontur mitten in einem Satz "
      "beginnen: in ihrer Innenecke hat kein Fräser Platz."},
     {" without M06",
-     "Program M06 behind the T word, in front of G41 or G42, or give tool_radius in the setup.",
+     "Program M06 after the T word, before G41 or G42, or give tool_radius in the setup.",
      "M06 hinter dem T-Wort programmieren, vor G41 oder G42, oder tool_radius im Setup angeben."},
     {"a radius that is changed has to be there",
-     "Program the tool or its radius in front of the change, or give tool_radius in the setup.",
+     "Program the tool or its radius before the change, or give tool_radius in the setup.",
      "Das Werkzeug oder seinen Radius vor der Änderung programmieren, oder tool_radius im Setup "
      "angeben."},
     {"a variable of Haas or a tool offset of Fanuc",
@@ -101,7 +101,7 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "place: #100 for #10100. The radius of a tool is given by G10 L12 P R.",
      "Wo sie eine Variable des Programms ist, an ihre Stelle eine von #100 bis #199 oder #500 bis "
      "#999 schreiben: #100 für #10100. Den Radius eines Werkzeugs gibt G10 L12 P R."},
-    {"words behind a statement",
+    {"words after a statement",
      "Write what follows into a line of its own: a control statement stands alone in its line.",
      "Was folgt, in eine eigene Zeile schreiben: eine Steueranweisung steht allein in ihrer "
      "Zeile."},
@@ -129,34 +129,33 @@ constexpr auto helps = std::to_array<ReasonHelp>({
     {"is the number of a tool",
      "Write the number of the tool, or G41.1 or G42.1 where D is the diameter.",
      "Die Nummer des Werkzeugs schreiben, oder G41.1 oder G42.1, wo D der Durchmesser ist."},
-    {"an arc directly behind G40", "Program a straight motion between G40 and the arc.",
+    {"an arc directly after G40", "Program a straight motion between G40 and the arc.",
      "Zwischen G40 und dem Bogen eine Gerade programmieren."},
     {"TRC under scaling", end_scaling, end_scaling_in_german},
     {"TRC under a frame that scales", end_scaling, end_scaling_in_german},
     {"in coordinates that are scaled or led by the tool tip",
-     "End that in front of the contour: the cycle of the scale with 1, M128 with M129. Behind it "
+     "End that before the contour: the cycle of the scale with 1, M128 with M129. After it "
      "move in a straight line with both axes of the plane.",
      "Das vor der Kontur beenden: den Zyklus des Maßfaktors mit 1, M128 mit M129. Dahinter eine "
      "Gerade mit beiden Achsen der Ebene fahren."},
-    {"G347 within a contour",
-     "End the contour in front of it with G40 or DEP: an approach begins one.",
+    {"G347 within a contour", "End the contour before it with G40 or DEP: an approach begins one.",
      "Die Kontur davor mit G40 oder DEP beenden: ein Anfahren beginnt eine."},
     {"a smooth approach within a contour",
-     "End the contour in front of it with G40: a smooth approach begins one.",
+     "End the contour before it with G40: a smooth approach begins one.",
      "Die Kontur davor mit G40 beenden: ein weiches Anfahren beginnt eine."},
-    {"without a contour behind it", "Program the contour behind it, in front of G40.",
+    {"without a contour after it", "Program the contour after it, before G40.",
      "Dahinter die Kontur programmieren, vor G40."},
-    {"without a contour before it", "Program the contour in front of it.",
+    {"without a contour before it", "Program the contour before it.",
      "Davor die Kontur programmieren."},
     {"a cycle with the contour of",
      "The cycle compensates it itself: leave G41 and G42 out in the label, or write the contour "
-     "into a label of its own behind the end of the program.",
+     "into a label of its own after the end of the program.",
      "Der Zyklus korrigiert sie selbst: G41 und G42 im Label weglassen, oder die Kontur in ein "
      "eigenes Label hinter dem Programmende schreiben."},
     {"in the contour of the cycles of line",
-     "Put the label behind the end of the program (M30 or M2), as the cycles expect it.",
+     "Put the label after the end of the program (M30 or M2), as the cycles expect it.",
      "Das Label hinter das Programmende (M30 oder M2) stellen, wie die Zyklen es erwarten."},
-    {" without L, with RL or RR", "Write L in front of the coordinates: L X+0 Y+0 RL.",
+    {" without L, with RL or RR", "Write L before the coordinates: L X+0 Y+0 RL.",
      "L vor die Koordinaten schreiben: L X+0 Y+0 RL."},
     {"FL with RL or RR", write_free_contour, write_free_contour_in_german},
     {"FLT with RL or RR", write_free_contour, write_free_contour_in_german},
@@ -178,29 +177,28 @@ constexpr auto helps = std::to_array<ReasonHelp>({
     {"a motion of an axis by itself", "Write it as a motion of the path: G00 or G01 with the axis.",
      "Es als Bewegung der Bahn schreiben: G00 oder G01 mit der Achse."},
     {"the time of a block, in force since",
-     "Write G94 and a feed per minute in front of the contour, and G93 anew behind it: the blocks "
+     "Write G94 and a feed per minute before the contour, and G93 anew after it: the blocks "
      "of "
      "the path have other lengths.",
      "Vor der Kontur G94 und einen Vorschub je Minute schreiben, dahinter G93 neu: die Sätze der "
      "Bahn sind anders lang."},
     {"with the feed at the contour (G11, CFC)",
-     "Write in front of the contour G10 of ISG, CFTCP of SINUMERIK: the feed at the tool centre; "
+     "Write before the contour G10 of ISG, CFTCP of SINUMERIK: the feed at the tool centre; "
      "or a feed per minute, G94.",
      "Vor der Kontur G10 bei ISG, CFTCP bei SINUMERIK schreiben: der Vorschub an der "
      "Werkzeugmitte; oder einen Vorschub je Minute, G94."},
     {"no feed per minute", "Write the feed as a number per minute, before the contour begins.",
      "Den Vorschub als Zahl je Minute schreiben, bevor die Kontur beginnt."},
-    {"MCALL of a subprogram", "Write the call behind each of the motions, in place of MCALL.",
+    {"MCALL of a subprogram", "Write the call after each of the motions, in place of MCALL.",
      "Statt MCALL den Aufruf hinter jede der Bewegungen schreiben."},
-    {"a contour of a cycle", "Write the contour of the cycle with numbers alone, behind M30.",
+    {"a contour of a cycle", "Write the contour of the cycle with numbers alone, after M30.",
      "Die Kontur des Zyklus nur mit Zahlen schreiben, hinter M30."},
-    {"SAVE of PROC",
-     "Take SAVE out, and program behind the call the functions that held in front of it.",
+    {"SAVE of PROC", "Take SAVE out, and program after the call the functions that held before it.",
      "SAVE streichen und hinter dem Aufruf die Funktionen programmieren, die davor galten."},
     {"without an end in the plane: G140",
      "Write one of the functions that it names, or an end with both axes of the plane.",
      "Eine der genannten Funktionen schreiben, oder einen Endpunkt mit beiden Achsen der Ebene."},
-    {"only feeds per minute are followed", "Write G94 and a feed per minute in front of it.",
+    {"only feeds per minute are followed", "Write G94 and a feed per minute before it.",
      "Davor G94 und einen Vorschub je Minute schreiben."},
     {"not in the program",
      "Take it out where it does not move the axes of the plane: what runs beside the program is "
@@ -208,7 +206,7 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Es streichen, wo es die Achsen der Ebene nicht bewegt: was neben dem Programm läuft, wird "
      "nicht verfolgt."},
     {"RNDM= beyond the contour",
-     "Write RNDM= into a block behind the one with G41 or G42, and RNDM=0 in front of the one "
+     "Write RNDM= into a block after the one with G41 or G42, and RNDM=0 before the one "
      "with G40.",
      "RNDM= in einen Satz hinter dem mit G41 oder G42 schreiben, und RNDM=0 vor den mit G40."},
     {"an offset of the tool beside its data",
@@ -221,7 +219,7 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Write DISCL= smaller than the height from which the tool comes down.",
      "DISCL= kleiner schreiben als die Höhe, aus der das Werkzeug kommt."},
     {"the end of a smooth approach",
-     "Write a straight motion in the plane behind the approach, in a block without a corner and "
+     "Write a straight motion in the plane after the approach, in a block without a corner and "
      "without a further axis.",
      "Hinter dem Anfahren eine Gerade in der Ebene schreiben, in einem Satz ohne Ecke und ohne "
      "weitere Achse."},
@@ -279,14 +277,14 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "der beiden Sätze kein Material, sagen, dass er zum An- oder Abfahren gehört: leads im "
      "Setup."},
     {" without LEN", write_what_is_missing, write_what_is_missing_in_german},
-    {"without R0 in between", "Write a motion with R0 in front of the block.",
+    {"without R0 in between", "Write a motion with R0 before the block.",
      "Vor den Satz eine Bewegung mit R0 schreiben."},
     {" without R", write_what_is_missing, write_what_is_missing_in_german},
     {" without CCA", write_what_is_missing, write_what_is_missing_in_german},
     {" without its size", write_what_is_missing, write_what_is_missing_in_german},
     {" without a time", write_what_is_missing, write_what_is_missing_in_german},
     {" without D, the diameter", write_what_is_missing, write_what_is_missing_in_german},
-    {" without D behind",
+    {" without D after",
      "Write the D of the cycle beside it, D0 where its path is that of the tool centre.",
      "Das D des Zyklus daneben schreiben, D0, wo seine Bahn die des Mittelpunkts ist."},
     {" without DISR=", write_what_is_missing, write_what_is_missing_in_german},
@@ -296,7 +294,7 @@ constexpr auto helps = std::to_array<ReasonHelp>({
     {"AR= with either", "Write AR= with the end point, or with I and J.",
      "AR= mit dem Endpunkt schreiben, oder mit I und J."},
     {" without CC of both axes",
-     "Write CC with both axes in front of it, behind what moves it: one of them alone counts from "
+     "Write CC with both axes before it, after what moves it: one of them alone counts from "
      "the CC before.",
      "Davor CC mit beiden Achsen schreiben, hinter dem, was ihn verschiebt: eine allein zählt vom "
      "CC davor."},
@@ -311,9 +309,9 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Den Punkt vor APPR und den von DEP auf die Seite der Kontur legen, auf der das Werkzeug "
      "läuft."},
     {"where the feed before is not known",
-     "Write the feed of the contour in a motion in front of the corner.",
+     "Write the feed of the contour in a motion before the corner.",
      "Den Vorschub der Kontur in eine Bewegung vor der Ecke schreiben."},
-    {"CT directly behind RND or CHF", "Write the arc with its centre or its radius.",
+    {"CT directly after RND or CHF", "Write the arc with its centre or its radius.",
      "Den Bogen mit Mittelpunkt oder Radius schreiben."},
     {"an approach or a departure that has no room",
      "Correct its length or its radius, or begin farther off.",
@@ -334,9 +332,9 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Write G41 or G42, with its D, into the block of the motion to the contour.",
      "G41 oder G42, mit seinem D, in den Satz der Bewegung an die Kontur schreiben."},
     {"TRC in a line that calls",
-     "Write G41 or G42 into a block behind the call, with the motion to the contour.",
+     "Write G41 or G42 into a block after the call, with the motion to the contour.",
      "G41 oder G42 in einen Satz hinter dem Aufruf schreiben, mit der Bewegung an die Kontur."},
-    {"TRC under polar coordinates", "Program G15 in front of the contour.",
+    {"TRC under polar coordinates", "Program G15 before the contour.",
      "G15 vor der Kontur programmieren."},
     {"polar coordinates",
      "Write the end points in rectangular coordinates, with both axes of the plane.",
@@ -344,7 +342,7 @@ constexpr auto helps = std::to_array<ReasonHelp>({
     {"CT straight back", "Write the arc with its centre or its radius.",
      "Den Bogen mit seinem Mittelpunkt oder seinem Radius schreiben."},
     {"without T, which tool it is",
-     "Program the T of the tool in front of it, or give the radius of that one tool: tool_radius, "
+     "Program the T of the tool before it, or give the radius of that one tool: tool_radius, "
      "without a table of tools.",
      "Davor das T des Werkzeugs programmieren, oder den Radius dieses einen Werkzeugs angeben: "
      "tool_radius, ohne Werkzeugtabelle."},
@@ -358,41 +356,41 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Ist es ein Programm aus G-Funktionen? Seinen Dialekt angeben (--dialect, `dialect` im "
      "Setup)."},
     {"a call of what only the machine has",
-     "End the contour in front of the call with G40, and begin "
-     "it anew with G41 or G42 behind it.",
+     "End the contour before the call with G40, and begin "
+     "it anew with G41 or G42 after it.",
      "Die Kontur vor dem Aufruf mit G40 beenden und dahinter mit G41 oder G42 neu beginnen."},
-    {"not programmed anew behind",
-     "Write G90 (or G91) and G00 or G01 into a block behind the call, in front of the contour: the "
+    {"not programmed anew after",
+     "Write G90 (or G91) and G00 or G01 into a block after the call, before the contour: the "
      "call may have left others in force. In ISG and SINUMERIK a name that changes nothing may be "
      "declared in pass_words.",
      "G90 (oder G91) und G00 oder G01 in einen Satz hinter dem Aufruf schreiben, vor der Kontur: "
      "nach dem Aufruf können andere gelten. In ISG und SINUMERIK kann ein Name, der nichts ändert, "
      "in pass_words angegeben werden."},
-    {"as no Y stands in front of it",
-     "A mill: program where its Y axis stands in front of G41, G42. A lathe: let it compensate the "
+    {"because no Y precedes it",
+     "A mill: program where its Y axis stands before G41, G42. A lathe: let it compensate the "
      "nose of its tool.",
      "Eine Fräsmaschine: vor G41, G42 programmieren, wo die Y-Achse steht. Eine Drehmaschine: sie "
      "die Schneide selbst korrigieren lassen."},
     {"as G91 holds since",
-     "Program G90 in front of it, if its coordinates are absolute; else the axis that is named "
-     "absolutely (G90) behind the change.",
+     "Program G90 before it, if its coordinates are absolute; else the axis that is named "
+     "absolutely (G90) after the change.",
      "Davor G90 programmieren, wenn seine Koordinaten absolut sind; sonst hinter dem Wechsel die "
      "genannte Achse absolut (G90)."},
     {", unknown since the variable",
      "Give the value of the variable: --variable NAME=VALUE; or program the axis that is named "
-     "absolutely behind it, before G91, circles or G41.",
+     "absolutely after it, before G91, circles or G41.",
      "Den Wert der Variablen angeben: --variable NAME=VALUE; oder die genannte Achse dahinter "
      "absolut programmieren, vor G91, Kreisen oder G41."},
     {", read in mm",
      "Say what lengths count in before the program does, --unit inch or --unit mm, or write the "
-     "unit in front of all lengths.",
+     "unit before all lengths.",
      "Angeben, worin Längen zählen, bevor das Programm es sagt: --unit inch oder --unit mm; oder "
      "die Maßeinheit vor alle Längen schreiben."},
     {", in the unit of the machine, which nobody has said",
      "Say the unit of the machine: --unit inch or --unit mm.",
      "Die Maßeinheit der Maschine angeben: --unit inch oder --unit mm."},
     {", unknown since the change",
-     "Program the axis that is named absolutely (G90, G00 or G01) behind the change, and so each "
+     "Program the axis that is named absolutely (G90, G00 or G01) after the change, and so each "
      "other one of the plane, before G91, circles or G41.",
      "Hinter dem Wechsel die genannte Achse absolut programmieren (G90, G00 oder G01), und so jede "
      "andere der Ebene, vor G91, Kreisen oder G41."},
@@ -402,21 +400,21 @@ constexpr auto helps = std::to_array<ReasonHelp>({
     {"a call of lines that are not followed",
      "Write the lines of the label in the place of its call.",
      "Die Zeilen des Labels an die Stelle seines Aufrufs schreiben."},
-    {"with the tool of the section", "Write the TOOL CALL in front of the contour itself.",
+    {"with the tool of the section", "Write the TOOL CALL before the contour itself.",
      "Den TOOL CALL vor der Kontur selbst schreiben."},
-    {"where the tool stands in front of the contour",
-     "Write the motion to where the approach begins in front of it, or say where the tool stands: "
+    {"where the tool stands before the contour",
+     "Write the motion to where the approach begins before it, or say where the tool stands: "
      "--set start_position=X,Y,Z.",
      "Davor die Bewegung dorthin schreiben, wo das Anfahren beginnt, oder sagen, wo das Werkzeug "
      "steht: --set start_position=X,Y,Z."},
-    {"CIP of a contour, which holds behind it",
-     "Write CIP, G1, G2 or G3 into the first block behind the contour.",
+    {"CIP of a contour, which holds after it",
+     "Write CIP, G1, G2 or G3 into the first block after the contour.",
      "CIP, G1, G2 oder G3 in den ersten Satz hinter der Kontur schreiben."},
-    {"$TC_DP6 behind the call of its tool",
-     "Write the D of the edge behind it, or $TC_DP6 in front of the T or D that calls it.",
+    {"$TC_DP6 after the call of its tool",
+     "Write the D of the edge after it, or $TC_DP6 before the T or D that calls it.",
      "Das D der Schneide dahinter schreiben, oder $TC_DP6 vor das T oder D, das sie aufruft."},
-    {"CT of a contour, which holds behind it",
-     "Write CT, G1, G2 or G3 into the first block behind the contour.",
+    {"CT of a contour, which holds after it",
+     "Write CT, G1, G2 or G3 into the first block after the contour.",
      "CT, G1, G2 oder G3 in den ersten Satz hinter der Kontur schreiben."},
     {"FL while TRC is active", write_free_contour, write_free_contour_in_german},
     {"FLT while TRC is active", write_free_contour, write_free_contour_in_german},
@@ -441,9 +439,9 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Die Bewegung mit beiden Achsen der Ebene schreiben, einen Bogen mit Mittelpunkt oder "
      "Radius."},
     {"a position of a drilling cycle",
-     "End the cycle in front of the contour: with G80, in SINUMERIK with MCALL alone.",
+     "End the cycle before the contour: with G80, in SINUMERIK with MCALL alone.",
      "Den Zyklus vor der Kontur beenden: mit G80, in SINUMERIK mit MCALL allein."},
-    {"the end of the program in a label", "Write M30 or M2 in front of the labels that are called.",
+    {"the end of the program in a label", "Write M30 or M2 before the labels that are called.",
      "M30 oder M2 vor die Labels schreiben, die aufgerufen werden."},
     {"a block of DIN/ISO of Heidenhain",
      "Convert it to Klartext, on the control or at its programming station, and give that program.",
@@ -453,26 +451,26 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Programs of Okuma are not read here: have them posted for a control of Fanuc.",
      "Programme von Okuma werden hier nicht gelesen: sie für eine Fanuc-Steuerung ausgeben "
      "lassen."},
-    {"TRC under a modal cycle", "End the cycle in front of the contour: #DISABLE MODAL CYCLE.",
+    {"TRC under a modal cycle", "End the cycle before the contour: #DISABLE MODAL CYCLE.",
      "Den Zyklus vor der Kontur beenden: #DISABLE MODAL CYCLE."},
-    {"TRC under scaling", "End the scaling in front of the contour: G50, in SINUMERIK SCALE alone.",
+    {"TRC under scaling", "End the scaling before the contour: G50, in SINUMERIK SCALE alone.",
      "Die Skalierung vor der Kontur beenden: G50, in SINUMERIK SCALE allein."},
     {"a work offset of Haas",
-     "Program G113 in front of the contour; for the work offset of Haas write G154 P3.",
+     "Program G113 before the contour; for the work offset of Haas write G154 P3.",
      "G113 vor der Kontur programmieren; für den Nullpunkt von Haas G154 P3 schreiben."},
     {"does not run on into its first block",
-     "Let the arc end in the direction of the block behind it, or lead to the contour on a "
+     "Let the arc end in the direction of the block after it, or lead to the contour on a "
      "straight line.",
      "Den Bogen in der Richtung des Satzes hinter ihm enden lassen, oder auf einer Geraden an die "
      "Kontur fahren."},
     {"a full circle to the contour",
-     "Lead to the contour on a line or a shorter arc, and go round behind it.",
+     "Lead to the contour on a line or a shorter arc, and go round after it.",
      "Auf einer Geraden oder einem kürzeren Bogen an die Kontur fahren und dahinter herumfahren."},
-    {"a vector of the wall behind it",
+    {"a vector of the wall after it",
      "Take I, J and K out: the path then leaves in a straight line. Check that way.",
      "I, J und K streichen: der Weg verlässt die Kontur dann auf einer Geraden. Diesen Weg "
      "prüfen."},
-    {"a vector of the contour behind it", "Take I, J and K out: the contour itself says it.",
+    {"a vector of the contour after it", "Take I, J and K out: the contour itself says it.",
      "I, J und K streichen: die Kontur selbst sagt es."},
     {"a parameter and no radius",
      "Write CR= in place of R: CR=40. A parameter gets its value by =, in a line of its own: "
@@ -480,14 +478,14 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Statt R das Wort CR= schreiben: CR=40. Ein Parameter bekommt seinen Wert durch =, in einer "
      "eigenen Zeile: R1=40."},
     {"R in a straight motion",
-     "To round the corner write ,R with a comma in front of it; an arc has G02 or G03.",
+     "To round the corner write ,R with a comma before it; an arc has G02 or G03.",
      "Für eine Rundung der Ecke ,R mit einem Komma davor schreiben; ein Bogen hat G02 oder G03."},
-    {"without a motion behind it", "Program a motion in the plane behind it, before the end.",
+    {"without a motion after it", "Program a motion in the plane after it, before the end.",
      "Dahinter eine Bewegung in der Ebene programmieren, vor dem Ende."},
-    {"a motion under G66", "End the macro with G67 in front of the contour.",
+    {"a motion under G66", "End the macro with G67 before the contour.",
      "Das Makro vor der Kontur mit G67 beenden."},
     {"a position that is not followed",
-     "End in front of the contour what gives coordinates another meaning.",
+     "Before the contour end what gives coordinates another meaning.",
      "Vor der Kontur beenden, was Koordinaten eine andere Bedeutung gibt."},
     {"a motion with L, which is repeated", "Write the motion as often as it runs.",
      "Die Bewegung so oft schreiben, wie sie läuft."},
@@ -500,7 +498,7 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Take it out: no arc and no chamfer lies between two motions along the same line.",
      "Streichen: zwischen zwei Bewegungen auf derselben Linie liegt weder Bogen noch Fase."},
     {"a rounding or a chamfer", write_corner, write_corner_in_german},
-    {"the angle of a rotation", "Write it beside ROT or AROT, in front of the contour.",
+    {"the angle of a rotation", "Write it beside ROT or AROT, before the contour.",
      "Ihn neben ROT oder AROT schreiben, vor der Kontur."},
     {"the angle of a motion", "Write the end point of the line with both axes.",
      "Den Endpunkt der Geraden mit beiden Achsen schreiben."},
@@ -510,35 +508,35 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "M97 streichen: Stufen, die kleiner sind als der Radius, werden mit ihrer Nummer gemeldet."},
     {"open corners", "Take M98 out, and lead the contour past the open corner by the radius.",
      "M98 streichen und die Kontur um den Radius über die offene Ecke hinausführen."},
-    {"a block without a colon behind its number",
-     "Write a colon behind the number of the block that the jump leads to: N70: Y0.",
+    {"a block without a colon after its number",
+     "Write a colon after the number of the block that the jump leads to: N70: Y0.",
      "Hinter die Nummer des Satzes, zu dem der Sprung führt, einen Doppelpunkt schreiben: N70: "
      "Y0."},
-    {"behind G40 without motion",
-     "Program a motion in the plane behind G40, in front of it: only there the tool leaves the "
+    {"after G40 without motion",
+     "Program a motion in the plane after G40, before it: only there the tool leaves the "
      "contour.",
      "Hinter G40 und davor eine Bewegung in der Ebene programmieren: erst sie führt das Werkzeug "
      "von der Kontur weg."},
     {"while TRC is active",
-     "It has no place within a contour: end the contour in front of it with "
-     "G40, and begin it anew with G41 or G42 behind it.",
+     "It has no place within a contour: end the contour before it with "
+     "G40, and begin it anew with G41 or G42 after it.",
      "In einer Kontur hat es keinen Platz: die Kontur davor mit G40 beenden und dahinter mit G41 "
      "oder G42 neu beginnen."},
     {"that may be skipped",
      "Take the `/` out, or say by block_skip of the setup whether such lines are executed.",
      "Den `/` streichen, oder mit block_skip im Setup sagen, ob solche Sätze ausgeführt werden."},
-    {"a subprogram behind the program",
-     "Put it in front of the program, whose first line is % with its name.",
+    {"a subprogram after the program",
+     "Put it before the program, whose first line is % with its name.",
      "Es vor das Programm stellen, dessen erste Zeile % mit seinem Namen ist."},
-    {"a call behind words", "Write the call in a line of its own, behind the words.",
+    {"a call after words", "Write the call in a line of its own, after the words.",
      "Den Aufruf in eine eigene Zeile hinter den Wörtern schreiben."},
     {"the name of a call in a variable", "Write the name of the subprogram in its place.",
      "Den Namen des Unterprogramms an ihre Stelle schreiben."},
     {"the call of either of two subprograms",
-     "Write a blank behind L or LL, in front of the name that is meant.",
+     "Write a blank after L or LL, before the name that is meant.",
      "Hinter L oder LL ein Leerzeichen schreiben, vor den Namen, der gemeint ist."},
-    {"behind blocks without a number of their program",
-     "Take the blocks in front of it out, or put the number in front of them; if they are a "
+    {"after blocks without a number of their program",
+     "Take the blocks before it out, or put the number before them; if they are a "
      "program "
      "of their own, give each as a text of its own.",
      "Die Sätze davor streichen oder die Nummer vor sie stellen; sind sie ein eigenes Programm, "
@@ -549,8 +547,8 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Jeden Satz in eine eigene Zeile schreiben, Kommentare in ( )."},
     {"write it into a line of its own", "Write it into a line of its own.",
      "Es in eine eigene Zeile schreiben."},
-    {"a block number behind other words",
-     "Write the number at the beginning of its block, in front of all other words.",
+    {"a block number after other words",
+     "Write the number at the beginning of its block, before all other words.",
      "Die Nummer an den Anfang ihres Satzes schreiben, vor alle anderen Wörter."},
     {"a subprogram that is not given",
      "Give its text in `subprograms` (--subprograms), or write its lines in the place of its call.",
@@ -574,7 +572,7 @@ constexpr auto helps = std::to_array<ReasonHelp>({
     {"turns beside a radius", "Write the centre of the arc, I and J, in place of its radius.",
      "Statt des Radius den Mittelpunkt des Bogens schreiben, I und J."},
     {"a condition without IF",
-     "Write IF in front of it, and GOTO with the number of the block in place of M99 P.",
+     "Write IF before it, and GOTO with the number of the block in place of M99 P.",
      "IF davorschreiben, und GOTO mit der Satznummer statt M99 P."},
     {"an expression or a name", "Write its value in its place. A comment stands in ( ).",
      "Seinen Wert an seine Stelle schreiben. Ein Kommentar steht in ( )."},
@@ -608,13 +606,13 @@ constexpr auto helps = std::to_array<ReasonHelp>({
     {"tool offset, twice", "Write the coordinates with the offset in them.",
      "Die Koordinaten mit der Korrektur darin schreiben."},
     {"a motion function of its own",
-     "Write G00 or G01 beside G41 or G42, or in front of them: what moves the axes before lasts up "
+     "Write G00 or G01 beside G41 or G42, or before them: what moves the axes before lasts up "
      "to the next motion function.",
      "G00 oder G01 neben G41 oder G42 schreiben, oder davor: was die Achsen davor bewegt, gilt bis "
      "zur nächsten Wegbedingung."},
     {"TRC under",
-     "End in front of the contour what gives coordinates another meaning, with a straight motion "
-     "behind it that names both axes of the plane.",
+     "Before the contour end what gives coordinates another meaning, with a straight motion "
+     "after it that names both axes of the plane.",
      "Vor der Kontur beenden, was Koordinaten eine andere Bedeutung gibt, und dahinter eine "
      "Gerade mit beiden Achsen der Ebene programmieren."},
     {"P beside G41, G42",
@@ -624,7 +622,7 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "angeben, oder an seine Stelle ein D-Wort schreiben, dessen Radius die Werkzeugtabelle oder "
      "G10 L12 P R angibt."},
     {"which suppresses TRC",
-     "Take it out, and CUTCONOF with it: end the contour in front of it with G40, and begin it "
+     "Take it out, and CUTCONOF with it: end the contour before it with G40, and begin it "
      "anew with G41 or G42 where CUTCONOF stands.",
      "Es mit CUTCONOF streichen: die Kontur davor mit G40 beenden, und sie dort, wo CUTCONOF "
      "steht, mit G41 oder G42 neu beginnen."},
@@ -643,8 +641,8 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Jenes Programm für sich korrigieren und der Steuerung das Ergebnis geben: der Aufruf bleibt, "
      "wie er ist. Wo sein Text nicht angegeben ist, geht der Aufruf durch."},
     {"C in a straight motion of a contour",
-     "To chamfer the corner write ,C with a comma in front of it. An axis C stands in a block in "
-     "front of the contour first.",
+     "To chamfer the corner write ,C with a comma before it. An axis C stands in a block before "
+     "the contour first.",
      "Für eine Fase der Ecke ,C mit einem Komma davor schreiben. Eine Achse C steht zuerst in "
      "einem Satz vor der Kontur."},
     {"G301, chamfer", write_corner, write_corner_in_german},
@@ -658,7 +656,7 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "P R bei LINUXCNC; oder es weglassen und beide in der Tabelle des Setups angeben."},
     {"measuring", "Take it into a program of its own: where it stops only the machine knows.",
      "Es in ein eigenes Programm auslagern: wo es hält, weiß nur die Maschine."},
-    {"APPR ", "Write LT, LN, CT, LCT, or PLT to PLCT, behind APPR.",
+    {"APPR ", "Write LT, LN, CT, LCT, or PLT to PLCT, after APPR.",
      "Hinter APPR LT, LN, CT, LCT oder PLT bis PLCT schreiben."},
 });
 

@@ -129,7 +129,7 @@ constexpr auto words = std::to_array<German>({
      "Namen mit ihren Werten, wie #500=12.5,#501=3"},
     {"auto, none or blocks:IN,OUT", "auto, none oder blocks:EIN,AUS"},
     {"the tool table, number of the D or T word:radius in mm, as in 1:5,2:3.5, or with the wear "
-     "too, as in 1:5:-0.02; a name stands in quotes, an edge behind a stroke, as in 7\"ROUGH\"/2:5",
+     "too, as in 1:5:-0.02; a name stands in quotes, an edge after a slash, as in 7\"ROUGH\"/2:5",
      "die Werkzeugtabelle, Nummer des D- oder T-Worts:Radius in mm, wie 1:5,2:3.5, oder auch mit "
      "dem Verschleiß, wie 1:5:-0.02; ein Name steht in Anführungszeichen, eine Schneide hinter "
      "einem Strich, wie 7\"ROUGH\"/2:5"},

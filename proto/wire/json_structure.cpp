@@ -120,7 +120,7 @@ class Reader {
         begin(c == '[');
       } else if (c == '}' || c == ']') {
         if (open_.empty()) return {};
-        if (before_ == ',') return place() + "a comma stands in front of " + c;
+        if (before_ == ',') return place() + "a comma stands before " + c;
         if (const std::string twice = end(); !twice.empty())
           return twice + ": is given more than once";
       } else if (c == ',' && !open_.empty()) {

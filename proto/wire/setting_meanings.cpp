@@ -83,11 +83,11 @@ constexpr auto rows = std::to_array<SettingMeaning>({
      "", "off"},
     {"leads", "which blocks of a contour are leads and bound no material", "", "auto"},
     {"leads.find", "how leads are found", "", "auto"},
-    {"leads.blocks_in", "leads behind the approach block, with leads.find=blocks", "", "0", 0,
+    {"leads.blocks_in", "leads after the approach block, with leads.find=blocks", "", "0", 0,
      largest_count},
     {"leads.blocks_out", "leads before the retract block, with leads.find=blocks", "", "0", 0,
      largest_count},
-    {"closing_tolerance", "up to here the end of a contour meets its begin", "mm", "0.01", 0, 1},
+    {"closing_tolerance", "up to here the end of a contour meets its start", "mm", "0.01", 0, 1},
     {"max_masked_share",
      "largest share of the wall of a selection that may be left out, in one stretch or in all "
      "those "
@@ -105,7 +105,7 @@ constexpr auto rows = std::to_array<SettingMeaning>({
      "0", -largest_radius, largest_radius},
     {"language", "of messages, en or de", "", "en"},
     {"block_skip",
-     "lines behind /, as the switch of the machine stands: execute is off, leave_out on; refuse "
+     "lines with /, as the switch of the machine stands: execute is off, leave_out on; refuse "
      "what hangs on it (900017)",
      "", "refuse"},
     {"pass_words",

@@ -560,7 +560,7 @@ std::vector<SettingRow> settings() {
   rows.push_back(
       {"tools",
        "the tool table, number of the D or T word:radius in mm, as in 1:5,2:3.5, or with the wear "
-       "too, as in 1:5:-0.02; a name stands in quotes, an edge behind a stroke, as in "
+       "too, as in 1:5:-0.02; a name stands in quotes, an edge after a slash, as in "
        "7\"ROUGH\"/2:5"});
   rows.push_back({"variables", "names with their values, as in #500=12.5,#501=3"});
   return rows;

@@ -94,7 +94,7 @@ std::optional<std::string> fault_of_origins(const std::vector<std::string>& orig
     const std::string meant = meant_origin(origin);
     return "http-cors-origins: '" + origin +
            "' is no origin as browsers send it: https:// or http://, the host in small letters, a "
-           "port if it is not the usual one, and nothing behind it; write " +
+           "port if it is not the usual one, and nothing after it; write " +
            (meant.empty() ? "it as in https://mes.example" : meant);
   }
   return std::nullopt;

@@ -16,7 +16,7 @@ constexpr Language languages[] = {Language::english, Language::german};
 TEST(ControlWords, OfKlartextStandForTheSides) {
   EXPECT_EQ(in_words_of(ControlWords::klartext, "Let G41 or G42 follow G40, not G410."),
             "Let RL or RR follow R0, not G410.");
-  EXPECT_EQ(in_words_of(ControlWords::g_functions, "behind G40"), "behind G40");
+  EXPECT_EQ(in_words_of(ControlWords::g_functions, "after G40"), "after G40");
 }
 
 TEST(ControlWords, NameNoFunctionThatOnlyIsgHas) {
@@ -45,7 +45,7 @@ TEST(ControlWords, OfAMessageAreThoseOfItsProgram) {
   const Diagnostic found{.code = Code::deselection_without_motion, .words = ControlWords::klartext};
   EXPECT_EQ(message_of(found),
             "RL or RR follows R0 although no motion in the plane has left the contour");
-  EXPECT_EQ(texts_of(found).help, "Program the retract motion behind R0.");
+  EXPECT_EQ(texts_of(found).help, "Program a retract motion after R0.");
 }
 
 }  // namespace

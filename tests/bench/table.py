@@ -183,7 +183,7 @@ def latency(table, seconds):
     met = first["p50"] <= 0.3 and first["p99"] <= 1
     table.add("First output of a stream of 100 blocks, 20 streams/s", "p50 ≤ 0.3 ms, p99 ≤ 1 ms",
               f"{first['p50']:.2f} ms, {first['p99']:.2f} ms" + ("" if met else " (missed)"),
-              "from the intended begin")
+              "from the intended start")
     p99 = busy["streamMs"].get("p99", 0)
     fault = busy["unfinished"] + sum(busy["errors"].values())
     table.add(f"Streams of 100 blocks at 60 % of saturation ({rate:.0f}/s), at most 200 at once",

@@ -37,7 +37,7 @@ OFFERED = {
     "trc compensate pa": {"part.nc", "parts/"},
     "trc verify --record pa": {"part.nc", "parts/"},
 }
-# A line, and the arguments that come of the tab key and what is typed behind it.
+# A line, and the arguments that come of the tab key and what is typed after it.
 COMPLETED = {
     ("trc hea", ""): ["health"],
     ("trc compensate --dia", "fanuc"): ["compensate", "--dialect", "fanuc"],
@@ -94,7 +94,7 @@ class Terminal:
         self.until(PROMPT)
         shown = re.sub(rb"\x1b\[[0-9;?]*[A-Za-z]|[\a\b\r]", b"", said).decode()
         rows = shown.split("\n")[1:]
-        # Behind words zsh says what they are.
+        # After words zsh says what they are.
         return {word for row in rows for word in row.partition(" -- ")[0].split()}
 
     def arguments(self, line, rest):

@@ -5,7 +5,7 @@ those of headers that do.
 Usage, from the top of the source tree: tidy.py <scratch folder>
 
 Much of the time that clang-tidy takes for a source goes into its headers. Sources of one folder are
-therefore written one behind the other into one file. Where such a file does not compile, because
+therefore written one after the other into one file. Where such a file does not compile, because
 two sources have a name in common, each half is tried on its own; where clang-tidy objects to it,
 its sources are looked at one by one, so that each objection names the line it is about.
 

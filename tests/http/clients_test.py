@@ -127,7 +127,7 @@ class Programs(unittest.TestCase):
         self.assertGreater(blocks, 5)
         self.server.ask("POST", "/v1/programs:compensate?tool_radius=5", SQUARE, TEXT)
         counted = []
-        for _ in range(400):  # lines are written behind the answers
+        for _ in range(400):  # lines are written after the answers
             calls = [json.loads(line) for line in self.server.said().splitlines()]
             counted = [call["blocks_out"] for call in calls
                        if call.get("method") == "CompensateProgram"]

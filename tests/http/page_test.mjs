@@ -26,7 +26,7 @@ N70 G01 X60 Y0
 N80 G40 G01 X80 Y-20
 N90 M30
 `;
-// The path beside N30 runs through the wall N70, behind a change of side.
+// The path beside N30 runs through the wall N70, after a change of side.
 const through = ['N10 G00 X-20 Y0 F1000', 'N20 G138 G26 G141', 'N25 G41 G01 X0 Y0', 'N30 X60', 'N40 G42 X70 Y20', 'N50 Y40',
   'N60 X30', 'N70 Y3', 'N80 X20', 'N90 Y40', 'N100 X0', 'N110 G40 X-20', 'N120 M30', ''].join('\n');
 
@@ -850,7 +850,7 @@ const tests = {
     await check('refused with proposals');
     await page.evaluate(() => document.querySelector('details').setAttribute('open', ''));
     await check('all settings');
-    // Each is called by its title alone, and what it means is said behind that.
+    // Each is called by its title alone, and what it means is said after that.
     const radius = page.getByRole('textbox', {name: 'Tool radius, mm', exact: true});
     assert.match(await page.textContent(`#${await radius.getAttribute('aria-describedby')}`), /^the size of the tool/);
     const untold = await page.evaluate(() => [...document.querySelectorAll('#form :is(input, select)')]
@@ -921,7 +921,7 @@ const tests = {
     const heap = await page.evaluate(() => performance.memory.usedJSHeapSize / 2 ** 20);
     assert.ok(heap < 200, `${heap} MiB in the page`);
     console.log(`  ${blocks} blocks: first picture ${took} ms, the upload alone ${upload.toFixed(0)} ms, a zoom step ${steps[6]} ms (median), page ${heap.toFixed(0)} MiB`);
-    // What is found behind the first picture follows.
+    // What is found after the first picture follows.
     await page.waitForFunction(() => /blocks measured\d{5}/.test(document.getElementById('certificate').textContent));
     // The last line of the listing is reached.
     await page.evaluate(() => { const box = document.getElementById('input'); box.scrollTop = box.scrollHeight; });

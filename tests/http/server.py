@@ -31,7 +31,7 @@ N70 G01 X60 Y0
 N80 G40 G01 X80 Y-20
 N90 M30
 """
-# The path beside N30 runs through the wall N70, behind a change of side.
+# The path beside N30 runs through the wall N70, after a change of side.
 THROUGH_A_WALL = """N10 G00 X-20 Y0 F1000
 N20 G138 G26 G141
 N25 G41 G01 X0 Y0
@@ -105,7 +105,7 @@ class Server:
         return logged[:logged.rfind("\n") + 1]
 
     def said_soon(self, pattern):
-        """The log, once it has that line: lines are written behind the answers."""
+        """The log, once it has that line: lines are written after the answers."""
         for _ in range(400):
             if re.search(pattern, self.said()):
                 break

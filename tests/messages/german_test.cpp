@@ -115,7 +115,7 @@ TEST(German, SaysWhatIsSaidOfAWord) {
 // The first word of a detail in German that English alone has; empty: none.
 std::string english_in(const std::string& detail) {
   static const std::regex english(
-      R"((^|[ ,:;])(a|the|of|or|with|without|behind|beside|in front|which|that|no|not|words?|motion|plane|tool|contour|number|feed|call|second|third|outside|as|write|its|end|shift|setting)($|[ ,:;]))");
+      R"((^|[ ,:;])(a|the|of|or|with|without|after|beside|before|which|that|no|not|words?|motion|plane|tool|contour|number|feed|call|second|third|outside|as|write|its|end|shift|setting)($|[ ,:;]))");
   const std::string german = german_detail(detail);
   std::smatch found;
   return std::regex_search(german, found, english) ? found.str() + " in: " + german : "";
@@ -145,28 +145,28 @@ TEST(German, SaysNothingInTwoLanguages) {
         "CC, an arc or a pole across the plane",
         "X, beside the contour since G40 without motion",
         "CC with an axis that turns",
-        "CT behind a motion of the contour: program its centre",
+        "CT after a motion of the contour: program its centre",
         "DPRNT without the places of its value",
-        "G110 behind G40 without motion",
+        "G110 after G40 without motion",
         "G50 with S, a limit of the speed",
-        "RND or CHF in front of the motion that selects TRC",
-        "a rounding or a chamfer in front of the motion that selects TRC",
+        "RND or CHF before the motion that selects TRC",
+        "a rounding or a chamfer before the motion that selects TRC",
         "a feed that is no number per minute",
-        "a motion of one axis behind a deselection without motion",
+        "a motion of one axis after a deselection without motion",
         "a second TURN=",
         "a second rounding or chamfer",
         "P3, a second count of a call",
         "a contour of a cycle that computes",
         "a contour of a cycle that the program runs through",
-        "a contour of a cycle behind a program without M30",
+        "a contour of a cycle after a program without M30",
         "M109, no feed per minute, while TRC is active",
         "V.G.WZ[ ] beside other words: write it into a line of its own",
         "a step of 0",
         "a stop beside RND",
-        "$GOTO behind words of a block",
+        "$GOTO after words of a block",
         "G147 beside words of an arc, a rounding or a chamfer",
-        "words behind a call",
-        "M73, modes as they were in front of a subprogram",
+        "words after a call",
+        "M73, modes as they were before a subprogram",
         "Y+Q1, a variable, while TRC is active",
         "TRC under a frame that scales, in line 4",
         "a call of what only the machine has while TRC is active",

@@ -67,7 +67,7 @@ TEST(AssumedUnit, LeavesNoPlaceAndNoContourBehindIt) {
 TEST(AssumedUnit, IsToldWithWhatHelps) {
   const ProgramRun ran = to_text("G10 L12 P1 R.25\nG20\n" + wall, assumed(fanuc));
   ASSERT_EQ(ran.diagnostics.size(), 1u) << ran.report();
-  EXPECT_EQ(ran.diagnostics[0].detail, "G20, behind a tool radius in line 1, read in mm");
+  EXPECT_EQ(ran.diagnostics[0].detail, "G20, after a tool radius in line 1, read in mm");
   EXPECT_NE(help_of(ran.diagnostics[0]).find("--unit inch"), std::string::npos);
 }
 

@@ -41,7 +41,7 @@ TEST(ContourWords, CtGoesOnAsTheContourLed) {  // D-103
   EXPECT_EQ(refused("CT Y30\nG1 X50\n"), "CT straight back");
   EXPECT_EQ(refused("CT X20 Y60\n", "G40 X90\n"), "CT while TRC is active");
   EXPECT_EQ(refused("CT X20 Y60\n", "G40\nX90\n"),
-            "CT behind a motion of the contour: program its centre");
+            "CT after a motion of the contour: program its centre");
 }
 
 TEST(ContourWords, CipHasAPointBetweenInEitherReference) {
@@ -55,7 +55,7 @@ TEST(ContourWords, CipHasAPointBetweenInEitherReference) {
   expect_same("CIP X20 Y40 I1=10 J1=50\nX40 Y40 I1=30 J1=30\nG1 X50\n",
               "G2 X20 Y40 I10 J0\nG3 X40 Y40 I10 J0\nG1 X50\n");
   EXPECT_EQ(refused("CIP X20 Y40 I1=10 J1=50\n", "G40\nX60 Y40 I1=50 J1=50\n"),
-            "CIP of a contour, which holds behind it: write CIP anew");
+            "CIP of a contour, which holds after it: write CIP anew");
 }
 
 // By its manual a coordinate of 0 may be left out: where that is not where the arc starts, whether

@@ -108,7 +108,7 @@ TEST(FanucMainPrograms, ThatAreNotTheOnlyOneAreRefused) {
   EXPECT_EQ(told("O0100\n" + lines + "M99\nO1000\nM98 P100\nM30\n").first, 900003);
   EXPECT_EQ(told("O0100\n" + lines + "G0 X[1+1]\nM99\nO1000\nM98 P100\nM30\n").first, 900003);
   EXPECT_EQ(detail_of(sub + "O1000\nM98 P100\nM30\nO2000\nM98 P100\nM30\n", fanuc()),
-            "O0100, a subprogram in front of several main programs: O1000, O2000");
+            "O0100, a subprogram before several main programs: O1000, O2000");
 }
 
 // Without a call the first one is a program of its own, as ever.

@@ -72,9 +72,9 @@ TEST(KlartextLeads, BeginWhereTheToolStands) {
 
 TEST(KlartextContours, ChangeTheirSideBehindR0Alone) {  // D-162
   const std::string right = "L X+40\nL Y+0\nL X+100 R0\n";
-  EXPECT_EQ(told(wall + "L X+40 RR\n" + right), "900003 RR behind RL without R0 in between");
+  EXPECT_EQ(told(wall + "L X+40 RR\n" + right), "900003 RR after RL without R0 in between");
   EXPECT_EQ(told("L X+0 Y+0 RR F300\nL Y+60\nL X+40 RL\n" + right),
-            "900003 RL behind RR without R0 in between");
+            "900003 RL after RR without R0 in between");
   EXPECT_EQ(told(wall + "L X-40 Y+90 R0\nL X+0 Y+60 RR\n" + right), "");
   EXPECT_EQ(told("L X+0 Y+0 RL F300\nL Y+60 RL\nL X-40 R0\n"), "");
 }
@@ -84,7 +84,7 @@ TEST(KlartextContours, SayWhatIsWrongWithTheirLeads) {
   EXPECT_EQ(told(wall + "DEP LN LEN-5\n").substr(7), "LEN-5, not above 0");
   EXPECT_EQ(told(wall + "DEP LN\n").substr(7), "DEP LN without LEN");
   EXPECT_EQ(told(wall + "CHF 4\nCT X+40 Y+60\nL X+80 R0\n").substr(7),
-            "CT directly behind RND or CHF");
+            "CT directly after RND or CHF");
 }
 
 }  // namespace

@@ -106,7 +106,7 @@ TEST(ReadOver, WhatGoesOnFromAMotionOfTheContourIsRefused) {
     return "G71 G90 G17\nT1 D1\nG0 X0 Y0 Z5\nG41 G1 X10 Y10 F100\nY90\nX90\n" + lines + "\nM30\n";
   };
   const ProgramSessionSetup setup = setup_of(sinumerik);
-  const std::string refused = "CT behind a motion of the contour: program its centre\n";
+  const std::string refused = "CT after a motion of the contour: program its centre\n";
   EXPECT_EQ(told(behind("G40 X150 Y60\nCT X160 Y20"), setup), "900003 8 " + refused);
   EXPECT_EQ(told(behind("G40 X150 Y60\nG0 Z9\nG111 X5 Y5\nCT X160 Y20"), setup),
             "900003 10 " + refused);
@@ -119,7 +119,7 @@ TEST(ReadOver, ARoundingIntoTheApproachIsRefused) {
   const auto fanuc_told = [&](const std::string& lines) {
     return told("G21 G90 G17\nT1 M6\nG0 X0. Y0.\n" + lines + fanuc_contour, setup_of(fanuc));
   };
-  const std::string refused = "a rounding or a chamfer in front of the motion that selects TRC\n";
+  const std::string refused = "a rounding or a chamfer before the motion that selects TRC\n";
   EXPECT_EQ(fanuc_told("G1 X0. Y5. F100 ,R2.\n"), "900003 4 " + refused);
   EXPECT_EQ(fanuc_told("G1 X0. Y5. F100 ,C2.\n(next)\n"), "900003 4 " + refused);
   EXPECT_EQ(fanuc_told("G1 X0. Y5. F100 ,R2.\nX5.\n"), "");
@@ -129,7 +129,7 @@ TEST(ReadOver, ARoundingIntoTheApproachIsRefused) {
   EXPECT_EQ(told("BEGIN PGM A MM\nTOOL CALL 1 Z\nL X-30 Y-30 R0 FMAX\nL X-20 F100\nRND R2\n"
                  "L X+0 Y-10 RL\nL Y+40\nL X+40 R0\nEND PGM A MM\n",
                  setup_of(heidenhain)),
-            "900003 5 RND or CHF in front of the motion that selects TRC\n");
+            "900003 5 RND or CHF before the motion that selects TRC\n");
 }
 
 TEST(ReadOver, EveryWordOfKlartextCounts) {

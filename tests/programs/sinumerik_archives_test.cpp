@@ -41,7 +41,7 @@ TEST(SinumerikArchives, HaveTheirMainProgramInFrontOfItsSubprograms) {
   EXPECT_EQ(told("%_N_KONT_A_SPF\nR1=5\n" + contour + "M17\n" + main_program),
             std::pair(900003, 8U));
   EXPECT_EQ(to_text(sub + main_program, setup(), 1).diagnostics.front().detail,
-            "KONT_A_SPF, a subprogram in front of what calls it");
+            "KONT_A_SPF, a subprogram before what calls it");
 }
 
 // The tool stands where the caller has brought it.

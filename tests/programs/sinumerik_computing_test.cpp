@@ -338,7 +338,7 @@ TEST(SinumerikRefusals, NameWhatCannotBeFollowed) {
       {"R1=1\nCYCLE62(,2,\"LA\",\"LB\")\nLA: G1 X1\nLB:\nM30\n", Code::nc_unsupported, 3,
        "a contour of a cycle that the program runs through"},
       {"R1=1\nCYCLE62(\"KON\",0,,)\nG0 X5\n%_N_KON_SPF\nG1 X1\nM17\n", Code::block_structure, 3,
-       "a contour of a cycle behind a program without M30"},
+       "a contour of a cycle after a program without M30"},
       {"SUB(1,2)\nM30\nPROC SUB(REAL A1)\nRET\n", Code::value_invalid, 1,
        "SUB with more values than it takes"},
   };

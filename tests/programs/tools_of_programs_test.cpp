@@ -158,7 +158,7 @@ TEST(ToolsOfPrograms, HaveTheRadiusThatSinumerikWrites) {
   const std::string late = "G17 G71 G90\nT2 D1\n$TC_DP6[2,1]=6\n";
   EXPECT_EQ(
       told(late + wall, setup),
-      "900224 3 T2 D1\n900003 5 $TC_DP6 behind the call of its tool: it counts from the next D\n");
+      "900224 3 T2 D1\n900003 5 $TC_DP6 after the call of its tool: it counts from the next D\n");
   EXPECT_EQ(distance(late + "D1\n" + wall, setup), 6);
   EXPECT_EQ(distance("G17 G71 G90\nT2 D1\n$TC_DP6[2,1]=5\n" + wall, setup), 5);
   EXPECT_EQ(distance("G17 G71 G90\nT2 D1\n$TC_DP6[2,2]=6\n" + wall, setup), 5);
@@ -289,7 +289,7 @@ TEST(ToolsOfPrograms, OfCyclesStayWithTheMachine) {  // D-66, D-102
   EXPECT_EQ(told_of(pocket), "900227 3 G150 D2\n");
   // What G41 had does not come out, so that the machine would take an older one.
   const std::string wall = contour_of(fanuc, "G41 D1");
-  EXPECT_EQ(told_of(wall + "G13 I12. F200.\n"), "900003 7 G13 without D behind D1 in line 4\n");
+  EXPECT_EQ(told_of(wall + "G13 I12. F200.\n"), "900003 7 G13 without D after D1 in line 4\n");
   EXPECT_EQ(told_of(wall + "G13 I12. D1 F200.\n"), "900227 7 G13 D1\n");
   // The D of the cycle holds behind it.
   EXPECT_EQ(distance(head + "D1\n" + pocket + contour_of(fanuc, "G41") + "M30\n", setup), 3);
@@ -416,9 +416,9 @@ TEST(ToolsOfPrograms, ChangedBesideTheirNumberLeaveG90InForce) {
   const std::string wall = "G00 X-20 Y0\nG41 G01 X0 F300\nY40\nG40 X-20\nM30\n";
   EXPECT_EQ(told("G17 G71 G90\nT202 LM06\n" + wall, setup_of(isg)), "");
   EXPECT_EQ(told("G17 G71 G90\nLM06\n" + wall, setup_of(isg)),
-            "900106 4 G90 or G91, which was not programmed anew behind LM06 in line 2\n");
+            "900106 4 G90 or G91, which was not programmed anew after LM06 in line 2\n");
   EXPECT_EQ(told("G17 G71 G90\nLM07\nT202 LM06\n" + wall, setup_of(isg)),
-            "900106 5 G90 or G91, which was not programmed anew behind LM06 in line 3\n");
+            "900106 5 G90 or G91, which was not programmed anew after LM06 in line 3\n");
 }
 
 TEST(ToolsOfPrograms, AreCalledByParametersOfKlartext) {

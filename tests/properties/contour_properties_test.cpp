@@ -425,7 +425,7 @@ TEST_P(EveryContour, HoldsAtMostTwoRelevantBlocks) {
       if (ordinal < 2) return;
       std::set<std::int64_t> gone;
       for (const CompensatedBlock& block : out) gone.insert(block.source.number);
-      EXPECT_LE(ordinal + 1, gone.size() + 2) << "behind block " << ordinal;
+      EXPECT_LE(ordinal + 1, gone.size() + 2) << "after block " << ordinal;
     };
     const Outcome outcome = compensate(tested.contour, tested.mode, feeding);
     EXPECT_EQ(outcome.stopped, outcome.error() != nullptr);

@@ -24,7 +24,7 @@ struct Placed {
 };
 
 std::ostream& operator<<(std::ostream& out, const Placed& placed) {
-  return out << static_cast<int>(placed.code) << " of line " << placed.line << " behind byte "
+  return out << static_cast<int>(placed.code) << " of line " << placed.line << " after byte "
              << placed.bytes;
 }
 

@@ -160,7 +160,7 @@ std::vector<std::string> order_of(const Answers& answers) {
     blocks += part.blocks.size();
     for (const Diagnostic& told : part.diagnostics)
       order.push_back(std::to_string(static_cast<int>(told.code)) + " of " +
-                      std::to_string(told.source.index) + " behind " + std::to_string(blocks));
+                      std::to_string(told.source.index) + " after " + std::to_string(blocks));
   }
   order.push_back(std::to_string(blocks));
   return order;
@@ -189,7 +189,7 @@ TEST(PathSession, DiagnosticsHaveTheSamePlacesHoweverMuchIsGivenAtOnce) {
   };
   const std::vector<std::string> alone = order_with(1);
   ASSERT_EQ(alone.size(), 3U);
-  EXPECT_NE(alone[1].find("of 30 behind 3"), std::string::npos) << alone[1];
+  EXPECT_NE(alone[1].find("of 30 after 3"), std::string::npos) << alone[1];
   for (const std::uint64_t group : {2U, 5U, 9U, 16U, 40U})
     EXPECT_EQ(order_with(group), alone) << group;
 }

@@ -14,10 +14,10 @@ namespace trc::support {
 // programs are written in capitals, names and settings with underscores.
 [[nodiscard]] inline std::string english_word_in_german(const Diagnostic& diagnostic) {
   constexpr auto english = std::to_array<std::string_view>(
-      {"the",     "or",      "of",      "with",  "without", "not",  "has",     "have",  "perhaps",
-       "unknown", "behind",  "that",    "which", "and",     "to",   "line",    "while", "from",
-       "only",    "beside",  "between", "is",    "are",     "be",   "for",     "block", "blocks",
-       "tool",    "contour", "plane",   "word",  "motion",  "than", "distance"});
+      {"the",     "or",    "of",      "with",    "without", "not",    "has",  "have",    "perhaps",
+       "unknown", "after", "before",  "that",    "which",   "and",    "to",   "line",    "while",
+       "from",    "only",  "beside",  "between", "is",      "are",    "be",   "for",     "block",
+       "blocks",  "tool",  "contour", "plane",   "word",    "motion", "than", "distance"});
   const std::string text = message_of(diagnostic, Language::german);
   const auto is_letter = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || (c & 0x80) != 0;

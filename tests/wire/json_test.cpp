@@ -122,10 +122,10 @@ TEST(JsonFault, NamesWhatIsNoJson) {
   EXPECT_EQ(fault_of(R"({"setup":{"toolRadius":5, tool_radius:6}})"),
             "setup: a name has no quotes");
   EXPECT_EQ(fault_of("{setup:{}}"), "a name has no quotes");
-  EXPECT_EQ(fault_of(R"({"setup":{"toolRadius":5,}})"), "setup: a comma stands in front of }");
+  EXPECT_EQ(fault_of(R"({"setup":{"toolRadius":5,}})"), "setup: a comma stands before }");
   EXPECT_EQ(fault_of(R"({"batch":{"blocks":[{"linear":{}}, ]}})"),
-            "batch.blocks: a comma stands in front of ]");
-  EXPECT_EQ(fault_of("{\"setup\" : {} , }"), "a comma stands in front of }");
+            "batch.blocks: a comma stands before ]");
+  EXPECT_EQ(fault_of("{\"setup\" : {} , }"), "a comma stands before }");
   EXPECT_EQ(fault_of(" { \"setup\" :\t{ } }\n"), "");
 }
 
@@ -140,11 +140,11 @@ TEST(JsonFault, NamesOfAMapAreWhatTheyAre) {
 TEST(JsonFault, NamesThePlaceInTheText) {
   EXPECT_EQ(fault_of(""), "the text ends too early");
   EXPECT_EQ(fault_of("{\n  \"setup\": {\"toolRadius\" 5}\n}"),
-            "line 2, column 26: a colon is expected behind the name");
+            "line 2, column 26: a colon is expected after the name");
   EXPECT_EQ(fault_of("{\"setup\":{\"toolRadius\":5,5}}"),
             "line 1, column 26: the name of a field in quotes, or } is expected");
   EXPECT_EQ(fault_of("{\"setup\":{\"toolRadius\":tru}}"), "line 1, column 24: this is no value");
-  EXPECT_EQ(fault_of("{} x"), "line 1, column 4: something stands behind the end");
+  EXPECT_EQ(fault_of("{} x"), "line 1, column 4: something stands after the end");
   // What stands there more than once is shown.
   const std::string block = R"({"linear":{"end":{"x":1 "y":2},"feed":100}})";
   const std::string list = block + "," + block + "," + block;

@@ -1,6 +1,6 @@
 // One stream, from the setup to the summary: what is sent, what has come, where to go on. A stream
 // that is lost goes on from the last resume token, on any server of the same version and key; what
-// came behind the token comes again and is dropped here, so that the joined answer is that of an
+// came after the token comes again and is dropped here, so that the joined answer is that of an
 // unbroken stream.
 import { StringDecoder } from "node:string_decoder";
 

@@ -107,7 +107,7 @@ export class Client {
     yield exchange.result();
   }
 
-  /** Drives an exchange to its end, and stops behind each message it has absorbed. */
+  /** Drives an exchange to its end, and stops after each message it has absorbed. */
   async *#messages(exchange, signal) {
     const waiting = new Waiting(this.#timeout);
     for (;;) {

@@ -117,7 +117,7 @@ M30
 `;
 
 test("a clearance of zero is told", async () => {
-  // The path beside N30 runs through the wall N70, behind a change of side.
+  // The path beside N30 runs through the wall N70, after a change of side.
   const through = ["N10 G00 X-20 Y0 F1000", "N20 G138 G26 G141", "N25 G41 G01 X0 Y0", "N30 X60",
     "N40 G42 X70 Y20", "N50 Y40", "N60 X30", "N70 Y3", "N80 X20", "N90 Y40", "N100 X0",
     "N110 G40 X-20", "N120 M30", ""].join("\n");

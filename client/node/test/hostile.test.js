@@ -150,7 +150,7 @@ test("parts are the whole", async () => {
   client.close();
 });
 
-test("what is lost behind its summary comes once", async () => {
+test("what is lost after its summary comes once", async () => {
   const field = (number, bytes) => Buffer.from([number << 3 | 2, bytes.length, ...bytes]);
   const [accepted, text, summary] = [field(1, []), field(5, Buffer.from("N10\n")), field(4, [])];
   const answered = [

@@ -288,7 +288,7 @@ N60 G40 X-20 Y4
 M30
 """
 
-# The path beside N30 runs through the wall N70, behind a change of side.
+# The path beside N30 runs through the wall N70, after a change of side.
 THROUGH_A_WALL = """N10 G00 X-20 Y0 F1000
 N20 G138 G26 G141
 N25 G41 G01 X0 Y0

@@ -147,7 +147,7 @@ void copy_for_words_of_line(Reading& reading, BlockWords& block, AxisBits named,
   if (reading.gcode.tangent_arcs.in_force && !follows_tangent)
     copy_motion("CT", named, block, found);
   if (leaves_from_lost_place(reading, block))
-    copy_motion("a motion of one axis behind a deselection without motion", named, block, found);
+    copy_motion("a motion of one axis after a deselection without motion", named, block, found);
   if (reading.dialect.name == DialectName::fanuc && block.l_word)
     copy_motion("a motion with L, which is repeated", all_axes, block, found);
   if (block.to_skip && !block.copied) {
@@ -187,7 +187,7 @@ bool check_motion_before(Reading& reading, const ProgramLine& line, const BlockW
     return reading.refuse(
         line, TextFault{.code = Code::nc_unsupported,
                         .begin = *block.axis,
-                        .detail = "CT behind a motion of the contour: program its centre"});
+                        .detail = "CT after a motion of the contour: program its centre"});
   if (reading.gcode.tangent_arcs.in_force && block.axis && reading.trc_active() && block.has(side))
     return reading.refuse(line, TextFault{.code = Code::nc_unsupported,
                                           .begin = *block.axis,
@@ -197,17 +197,17 @@ bool check_motion_before(Reading& reading, const ProgramLine& line, const BlockW
     return reading.refuse(
         line, TextFault{.code = Code::nc_unsupported,
                         .begin = *block.axis,
-                        .detail = "CT of a contour, which holds behind it: write CT anew"});
+                        .detail = "CT of a contour, which holds after it: write CT anew"});
   if (reading.gcode.through_arcs.are_written && block.arc.is_through && !block.has(motion) &&
       !reading.trc_active())
     return reading.refuse(
         line, TextFault{.code = Code::nc_unsupported,
                         .begin = block.axis.value_or(0),
-                        .detail = "CIP of a contour, which holds behind it: write CIP anew"});
+                        .detail = "CIP of a contour, which holds after it: write CIP anew"});
   if (block.of(axis_technology).is(110) && reading.contour_open() && !reading.trc_active())
     return reading.refuse(line, TextFault{.code = Code::nc_unsupported,
                                           .begin = block.of(axis_technology).begin,
-                                          .detail = "G110 behind G40 without motion"});
+                                          .detail = "G110 after G40 without motion"});
   if (block.way_round && (selects || reading.contour_open()))
     return reading.refuse(line,
                           TextFault{.code = Code::nc_unsupported,

@@ -106,7 +106,7 @@ bool check_skipped_modes(Reading& reading, const ProgramLine& line, const BlockW
     return reading.refuse(line,
                           TextFault{.code = Code::block_skip_undecided,
                                     .begin = *block.axis,
-                                    .detail = "a motion behind G90 or G91 that may be skipped"});
+                                    .detail = "a motion after G90 or G91 that may be skipped"});
   const auto undecided = [&](std::string detail) {
     return reading.refuse(line, TextFault{.code = Code::block_skip_undecided,
                                           .begin = begin_of_words(line),
@@ -121,7 +121,7 @@ bool check_skipped_modes(Reading& reading, const ProgramLine& line, const BlockW
   const bool in_contour = reading.contour_open() || selects;
   if (block.has(motion)) reading.gcode.skipped.motion = block.to_skip;
   if (reading.gcode.skipped.motion && in_contour && (block.to_skip || block.axis))
-    return undecided("a motion behind G00 … G03 that may be skipped");
+    return undecided("a motion after G00 … G03 that may be skipped");
   if (block.feed && !block.has(dwell))
     reading.gcode.skipped.feed = block.to_skip ? line.source.line : 0;
   const bool takes_feed = selects || block.axis || block.center;
@@ -196,8 +196,8 @@ bool check_circle_words(Reading& reading, const ProgramLine& line, const BlockWo
                                           .detail = std::move(detail)});
   };
   if (block.has(side) && has_center)
-    return refused(block.deselects() ? "I, J beside G40, a vector of the wall behind it"
-                                     : "I, J beside G41, G42, a vector of the contour behind it");
+    return refused(block.deselects() ? "I, J beside G40, a vector of the wall after it"
+                                     : "I, J beside G41, G42, a vector of the contour after it");
   return has_center || !block.axis || refused("R in a straight motion");
 }
 

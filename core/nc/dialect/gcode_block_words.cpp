@@ -215,7 +215,7 @@ bool read_gcode_machine_function(Reading& reading, const GcodeWord& word, Progra
     block.kept_modes = {.value = m, .begin = word.begin};
   if (linuxcnc && m == 73)
     return refuse_word(reading, line, word, Code::nc_unsupported,
-                       "modes as they were in front of a subprogram");
+                       "modes as they were before a subprogram");
   block.tools.q_word_names_tool |= linuxcnc && m == 61;
   const bool ends = m == 2 || m == 30 || m == 99;
   line.ends_program |= ends;
@@ -340,7 +340,7 @@ bool read_gcode_word(Reading& reading, const GcodeWord& word, ProgramLine& line,
       // Some controls jump and call with an N after other words.
       if (block.words > 0)
         return refuse_word(reading, line, word, Code::nc_syntax,
-                           "a block number behind other words");
+                           "a block number after other words");
       if (word.has_number && word.whole && is_whole(word.value))
         line.source.number = static_cast<std::int64_t>(word.value);
       add(line, word, WordRole::number);
@@ -354,13 +354,13 @@ bool read_gcode_word(Reading& reading, const GcodeWord& word, ProgramLine& line,
           reading.dialect.name == DialectName::linuxcnc)
         return refuse_word(reading, line, word, Code::nc_unsupported, "a subprogram or a loop");
       if (reading.blocks_read > 0)
-        return reading.refuse(
-            line, TextFault{.code = Code::nc_unsupported,
-                            .begin = word.begin,
-                            .detail = reading.gcode.seen.program
-                                          ? "O, a second program in one text"
-                                          : "O, behind blocks without a number of their "
-                                            "program"});
+        return reading.refuse(line,
+                              TextFault{.code = Code::nc_unsupported,
+                                        .begin = word.begin,
+                                        .detail = reading.gcode.seen.program
+                                                      ? "O, a second program in one text"
+                                                      : "O, after blocks without a number of their "
+                                                        "program"});
       reading.gcode.seen.program = true;
       add(line, word, WordRole::comment);
       return true;

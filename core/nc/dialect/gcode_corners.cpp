@@ -65,8 +65,8 @@ bool take_modal_rounding(Reading& reading, ProgramLine& line, BlockWords& block)
     return reading.refuse(
         line, TextFault{.code = Code::nc_unsupported,
                         .begin = block.of(side).begin,
-                        .detail = "RNDM= beyond the contour: set it behind G41, G42, and "
-                                  "to 0 in front of G40"});
+                        .detail = "RNDM= beyond the contour: set it after G41, G42, and "
+                                  "to 0 before G40"});
   if (reading.gcode.corners.modal_rounding != 0 && reading.trc_active() && !selects &&
       (block.axis || block.center) && !block.corners.begin && !block.copied)
     block.move.corner = {.form = CornerCut::Form::round,
@@ -97,7 +97,7 @@ bool take_corner(Reading& reading, ProgramLine& line, BlockWords& block) {
   // The approach is not the line that the programmed rounding leads into.
   if (selects && reading.gcode.corners.open.source.line > 0)
     return reading.refuse_at(reading.gcode.corners.open, Code::nc_unsupported,
-                             "a rounding or a chamfer in front of the motion that selects TRC");
+                             "a rounding or a chamfer before the motion that selects TRC");
   if (moves) reading.gcode.corners.open = {};
   if (!block.corners.begin) return true;
   if (!reading.contour_open() && !block.has(side)) {
@@ -111,7 +111,7 @@ bool take_corner(Reading& reading, ProgramLine& line, BlockWords& block) {
     return reading.refuse(line,
                           TextFault{.code = Code::nc_unsupported,
                                     .begin = *block.corners.begin,
-                                    .detail = "a rounding or a chamfer beside G40 … G42, or behind "
+                                    .detail = "a rounding or a chamfer beside G40 … G42, or after "
                                               "a motion that is none"});
   if (block.move.corner->size == 0) block.move.corner.reset();
   for (WordRange& word : line.words)

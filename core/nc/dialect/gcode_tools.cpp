@@ -71,7 +71,7 @@ bool check_what_may_be_skipped(Reading& reading, const ProgramLine& line, const 
     if (selects && before > 0)
       return reading.refuse(line, TextFault{.code = Code::block_skip_undecided,
                                             .begin = block.of(side).begin,
-                                            .detail = "TRC behind what may be skipped, in line " +
+                                            .detail = "TRC after what may be skipped, in line " +
                                                       std::to_string(before)});
   return true;
 }
@@ -92,7 +92,7 @@ bool check_turning(Reading& reading, const ProgramLine& line, const BlockWords& 
   const bool leads_in_zx = in_zx || (block.move.end[0] && block.move.end[2]);
   if (selects && !reading.gcode.seen.y && leads_in_zx)
     return refuse_selection(reading, line, block, Code::turning,
-                            "G41, G42 of a lathe, as no Y stands in front of it");
+                            "G41, G42 of a lathe, because no Y precedes it");
   // A mill may come down behind G41, in front of the approach.
   const bool comes_down =
       !block.move.end[0] && (!reading.faults.empty() || reading.state.awaits_approach());

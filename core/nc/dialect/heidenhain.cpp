@@ -140,7 +140,7 @@ bool read_statement(Reading& reading, ProgramLine& line, KlartextBlock& block, s
   block.begin = static_cast<std::uint32_t>(at);
   const bool has_words = read_klartext_words(reading, line, block);
   if (has_words && !block.side && (has_side(statement) || has_glued_r0(statement)))
-    return refuse_klartext(reading, line, at, "RL, RR, R0 without a blank in front");
+    return refuse_klartext(reading, line, at, "RL, RR, R0 without a blank before it");
   line.sum_up_roles();
   const bool readable = has_words && check_klartext(reading, line, block) &&
                         (block.unfollowed || check_words_together(reading, line, block));

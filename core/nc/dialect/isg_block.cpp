@@ -64,7 +64,7 @@ Code twice_code(GGroup group) {
 }
 
 // G40 stands there, but the tool is still beside the contour (rule 10.9).
-constexpr std::string_view behind_lost_retract = " behind G40 without motion";
+constexpr std::string_view behind_lost_retract = " after G40 without motion";
 
 // A call that passes elsewhere: not in front of the motion that leaves the contour.
 TextFault with_reason(const Reading& reading, const ProgramLine& line, TextFault fault) {

@@ -178,7 +178,7 @@ bool read_command(Reading& reading, const Word& word, ProgramLine& line, BlockWo
   if (const std::size_t behind = word_behind_command(command);
       behind != std::string_view::npos && !holds_axis_words(name))
     return wrong(
-        {.begin = static_cast<std::uint32_t>(behind), .detail = "a word behind a # command"});
+        {.begin = static_cast<std::uint32_t>(behind), .detail = "a word after a # command"});
   if (name == "TIME " && !is_time(command)) return reading.refuse(line, word, Code::nc_number);
   if (name == "DISABLE MODAL") reading.gcode.calls.modal_cycle.reset();
   const bool passes = name == "TIME " || name == "DISABLE MODAL" ||

@@ -65,7 +65,7 @@ bool move_on_klartext_arc(Reading& reading, ProgramLine& line, KlartextBlock& bl
   }
   if (!reading.klartext_modes.pole)
     return refuse_klartext(reading, line, block.begin,
-                           block.title() + " without CC of both axes, or behind what moves it");
+                           block.title() + " without CC of both axes, or after what moves it");
   line.klartext->needs_pole = true;
   request.center[axes.first] = reading.klartext_modes.pole->x();
   request.center[axes.second] = reading.klartext_modes.pole->y();
@@ -80,7 +80,7 @@ bool move_on_tangent_arc(Reading& reading, ProgramLine& line, KlartextBlock& blo
   const auto wrong = [&](const char* why) {
     return refuse_klartext(reading, line, block.begin, block.title() + why);
   };
-  if (reading.klartext_modes.behind_corner) return wrong(" directly behind RND or CHF");
+  if (reading.klartext_modes.behind_corner) return wrong(" directly after RND or CHF");
   if (!reading.klartext_modes.tangent) return wrong(" without a motion in the plane before it");
   const Point start = to_plane(reading.state.mode().plane, reading.state.position());
   const Point end(request.end[axes.first].value_or(start.x()),

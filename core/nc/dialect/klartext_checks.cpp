@@ -234,7 +234,7 @@ bool check_corner_before(Reading& reading, const ProgramLine& line, const Klarte
   WordPlace& open = reading.klartext_modes.open_corner;
   if (block.selects() && open.source.line > 0)
     return reading.refuse_at(open, Code::nc_unsupported,
-                             "RND or CHF in front of the motion that selects TRC");
+                             "RND or CHF before the motion that selects TRC");
   const bool corner = block.is_corner();
   if (corner && !reading.contour_open())
     open = reading.place_of_word(line, block.begin);

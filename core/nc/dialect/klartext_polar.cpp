@@ -59,7 +59,7 @@ bool find_polar_end(Reading& reading, ProgramLine& line, KlartextBlock& block, c
     return refuse_klartext(reading, line, block.begin, block.title() + why, code);
   };
   if (!reading.klartext_modes.pole)
-    return wrong(" without CC of both axes, or behind what moves it");
+    return wrong(" without CC of both axes, or after what moves it");
   const PlaneAxes axes = axes_of(reading.state.mode().plane);
   const auto stands_at_known_place = [&] {
     return reading.state.is_known(axes.first) && reading.state.is_known(axes.second);

@@ -304,7 +304,7 @@ bool select_in_klartext(Reading& reading, const ProgramLine& line, Side side, st
       std::max(reading.gcode.skipped.tool, reading.gcode.skipped.tool_data);
   if (side != Side::off && skipped > 0)
     return refuse_klartext(reading, line, begin,
-                           "TRC behind what may be skipped, in line " + std::to_string(skipped),
+                           "TRC after what may be skipped, in line " + std::to_string(skipped),
                            Code::block_skip_undecided);
   if (reading.klartext_modes.unfollowed != 0)
     return refuse_klartext(reading, line, begin,
@@ -317,20 +317,20 @@ bool select_in_klartext(Reading& reading, const ProgramLine& line, Side side, st
     return refuse_klartext(reading, line, begin,
                            "RL, RR in the contour of the cycles of line " +
                                std::to_string(reading.klartext_modes.cycle_section) +
-                               ", in front of the end of the program");
+                               ", before the end of the program");
   if (reading.klartext_modes.tool_of_label != 0)
     return refuse_klartext(reading, line, begin,
                            "RL, RR with the tool of the section that line " +
                                std::to_string(reading.klartext_modes.tool_of_label) + " calls");
   if (reading.klartext_modes.unfollowed_call != 0)
     return refuse_klartext(reading, line, begin,
-                           "RL, RR behind line " +
+                           "RL, RR after line " +
                                std::to_string(reading.klartext_modes.unfollowed_call) +
                                ", a call of lines that are not followed");
   if (reading.klartext_modes.jump != 0)
-    return refuse_klartext(reading, line, begin,
-                           "RL, RR behind line " + std::to_string(reading.klartext_modes.jump) +
-                               ", a jump to a label");
+    return refuse_klartext(
+        reading, line, begin,
+        "RL, RR after line " + std::to_string(reading.klartext_modes.jump) + ", a jump to a label");
   if (!reading.trc_active()) {
     ++reading.klartext_modes.contours;
     const auto place_of_side = static_cast<std::uint32_t>(begin);

@@ -33,7 +33,7 @@ bool take_cycle_with_register(Reading& reading, ProgramLine& line, BlockWords& b
         line,
         TextFault{.code = Code::nc_unsupported,
                   .begin = cycle.begin,
-                  .detail = name + " without D behind D" +
+                  .detail = name + " without D after D" +
                             std::to_string(register_number(*reading.gcode.last_register.number)) +
                             " " + place_of(reading.gcode.last_register.place.source)});
   const std::uint32_t begin = block.tools.d_word ? block.tools.d_word->begin : cycle.begin;

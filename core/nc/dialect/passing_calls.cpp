@@ -305,7 +305,7 @@ bool restate_modes(Reading& reading, ProgramLine& line, BlockWords& block) {
         TextFault{.code = Code::position_unknown,
                   .begin = block.of(GGroup::side).begin,
                   .detail = std::string(reading.called_dimension ? "G90 or G91" : "G00 or G01") +
-                            ", which was not programmed anew behind " + reading.gcode.calls.last +
+                            ", which was not programmed anew after " + reading.gcode.calls.last +
                             " " + place_of(reading.gcode.calls.place.source)});
   block.copied = true;
   block.forget = all_axes;

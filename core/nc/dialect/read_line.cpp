@@ -111,7 +111,7 @@ bool read_line_behind_end(Reading& reading, ProgramLine& line) {
                         .begin = static_cast<std::uint32_t>(place),
                         .detail = "CALL LBL in line " +
                                   std::to_string(reading.klartext_modes.called_section) +
-                                  ", whose contour stands behind the end: write the lines of "
+                                  ", whose contour stands after the end: write the lines of "
                                   "the label in its place"});
   const std::size_t behind =
       klartext ? place + 2 : line.text.find_first_not_of("Gg0123456789 ", place);

@@ -83,11 +83,11 @@ bool Reading::say_unit(const ProgramLine& line, std::uint32_t begin, LengthUnit 
   if (!assumed.holds || lengths == unit) return true;
   if (assumed.line > 0) {
     const std::size_t end = line.text.find_first_not_of("Gg0123456789", begin);
-    return refuse(line, TextFault{.code = Code::nc_unsupported,
-                                  .begin = begin,
-                                  .detail = line.text.substr(begin, end - begin) + ", behind " +
-                                            assumed.kept + " in line " +
-                                            std::to_string(assumed.line) + ", read in mm"});
+    return refuse(
+        line, TextFault{.code = Code::nc_unsupported,
+                        .begin = begin,
+                        .detail = line.text.substr(begin, end - begin) + ", after " + assumed.kept +
+                                  " in line " + std::to_string(assumed.line) + ", read in mm"});
   }
   state.forget_lengths(line.source);
   return true;

@@ -170,7 +170,7 @@ bool resolve_polar_words(Reading& reading, ProgramLine& line, BlockWords& block)
     return reading.refuse(line,
                           TextFault{.code = Code::nc_unsupported,
                                     .begin = begin,
-                                    .detail = "AP= or RP= alone behind a contour: write both"});
+                                    .detail = "AP= or RP= alone after a contour: write both"});
   if (selects || reading.contour_open()) polar.rewritten = true;
   if (both && !reading.contour_open() && !selects) polar.rewritten = false;
   const bool angle_known =

@@ -30,7 +30,7 @@ bool check_soft_lead(Reading& reading, ProgramLine& line, const BlockWords& bloc
   };
   const bool approaches = is_approach(lead.function->number);
   if (!approaches && !reading.trc_active())
-    return wrong(lead.begin, " behind G40: write both into one block");
+    return wrong(lead.begin, " after G40: write both into one block");
   if (!approaches && !block.deselects())
     return wrong(lead.begin, " without G40: write G40 beside it");
   if (approaches && block.deselects()) return wrong(lead.begin, " beside G40");
@@ -41,7 +41,7 @@ bool check_soft_lead(Reading& reading, ProgramLine& line, const BlockWords& bloc
   if (block.center || block.corners.begin)
     return wrong(lead.begin, " beside words of an arc, a rounding or a chamfer");
   if (reading.feed_mode != 94 || block.has(feed_mode))
-    return wrong(lead.begin, " beside or behind G93, G95: only feeds per minute are followed");
+    return wrong(lead.begin, " beside or after G93, G95: only feeds per minute are followed");
   if (block.soft.way_back)
     return wrong(*block.soft.way_back,
                  " with DISRP=, the plane it returns to: program that height "
@@ -184,7 +184,7 @@ bool approach_softly(Reading& reading, ProgramLine& line, BlockWords& block) {
     return reading.refuse(
         line, TextFault{.code = Code::nc_unsupported,
                         .begin = block.of(soft_lead).begin,
-                        .detail = "a smooth approach within a contour or behind another"});
+                        .detail = "a smooth approach within a contour or after another"});
   SoftApproach approach{.lead = soft_lead_of(reading, block),
                         .clearance = clearance_of(reading, block),
                         .along_the_lead = reading.gcode.soft.in_space,

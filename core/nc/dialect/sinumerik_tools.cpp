@@ -64,10 +64,9 @@ bool choose_tool_of_edge(Reading& reading, ProgramLine& line, BlockWords& block)
   const WordPlace& tool = tools.changed_by_m6 ? tools.spindle_place : tools.next_place;
   if (tools.changed_row != 0)
     return reading.refuse(
-        line,
-        TextFault{.code = Code::nc_unsupported,
-                  .begin = begin,
-                  .detail = "$TC_DP6 behind the call of its tool: it counts from the next D"});
+        line, TextFault{.code = Code::nc_unsupported,
+                        .begin = begin,
+                        .detail = "$TC_DP6 after the call of its tool: it counts from the next D"});
   const auto unknown = [&](std::string detail) {
     return reading.refuse_at(tool, Code::tool_unknown, std::move(detail));
   };

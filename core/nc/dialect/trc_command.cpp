@@ -176,7 +176,7 @@ CommandReader::Fault CommandReader::close(std::size_t open) {
   if (peek() != ']') return fault(Code::nc_unclosed, open, "[");
   ++at_;
   skip_separators();
-  if (!at_end()) return fault(Code::nc_syntax, at_, "a word behind a # command");
+  if (!at_end()) return fault(Code::nc_syntax, at_, "a word after a # command");
   return {};
 }
 

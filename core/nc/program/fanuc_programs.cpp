@@ -177,7 +177,7 @@ MainProgram main_program_of(const ProgramText& text, const ProgramHead& begun,
   return {.line = first.begin,
           .is_first = false,
           .first = first.head.told(),
-          .ambiguous = first.head.told() + ", a subprogram in front of " +
+          .ambiguous = first.head.told() + ", a subprogram before " +
                        (mains.empty() ? "what calls it, where no program ends with M02 or M30"
                                       : "several main programs: " + told)};
 }

@@ -291,7 +291,7 @@ bool GcodeFlow::finish_statement(std::string& flat, std::size_t at) {
   const std::size_t behind = behind_blanks(line_, at);
   if (!is_over(line_, behind))
     return refuse(Code::expression_invalid, behind,
-                  name_of_character(line_.substr(behind)) + ", words behind a statement");
+                  name_of_character(line_.substr(behind)) + ", words after a statement");
   if (const std::string comments = with_values(comments_of(line_, behind)); !comments.empty())
     write_behind_number(flat, comments);
   return true;

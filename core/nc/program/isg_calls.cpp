@@ -35,7 +35,7 @@ bool IsgFlow::check_behind_return() {
     if (is_isg_line_over(content, head.behind)) continue;
     if (content[head.behind] == '$') return true;
     frame().current = line;
-    return refuse(Code::block_structure, head.behind, "a line behind the end of a subprogram");
+    return refuse(Code::block_structure, head.behind, "a line after the end of a subprogram");
   }
   return true;
 }
@@ -105,7 +105,7 @@ bool IsgFlow::call(std::string& flat, IsgCall call) {
     return refuse(Code::jump_target_unknown, call.begin,
                   "%L " + call.name + ", which is there twice");
   if (!is_isg_line_over(line_, call.end))
-    return refuse(Code::expression_invalid, call.end, "words behind a call");
+    return refuse(Code::expression_invalid, call.end, "words after a call");
   std::string text = "(" + unit->name + ")";
   if (const std::size_t comment = behind_blanks(line_, call.end); comment < line_.size())
     text.append(" ").append(line_.substr(comment));

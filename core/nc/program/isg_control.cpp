@@ -149,7 +149,7 @@ bool IsgFlow::branch(std::string& flat, ExpressionReader& expression) {
     holds = other.holds(other.expression());
     if (other.failed()) return refuse(other.fault());
     if (!is_isg_line_over(line_, other.at()))
-      return refuse(Code::expression_invalid, other.at(), "words behind $ELSEIF");
+      return refuse(Code::expression_invalid, other.at(), "words after $ELSEIF");
   }
   frame().next = at + 1;
   return true;
@@ -296,7 +296,7 @@ std::optional<std::size_t> IsgFlow::target_of(ExpressionReader& expression) {
   if (lines != nullptr && lines->size() == 1) return lines->front();
   std::string target(line_.substr(begin, expression.at() - begin));
   if (lines != nullptr) target.append(", which is there twice");
-  if (has_no_colon) target.append(", a block without a colon behind its number");
+  if (has_no_colon) target.append(", a block without a colon after its number");
   refuse(Code::jump_target_unknown, begin, target);
   return {};
 }

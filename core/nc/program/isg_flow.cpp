@@ -86,7 +86,7 @@ bool IsgFlow::ends_tape(const ProgramText& text, std::size_t line) const {
 // The name for a line with % that is not the first of the executed ones.
 std::string IsgFlow::name_of_second(std::string_view line) {
   return isg_subprogram_of(line).empty() ? "%, a second program"
-                                         : "%L, a subprogram behind the program";
+                                         : "%L, a subprogram after the program";
 }
 
 void IsgFlow::know(std::string_view lines) {
@@ -201,7 +201,7 @@ bool IsgFlow::end_of_program(std::string& flat) {
   const ProgramText& text = texts_.front();
   if (main.begin == main.end && units_.front().text == 0 && !units_.front().name.empty())
     return refuse_behind_end(text.size() - 1, Code::block_structure,
-                             "%, the beginning of the program behind its subprograms");
+                             "%, the beginning of the program after its subprograms");
   const std::vector<bool> is_comment = comment_lines(text, main.current + 1, main.end);
   for (std::size_t line = main.current + 1; line < main.end; ++line) {
     checkpoint_.pass();

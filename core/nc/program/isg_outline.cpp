@@ -107,7 +107,7 @@ void IsgFlow::add_structure(Outline& outline, std::deque<Open>& open, Structure 
     return;
   }
   if (structure != end_branch && outline.structures.at(innermost.branches.back()) == otherwise)
-    misplace(outline, open, line, {.line = line, .detail = " behind $ELSE"});
+    misplace(outline, open, line, {.line = line, .detail = " after $ELSE"});
   outline.next[innermost.branches.back()] = line;
   innermost.branches.push_back(line);
   if (structure != end_branch) return;

@@ -100,7 +100,7 @@ bool IsgFlow::scan_word(std::size_t& at) {
   if (sign == '$') {
     const std::string word = word_behind_sign(line_, at);
     if (word != "GOTO")
-      return refuse(Code::nc_unsupported, at, "$" + word + " behind words of a block");
+      return refuse(Code::nc_unsupported, at, "$" + word + " after words of a block");
     ExpressionReader expression = expression_at(at + 1 + word.size());
     jump_ = target_of(expression);
     if (!jump_) return false;
@@ -177,7 +177,7 @@ bool IsgFlow::scan_call(std::size_t& at, const IsgCall& call) {
                         (call.is_local && unit_called(call) != nullptr);
   if (is_known || isg_call_behind_words(line_, head_.behind) != at)
     return refuse(Code::nc_unsupported, at,
-                  std::string(line_.substr(at, call.end - at)) + ", a call behind words");
+                  std::string(line_.substr(at, call.end - at)) + ", a call after words");
   called_behind_words_ = call.name;
   pieces_.push_back({.begin = at, .end = call.end});
   at = call.end;

@@ -151,9 +151,9 @@ bool ProgramReader::split(std::string_view text, std::vector<LinePointer>& lines
         return collect(text, lines);
       }
       if (calls_what_stands_first(line))
-        return refuse_order_of_programs(program::program_head_of(first_program_).told() +
-                                            ", a subprogram in front of what calls it",
-                                        lines_before_ + 1);
+        return refuse_order_of_programs(
+            program::program_head_of(first_program_).told() + ", a subprogram before what calls it",
+            lines_before_ + 1);
       // Only text follows the end of the program.
       passes_ = first_program_.empty();
       if (passes_) return interpreter_.feed(text, lines);
@@ -220,7 +220,7 @@ bool ProgramReader::find_main_program() {
   const std::uint64_t line_of_main = (is_whole ? 0 : lines_before_) + main.line + 1;
   if (!main.ambiguous.empty()) return refuse_order_of_programs(main.ambiguous, line_of_main);
   if (!main.is_first && !waited)
-    return refuse_order_of_programs(main.first + ", a subprogram in front of what calls it",
+    return refuse_order_of_programs(main.first + ", a subprogram before what calls it",
                                     line_of_main);
   if (!waited) return true;
   if (!main.is_first) {
@@ -263,8 +263,7 @@ bool ProgramReader::check_order_of_files(std::string_view line, std::uint64_t nu
   if (file.empty()) return true;
   if (first_file_.ends_with(program::subprogram_ending) &&
       file.ends_with(program::main_program_ending))
-    return refuse_order_of_programs(first_file_ + ", a subprogram in front of what calls it",
-                                    number);
+    return refuse_order_of_programs(first_file_ + ", a subprogram before what calls it", number);
   if (first_file_.empty()) first_file_ = std::move(file);
   return true;
 }

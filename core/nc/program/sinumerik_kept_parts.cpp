@@ -169,8 +169,8 @@ bool SinumerikFlow::keep_parts_behind_end(const std::vector<bool>& called, std::
   // Nothing has ended the program: these lines would become a part of it.
   if (flat.empty())
     return refuse(Code::block_structure, 0,
-                  lines.empty() ? "a program behind one without M30"
-                                : "a contour of a cycle behind a program without M30");
+                  lines.empty() ? "a program after one without M30"
+                                : "a contour of a cycle after a program without M30");
   is_as_written_ = false;
   const ProgramText& text = texts_.front();
   std::set<std::size_t> all = lines;

@@ -48,7 +48,7 @@ bool ProgramState::refuse_held_corner() {
 
 bool ProgramState::refuse_open_lead() {
   return report(lead_->request.source, Code::nc_unsupported,
-                "APPR or G147, G247, G347 without a contour behind it");
+                "APPR or G147, G247, G347 without a contour after it");
 }
 
 // A corner needs two motions of the contour itself, without motion of other axes (D-124).

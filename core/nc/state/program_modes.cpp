@@ -38,8 +38,8 @@ bool ProgramState::select(Side side, const Source& source) {
   // The control needs a motion with R0 in between (D-162).
   if (mode_.active() && setup_.dialect == DialectName::heidenhain)
     return report(source, Code::nc_unsupported,
-                  side == Side::left ? "RL behind RR without R0 in between"
-                                     : "RR behind RL without R0 in between");
+                  side == Side::left ? "RL after RR without R0 in between"
+                                     : "RR after RL without R0 in between");
   if (!mode_.active()) {
     if (retract_pending_) return report(source, Code::deselection_without_motion);
     if (mode_.options.inverse) return report(source, Code::inverse_without_online);

@@ -204,7 +204,7 @@ std::optional<std::size_t> ProgramState::axis_kept_from_assumed_start(
 bool ProgramState::refuse_assumed_start(const Source& source, std::size_t axis) {
   return refuse(source, {.code = Code::position_unknown,
                          .detail = std::string(axis_words[axis]) +
-                                   ", where the tool stands in front of the contour"});
+                                   ", where the tool stands before the contour"});
 }
 
 // A forgotten G91 is the most common mistake after G28 G91.
@@ -430,8 +430,8 @@ bool ProgramState::end(const Source& source) {
   const bool has_left = retract_is_lost() && std::ranges::none_of(beside_contour_, std::identity{});
   if (std::exchange(ended_, true) || !contour_open() || has_left) return !diagnostics_.stopped();
   const char* const ended = setup_.dialect == DialectName::heidenhain
-                                ? "R0 without a motion behind it"
-                                : "G40 without a motion behind it";
+                                ? "R0 without a motion after it"
+                                : "G40 without a motion after it";
   return report(source, Code::ended_while_active, mode_.active() ? "" : ended);
 }
 

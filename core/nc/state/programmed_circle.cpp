@@ -18,7 +18,7 @@ std::optional<Refusal> ProgramState::check_circle_words(const MoveRequest& reque
     return Refusal{
         .code = Code::circle_center_misfit,
         .detail =
-            "an arc directly behind G40 under G239, where the tool stands at the compensated point",
+            "an arc directly after G40 under G239, where the tool stands at the compensated point",
         .point = standing_point()};
   const PlaneAxes axes = axes_of(mode_.plane);
   if (request.center[axes.third])

@@ -263,12 +263,12 @@ TEST(EntryHelpText, NamesTheLeadsThatHaveToGo) {
   help.replaced = 1;
   EXPECT_EQ(lines_of(help, {})[0],
             "what leads to the contour has to be another one: replace the approach and the block "
-            "behind it, as leads");
+            "after it, as leads");
   help.replaced = 2;
   help.left_out = 3;
   EXPECT_EQ(lines_of(help, {})[0],
             "what leads to the contour has to be another one: replace the approach and the 2 "
-            "blocks behind it, as leads, and leave out the last 3 blocks before G40");
+            "blocks after it, as leads, and leave out the last 3 blocks before G40");
 }
 
 TEST(EntryHelpText, SaysNothingWhereNothingIsKnown) {

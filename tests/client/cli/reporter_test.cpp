@@ -106,15 +106,15 @@ TEST(Reporter, HelpsToARadiusAsTheProgramNeedsIt) {
   };
   using enum DialectName;
   EXPECT_EQ(help_for("G41 or G42 in line 2 (N30)", Language::english, isg),
-            "Give the radius: --radius 5, or a table with the tool that the program calls in front "
-            "of G41 or G42 (--tools tools.csv, --set tools=1:5, by name --set "
+            "Give the radius: --radius 5, or a table with the tool that the program calls before "
+            "G41 or G42 (--tools tools.csv, --set tools=1:5, by name --set "
             "'tools=\"MILL\":5'); if it calls none, a table does not help.");
   EXPECT_EQ(help_for("RL or RR in line 2 (N30)", Language::english, heidenhain),
-            "Give the radius: --radius 5, or a table with the tool that the program calls in front "
-            "of RL or RR (--tools tools.csv, --set tools=1:5, by name --set 'tools=\"MILL\":5'); "
+            "Give the radius: --radius 5, or a table with the tool that the program calls before "
+            "RL or RR (--tools tools.csv, --set tools=1:5, by name --set 'tools=\"MILL\":5'); "
             "if it calls none, a table does not help.");
   EXPECT_EQ(help_for("G41 or G42 in line 2, T2 without M06", Language::english, isg),
-            "Program M06 behind the T word, in front of G41 or G42, or give the radius: --radius "
+            "Program M06 after the T word, before G41 or G42, or give the radius: --radius "
             "5.");
   const std::string of_zero =
       help_for("G41 or G42 in line 2, D0 or T0 is no tool", Language::english, sinumerik);

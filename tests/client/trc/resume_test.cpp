@@ -87,8 +87,8 @@ struct Collected {
     blocks.insert(blocks.end(), answer.blocks.begin(), answer.blocks.end());
     for (const Diagnostic& told : answer.diagnostics)
       diagnostics += std::to_string(static_cast<int>(told.code)) + " at block " +
-                     std::to_string(told.source.index) + " behind " +
-                     std::to_string(blocks.size()) + "\n";
+                     std::to_string(told.source.index) + " after " + std::to_string(blocks.size()) +
+                     "\n";
   }
 };
 

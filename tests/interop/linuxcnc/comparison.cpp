@@ -41,14 +41,14 @@ bool same_kind(const Segment& a, const Segment& b) {
 std::string corner_difference(std::size_t index, const Compensated& ours, const Compensated& theirs,
                               double tolerance) {
   if (ours.corner.size() != theirs.corner.size())
-    return "behind contour block " + std::to_string(index + 1) + " we insert " +
+    return "after contour block " + std::to_string(index + 1) + " we insert " +
            std::to_string(ours.corner.size()) + " blocks, LinuxCNC " +
            std::to_string(theirs.corner.size());
   for (std::size_t k = 0; k < ours.corner.size(); ++k) {
     const Segment& a = ours.corner[k];
     const Segment& b = theirs.corner[k];
     if (!same_kind(a, b))
-      return "other kind of block inserted behind block " + std::to_string(index + 1);
+      return "other kind of block inserted after block " + std::to_string(index + 1);
     if ((end_of(a) - end_of(b)).norm() > tolerance)
       return sentence("corner end", index, end_of(a), end_of(b));
     const Point center_a = std::get<Arc>(a).center;
@@ -151,12 +151,12 @@ std::string broken_equidistant(const JudgedContour& judged, const std::vector<Co
       if (const double error =
               equidistance_error(inserted, Line{.start = corner, .end = corner}, radius);
           error > tolerance)
-        return "not one radius from the corner behind" + where + std::to_string(error);
+        return "not one radius from the corner after" + where + std::to_string(error);
     if (!is_masked(judged, k)) continue;
     for (const Point& joint : {end_of(ours[k].block), start_of(ours[k + 1].block)})
       for (const Segment& neighbour : {programmed[k], programmed[k + 1]})
         if (const double gouge = radius - slow_distance(joint, neighbour); gouge > tolerance)
-          return "gouge at the corner behind" + where + std::to_string(gouge);
+          return "gouge at the corner after" + where + std::to_string(gouge);
   }
   return {};
 }

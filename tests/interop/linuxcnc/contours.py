@@ -44,7 +44,7 @@ class Contour:
                 math.atan2(end[1] - centre[1], end[0] - centre[0]) + quarter)
 
     def turn_to_tool(self, index):
-        """The turn behind a block, rad; positive: an inside corner."""
+        """The turn after a block, rad; positive: an inside corner."""
         turn = self.tangents(index + 1)[0] - self.tangents(index)[1]
         turn = (turn + math.pi) % (2 * math.pi) - math.pi
         return turn if self.side == 'left' else -turn

@@ -4,7 +4,7 @@ of them: both are the same path, but for the moves to the contour and from it.
 
     programs.py TRC [RS274]      1: they differ by more than is explained below; 77: no rs274
 
-An end of a motion that only one of them has is one point. LinuxCNC treats the corner behind its
+An end of a motion that only one of them has is one point. LinuxCNC treats the corner after its
 entry move as a corner of the contour, and rounds the end of the last block towards the exit; G138,
 which trc follows there, ends and begins in the perpendicular point.
 """
@@ -29,7 +29,7 @@ EXPLAINED = {
                            'K0 is a word of many post processors'),
     'cam_semicolon_comments': ((1, 1), ENTRY),
     'diameter_word': ((1, 1), ENTRY),
-    'drilling_first': ((2, 2), 'the entry move, and Z behind a bare G40'),
+    'drilling_first': ((2, 2), 'the entry move, and Z after a bare G40'),
     'plane_behind_a_bare_g40': ((3, 2), 'the entry move, and the retract in space'),
     'spindles_and_m61': ((6, 8), 'rs274 alone does not load the tool of M61'),
     'tool_of_the_spindle': ((1, 1), ENTRY),

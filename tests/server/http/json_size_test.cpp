@@ -34,7 +34,7 @@ TEST(SizeOfJson, IsLimitedInValues) {
 TEST(SizeOfJson, DoesNotCountWhatStandsInTexts) {
   EXPECT_FALSE(is_refused("\"" + times(1000, "{,[") + "\""));
   EXPECT_FALSE(is_refused(R"("\")" + times(1000, "{,[") + "\""));
-  EXPECT_TRUE(is_refused(R"("\\")" + times(1000, "{,["))) << "the text ends behind its backslash";
+  EXPECT_TRUE(is_refused(R"("\\")" + times(1000, "{,["))) << "the text ends after its backslash";
 }
 
 }  // namespace

@@ -433,7 +433,7 @@ TEST_P(StretchFactor, SetsTheLongestStretch) {
     expect_at(a, at.q + stretch * at.d1, "end of the stretch before the corner");
     const bool after_is_line = sequence.after == Bend::straight;
     const Point b = after_is_line ? start(programmed[1]) : start(inserted.back());
-    expect_at(b, at.p - stretch * at.d2, "start of the stretch behind the corner");
+    expect_at(b, at.p - stretch * at.d2, "start of the stretch after the corner");
   }
 }
 

@@ -142,7 +142,7 @@ class Client:
         yield exchange.last()
 
     def _messages(self, exchange: Exchange) -> Iterator[None]:
-        """Drives an exchange to its end, and stops behind each message it has absorbed."""
+        """Drives an exchange to its end, and stops after each message it has absorbed."""
         waiting = Waiting(self._timeout)
         while True:
             call = self._ready().stream_stream(exchange.METHOD, identity, identity)(

@@ -1,7 +1,7 @@
 """One stream, from the setup to the summary: what is sent, what has come, where to go on.
 
 No connection is in here: the client and its asyncio twin drive the same exchange. A stream that is
-lost goes on from the last resume token, on any server of the same version and key; what came behind
+lost goes on from the last resume token, on any server of the same version and key; what came after
 the token comes again and is dropped here, so that the joined answer is that of an unbroken stream.
 """
 
@@ -249,7 +249,7 @@ class SurveyExchange:
             self._summary = response.summary
 
     def go_on(self) -> None:
-        """The stream was lost: from the begin."""
+        """The stream was lost: from the start."""
         self._summary = None
         self._radii.clear()
         self.diagnostics.clear()

@@ -37,7 +37,7 @@ def doubles(number: int, column: np.ndarray) -> bytes:
 
 
 def fields(message: memoryview) -> Iterator[tuple[int, int, int, int]]:
-    """The fields of a message: number, begin of the whole field, begin and end of its content."""
+    """The fields of a message: number, start of the whole field, start and end of its content."""
     at = 0
     while at < len(message):
         begin = at
