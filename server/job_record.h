@@ -19,7 +19,7 @@ namespace trc::server {
 // JobRecord::format
 inline constexpr const char* job_record_format = "trc-job-record-1";
 
-// Enters into a record its format, the begin of the run (now) and the version of the client.
+// Enters into a record its format, the start of the run (now) and the version of the client.
 void begin(v1::JobRecord& record);
 
 // Enters the digest of a file; nothing may be added to `content` afterwards.
@@ -32,7 +32,7 @@ class ToldInRecord {
   static constexpr int most = 1000;
 
   void add(const v1::Diagnostic& told, v1::JobRecord& record);
-  // Behind the last one.
+  // After the last one.
   void fill(v1::JobRecord& record);
 
   // Saves its state to go on elsewhere; the owner of the record saves the record itself.

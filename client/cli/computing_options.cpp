@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 // Leaves room in the message for the rest of the setup.
 constexpr std::size_t most_bytes = 900 * 1024;
 
-// Folders of subprograms may also hold pictures or archives, which are no text. Zeros at the begin
+// Folders of subprograms may also hold pictures or archives, which are no text. Zeros at the start
 // and the end, as serial lines leave them, are allowed in a text.
 bool is_text(std::string_view bytes) {
   constexpr std::string_view zero("\0", 1);

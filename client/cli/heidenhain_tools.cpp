@@ -94,7 +94,7 @@ bool HeidenhainTools::lines_up(std::string_view line, std::string_view name) con
   const std::size_t begin = byte_of_character(line, columns_[*column].second);
   const bool begins_late =
       begin < line.size() && is_blank(line[begin]) && !cell(line, name).empty();
-  // Nothing stands in front of the numbers of the tools: they may be aligned to the right.
+  // Nothing stands before the numbers of the tools: they may be aligned to the right.
   return !begins_late || name == "T";
 }
 

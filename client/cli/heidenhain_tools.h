@@ -22,7 +22,7 @@ class HeidenhainTools {
   void begin(std::string_view line);
   [[nodiscard]] bool has_begun() const { return has_begun_; }
   [[nodiscard]] bool has_columns() const { return !columns_.empty(); }
-  // The line as it stands in the file: blanks in front count. What is wrong with it; empty:
+  // The line as it stands in the file: leading blanks count. What is wrong with it; empty:
   // nothing.
   std::string read(std::string_view line);
 
@@ -36,7 +36,7 @@ class HeidenhainTools {
   ToolTable& table_;
   bool has_begun_ = false;
   double unit_ = 1;                                             // mm
-  std::vector<std::pair<std::string, std::size_t>> columns_{};  // name and begin
+  std::vector<std::pair<std::string, std::size_t>> columns_{};  // name and start
 };
 
 }  // namespace trc::cli

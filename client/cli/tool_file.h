@@ -17,7 +17,7 @@ namespace trc::cli {
 //   - LinuxCNC: lines with T and D words, D the diameter in the unit of the setup; `;` begins a
 //     comment.
 //   - Fanuc: lines `G10 L12 P2 R5.` (radius) and `G10 L13 P2 R-0.02` (wear), in the unit that a
-//     line with G20 or G21 in front says, else in that of the setup; R without a decimal point as
+//     line with G20 or G21 before it says, else in that of the setup; R without a decimal point as
 //     `whole_numbers` of the setup says; other lines are passed over.
 //   - Sinumerik: lines `$TC_DP6[t,d]=5` (radius) and `$TC_DP15[t,d]=-0.02` (wear) in the unit of
 //     the setup, t the tool and d its edge, `$TC_TP2[t]="NAME"`, as a TOA file has them; other

@@ -11,7 +11,7 @@
 
 namespace trc::cli {
 
-// The conditions of a compensation, a line each, with `name` as in "part.nc: " in front, in the
+// The conditions of a compensation, a line each, with `name` as in "part.nc: " before it, in the
 // language of the setup: dialect and unit, the settings that are no default, the tools (mm), and
 // the service with its version and the limits a program of that size meets.
 [[nodiscard]] std::string text_of_taken(const std::string& name, const v1::ProgramSetup& setup,

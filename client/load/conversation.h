@@ -18,7 +18,7 @@ struct Response {
   bool output = false;           // blocks or text
   std::uint32_t window = 0;      // of the response that accepts the stream
   std::uint64_t blocks_out = 0;  // of text, all of them with the summary
-  std::uint64_t consumed = 0;    // the input position behind what is answered; 0: not said
+  std::uint64_t consumed = 0;    // the input position after what is answered; 0: not said
 };
 
 // The messages of one stream, in the bytes gRPC carries: the requests one after the other, and what
@@ -31,7 +31,7 @@ class Conversation {
   // The next batch, until `at_end`. Not while another thread calls it.
   [[nodiscard]] virtual grpc::ByteBuffer next() = 0;
   [[nodiscard]] virtual bool at_end() const = 0;
-  // The input position behind the last batch.
+  // The input position after the last batch.
   [[nodiscard]] virtual std::uint64_t position() const = 0;
 
   [[nodiscard]] virtual Response read(grpc::ByteBuffer& bytes) = 0;

@@ -11,7 +11,7 @@ struct Plan {
   double rate = 0;            // streams a second; 0: closed loop
   std::uint64_t jobs = 0;     // ends after so many streams; 0: only with the time
   std::chrono::nanoseconds ramp{};
-  std::chrono::nanoseconds duration{std::chrono::seconds(10)};  // behind the ramp
+  std::chrono::nanoseconds duration{std::chrono::seconds(10)};  // after the ramp
   // How long streams may go on when the time is over, before they are cancelled.
   std::chrono::nanoseconds grace{};
   // Shares of the streams.

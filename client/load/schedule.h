@@ -15,7 +15,7 @@ class Schedule {
   // `rate`: streams a second.
   Schedule(double rate, Duration ramp) : rate_(rate), ramp_(seconds(ramp)) {}
 
-  // From the begin of the run to the begin of a stream, counted from 0.
+  // From the start of the run to the start of a stream, counted from 0.
   [[nodiscard]] Duration begin_of(std::uint64_t stream) const {
     const auto number = static_cast<double>(stream);
     const double in_ramp = rate_ * ramp_ / 2;

@@ -26,7 +26,7 @@ class Stream final : private grpc::ClientBidiReactor<grpc::ByteBuffer, grpc::Byt
  public:
   struct Orders {
     std::uint64_t number = 0;
-    Clock::time_point intended{};  // begin
+    Clock::time_point intended{};  // start
     std::uint32_t first_window = 1;
     bool slow = false;                         // waits before each answer it reads
     bool cancel = false;                       // gives up half way
@@ -58,7 +58,7 @@ class Stream final : private grpc::ClientBidiReactor<grpc::ByteBuffer, grpc::Byt
 
  private:
   struct InFlight {
-    std::uint64_t end = 0;  // input position behind it
+    std::uint64_t end = 0;  // input position after it
     std::uint64_t blocks = 0;
     Clock::time_point sent{};
   };

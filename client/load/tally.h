@@ -23,7 +23,7 @@ struct Tally {
   Histogram batch{};  // from sending a batch to its last answer
 
   // Of streams meant to begin while it is measured, but slow readers and cancelled ones. From the
-  // intended begin.
+  // intended start.
   Histogram first_output{};
   Histogram stream{};
 
@@ -55,7 +55,7 @@ struct Outcome {
     pid_t process = 0;
     double cpu_s = 0;
     double system_s = 0;
-    double resident_mib_first = 0;  // at the begin
+    double resident_mib_first = 0;  // at the start
     double resident_mib_warm = 0;   // a second later
     double resident_mib_most = 0;   // from then on
     double resident_mib_least = 0;  // from then on

@@ -13,7 +13,7 @@ class UseMeter {
   // `server`: 0: none that can be looked at.
   explicit UseMeter(pid_t server) : server_(server) {}
 
-  // Call it often from the begin of the measurement to its end; it looks at the clock itself.
+  // Call it often from the start of the measurement to its end; it looks at the clock itself.
   void look();
   // The last look, and the result.
   void finish(Outcome& outcome);

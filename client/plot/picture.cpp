@@ -239,7 +239,7 @@ class Composer {
            (way - place_at(other.path, 0.5).direction).norm() > 1e-6;
   }
 
-  // The tool at the begin of the first approach, and where it first touches the contour.
+  // The tool at the start of the first approach, and where it first touches the contour.
   void add_tools() {
     const MotionBlock* selected = nullptr;
     for (const Block& block : contents_.programmed) {

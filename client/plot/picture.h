@@ -103,7 +103,7 @@ inline constexpr std::size_t most_radius_changes = 50;
 // Movements in other planes than the one that is shown are seen from there.
 [[nodiscard]] Picture compose(const Contents& contents);
 
-// That, and behind it a view of each other plane in which something is compensated. Where there is
+// That, and after it a view of each other plane in which something is compensated. Where there is
 // none, but the third axis moves: a view from the side, along the first axis.
 [[nodiscard]] std::vector<Picture> compose_views(const Contents& contents);
 

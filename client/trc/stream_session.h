@@ -47,7 +47,7 @@ class StreamSession {
   using Reactor = grpc::ClientBidiReactor<Request, Response>;
   // Binds a reactor to the RPC.
   using Start = std::function<void(grpc::ClientContext*, Reactor*)>;
-  // Input behind the last request.
+  // Input after the last request.
   static constexpr std::uint64_t end_of_input = std::numeric_limits<std::uint64_t>::max();
 
   template <class Setup>
@@ -73,7 +73,7 @@ class StreamSession {
     return launch(out) || recover(out);
   }
 
-  // Sends `outgoing`. `input_end`: the input position behind it; `end_of_input` for the last one.
+  // Sends `outgoing`. `input_end`: the input position after it; `end_of_input` for the last one.
   bool send(std::uint64_t input_end, Answers& out) {
     if (failure_ || finished_) return false;
     keep(input_end);
@@ -286,7 +286,7 @@ class StreamSession {
     return false;
   }
 
-  // Of what was appended behind `before` as much as is to be skipped. Returns how much stays.
+  // Of what was appended after `before` as much as is to be skipped. Returns how much stays.
   template <class Sequence>
   static std::size_t leave_out(Sequence& answers, std::size_t before, std::size_t& to_skip) {
     const std::size_t count = std::min(answers.size() - before, to_skip);
@@ -311,7 +311,7 @@ class StreamSession {
     }
   }
 
-  // The position behind the last input that was answered.
+  // The position after the last input that was answered.
   static std::uint64_t consumed_through(const v1::CompensatePathResponse& response) {
     return response.has_consumed_through_block() ? response.consumed_through_block() + 1 : 0;
   }
@@ -334,7 +334,7 @@ class StreamSession {
   wire::CompensatedReader reader_;
   v1::StreamAccepted limits_;
   MessageSize message_size_;
-  std::deque<std::uint64_t> unanswered_;  // input positions behind each request
+  std::deque<std::uint64_t> unanswered_;  // input positions after each request
   std::size_t window_ = 1;                // until the server says more
   bool opened_ = false;
   bool reached_ = false;  // somebody was there at the beginning

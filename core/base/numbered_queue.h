@@ -12,7 +12,7 @@
 
 namespace trc {
 
-// A sequence that grows at its end and is dropped from its begin. Elements keep their number and
+// A sequence that grows at its end and is dropped from its start. Elements keep their number and
 // their place in memory as long as they exist. It takes little more memory than its elements: it is
 // never copied to grow, and a window over an endless stream needs memory for the window only. A
 // queue that has been moved from may only be assigned to or destroyed. `chunk_size`: the number of
@@ -165,7 +165,7 @@ class NumberedQueue {
       return piece_ ? reinterpret_cast<T*>(piece_->memory()) : reinterpret_cast<T*>(chunk_.get());
     }
 
-    std::size_t end = 0;  // the number of the element behind it
+    std::size_t end = 0;  // the number of the element after it
 
    private:
     [[nodiscard]] std::size_t elements() const { return chunks() * chunk_size; }

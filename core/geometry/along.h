@@ -58,7 +58,7 @@ class PathPart {
   [[nodiscard]] std::optional<double> first_entry(const Segment& obstacle, double reach) const;
   // Whether there is one.
   [[nodiscard]] bool comes_nearer(const Segment& obstacle, double reach) const;
-  // The way up to which it stays nearer than `reach`, as it is from its begin on, within `slack`.
+  // The way up to which it stays nearer than `reach`, as it is from its start on, within `slack`.
   [[nodiscard]] double first_exit(const Segment& obstacle, double reach, double slack) const;
 
  private:

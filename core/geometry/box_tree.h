@@ -25,7 +25,7 @@ namespace trc {
 
 // Finds the near ones of many boxes. They stay in the order of a path: neighbours
 // on the path are neighbours in space, so the tree needs no sorting, can grow at
-// its end and be dropped from its begin. A query costs O(log n + hits) on
+// its end and be dropped from its start. A query costs O(log n + hits) on
 // contours.
 //
 //     [    0 1 2 3     ] [    4 5 6 7     ]        Four boxes in a row have one about

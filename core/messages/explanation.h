@@ -14,7 +14,7 @@ namespace trc {
 struct Explanation {
   Code code{};
   std::string_view meaning;                  // sentences
-  std::array<std::string_view, 3> causes{};  // what usually leads to it; empty behind the last
+  std::array<std::string_view, 3> causes{};  // what usually leads to it; empty after the last
   // The remedy in the names of the command line; empty: the row applies.
   std::string_view on_command_line{};
   std::string_view example{};  // a program that raises it, of ISG unless the options say otherwise

@@ -31,7 +31,7 @@ class ContourReader {
   // The blocks read so far, in their order, but for those taken before.
   [[nodiscard]] std::vector<Block> take() { return std::exchange(blocks_, {}); }
   // End of the text: executes what is left, and gives the blocks that have not been taken; nothing
-  // may be fed behind it.
+  // may be fed after it.
   [[nodiscard]] std::vector<Block> finish();
   // Whether the text counts in inch in a block (Source::index) that was read.
   [[nodiscard]] bool is_inch(std::uint64_t block) {

@@ -56,7 +56,7 @@ class LinesToWriter {
 
   std::vector<LinePointer> lines_;
   std::size_t blocks_taken_ = 0;    // of those that wait for the path: of the lines taken
-  std::uint64_t next_item_ = 0;     // behind the lines taken
+  std::uint64_t next_item_ = 0;     // after the lines taken
   NcWriter::Meaning meaning_;       // of the last line taken
   std::uint64_t silent_lines_ = 0;  // taken in a row
   bool ended_ = false;              // by M02 or M30

@@ -17,8 +17,8 @@ namespace trc::selection {
 //           \                                     |               /
 //   ---------E======== contour                    E =====<=======  contour
 //
-// Where loops are removed and the begin cannot be passed, the circle also replaces the leads
-// at the begin. Under G238 the proposal is a free start point near the programmed one. A
+// Where loops are removed and the start cannot be passed, the circle also replaces the leads
+// at the start. Under G238 the proposal is a free start point near the programmed one. A
 // contour that begins in an inside corner can only be entered as under G238, which is
 // proposed in place of G138 and G139. Each proposal is compensated with the known contour,
 // in a Compensator of its own, and its path is measured against it: a proposal that is

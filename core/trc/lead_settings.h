@@ -10,9 +10,9 @@ namespace trc {
 // Which blocks of a contour are leads: no walls, as they bound no material (D-38).
 struct LeadSettings {
   enum class Find : std::uint8_t {
-    automatic,  // what lies before and behind the closing of the contour
+    automatic,  // what lies before and after the closing of the contour
     none,       // no block, unless it is marked
-    counted,    // so many at the begin and at the end
+    counted,    // so many at the start and at the end
   };
   Find find = Find::automatic;
   std::size_t blocks_in = 0;  // of `counted`

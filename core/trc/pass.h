@@ -29,7 +29,7 @@ concept Pass = requires(P pass, In item, std::vector<Out>& out) {
 //
 //   feed(item, out)    as of a Pass; what is fed while a selection is leaving waits behind it
 //   end()              no more items: what was held back begins to leave
-//   is_leaving()       release_some() has more to append, before the passes behind may drain
+//   is_leaving()       release_some() has more to append, before the passes after it may drain
 //   release_some(out)  appends a portion
 //
 // All but is_leaving return false once the stream must stop.

@@ -49,7 +49,7 @@ struct PathBlock {
   bool perpendicular_exit = false;
   Compensation at_start{};
   Compensation at_end{};
-  bool before_short = false;  // RoundedInput waits for the line behind it; set by RelevantBlocks
+  bool before_short = false;  // RoundedInput waits for the line after it; set by RelevantBlocks
 
   // Of the programmed segment; set by Offset.
   Vector tangent_at_start = Vector::Zero();
@@ -75,7 +75,7 @@ struct PathBlock {
   double largest_radius = 0;
 
   // Set by ContourMasking (G141), and by Offset: programmed, but not travelled; and the joint of
-  // the first block behind masked ones with the last one before them.
+  // the first block after masked ones with the last one before them.
   bool masked = false;
   struct Rejoin {
     Point point = Point::Zero();  // where the one before ends

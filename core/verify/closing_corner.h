@@ -14,7 +14,7 @@ enum class ClosingCorner : std::uint8_t {
 
 // Whether the contour closes in an inside corner, and whether the tool comes from the other side of
 // it than it is to cut on: most often the other side is meant then (G41 against G42). `way`: the
-// approach, and behind it the whole contour, of lines and arcs, which closes where its ends are no
+// approach, and after it the whole contour, of lines and arcs, which closes where its ends are no
 // farther apart than `input_resolution`, mm.
 [[nodiscard]] ClosingCorner closing_corner(const RefusedWay& way, double input_resolution);
 

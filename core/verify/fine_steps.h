@@ -21,7 +21,7 @@ class FineSteps {
   [[nodiscard]] bool is_hardly_there(const Piece& own, double required) const {
     return !own.is_arc() && (own.end - own.start).norm() <= shortest(required);
   }
-  // The wall is one, or the programmed piece of this number, or the one before or behind that,
+  // The wall is one, or the programmed piece of this number, or the one before or after that,
   // which is turned with it.
   [[nodiscard]] bool are_beside(const ProgrammedPiece& wall, std::size_t number,
                                 double required) const {

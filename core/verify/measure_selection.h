@@ -18,7 +18,7 @@ struct SelectionPieces {
 };
 
 // Measures the pieces of the path from `next` on that stem from this selection, and moves that to
-// the one behind them.
+// the one after them.
 [[nodiscard]] ClearanceReport measure_selection(const SelectionPieces& selection, std::size_t& next,
                                                 const ClearanceSettings& settings,
                                                 Checkpoint& checkpoint);

@@ -33,10 +33,10 @@ struct ProgrammedPiece {
   Piece piece{};
   Source source{};
   std::uint32_t rule = 0;
-  // In the contour of its selection, or of the contour block behind it.
+  // In the contour of its selection, or of the contour block after it.
   std::uint32_t number = 0;
   bool is_contour = false;
-  bool crosses_behind = false;  // what is inserted behind it crosses the corner (REVERSE, D-22)
+  bool crosses_behind = false;  // what is inserted after it crosses the corner (REVERSE, D-22)
   bool from_anywhere = false;   // an approach whose start nobody knows (D-170)
   ContourRole role = ContourRole::unspecified;
 };
@@ -68,7 +68,7 @@ class MeasuredPath {
  public:
   // A block under TRC, in the order of the program.
   void add(const MotionBlock& block);
-  // A block of the path, behind the programmed block it stems from. Motion that is not measured is
+  // A block of the path, after the programmed block it stems from. Motion that is not measured is
   // left out.
   void add(const CompensatedBlock& block);
 

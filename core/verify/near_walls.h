@@ -15,7 +15,7 @@
 
 namespace trc::verify {
 
-// Finds the walls that the pieces of one group of path are compared with. Pieces one behind the
+// Finds the walls that the pieces of one group of path are compared with. Pieces one after the
 // other are near to the same walls: those are looked for together.
 class NearWalls {
  public:

@@ -86,7 +86,7 @@ class Verification {
   Checkpoint checkpoint_;
   MeasuredPath held_;                   // the motions of selections, and their path
   std::deque<MotionBlock> approaches_;  // the first motion of each of these selections
-  std::deque<Source> ends_;             // the first motion behind each selection that has ended
+  std::deque<Source> ends_;             // the first motion after each selection that has ended
   std::uint32_t too_long_ = 0;          // the selection that is not held; 0: none
   Source unmeasured_{};                 // the first block of it that was too many
   bool is_untold_ = false;              // a warning of that waits for the path of this block

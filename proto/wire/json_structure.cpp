@@ -100,7 +100,7 @@ class Reader {
       const bool in_list = checks_lists_ && !open_.empty() && open_.back().is_list;
       if (c == '"') {
         const std::size_t first = at_ + 1;
-        // Elsewhere something is missing in front of the text.
+        // Elsewhere something is missing before the text.
         const bool is_value = before_ == ':' || (in_list && (before_ == '[' || before_ == ','));
         if (!read_text()) return {};
         const std::string_view text = json_.substr(first, at_ - first);

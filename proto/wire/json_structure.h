@@ -12,7 +12,7 @@ namespace trc::wire {
 // no such JSON. Of two values of a field it takes the last, and puts two objects or lists together;
 // null in a list it leaves out, and of a list within a list it makes one. Of a number in quotes it
 // reads what stands before \u0000 alone, and 0x10 as 16. It also takes names without quotes and a
-// comma behind the last value, which are no JSON. Both names of a field, tool_radius and
+// comma after the last value, which are no JSON. Both names of a field, tool_radius and
 // toolRadius, are one; the names in a map are what they are.
 [[nodiscard]] std::string fault_of_structure(std::string_view json,
                                              const google::protobuf::Descriptor& type);

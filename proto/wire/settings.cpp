@@ -226,7 +226,7 @@ bool set_position(Message& position, std::string_view text) {
   return true;
 }
 
-// "auto", "none", or the number of blocks at the begin and at the end: "blocks:2,1".
+// "auto", "none", or the number of blocks at the start and at the end: "blocks:2,1".
 bool set_leads(v1::Leads& leads, std::string_view text) {
   const auto parts = split(text, ':');
   const auto find = enum_from(*v1::Leads::Find_descriptor(), parts.front());

@@ -12,7 +12,7 @@ namespace trc::wire {
 // PathSetup, with "." into a field of fields (`options.stretch_factor`); the last
 // part alone will do where it is the only one of that name. `block_skip`, `pass_words`, `encoding`,
 // `renumber` and `max_executed_lines` are those of ProgramSetup, `tools` the tool table,
-// "1:5,2:3.5" (D word: radius in mm; behind it may follow the wear, "1:5:-0.02"), `variables` what
+// "1:5,2:3.5" (D word: radius in mm; after it may follow the wear, "1:5:-0.02"), `variables` what
 // variables hold, "#500=12.5,#501=3".
 //
 // Values: numbers; true, false, 1, 0, on, off; a word of an enum without its

@@ -67,7 +67,7 @@ bool is_authority(std::string_view text) {
 }
 
 std::optional<Target> read_target(std::string_view method, std::string_view target) {
-  // A fragment is never sent. Where someone forgot to write %23, settings behind it would be lost.
+  // A fragment is never sent. Where someone forgot to write %23, settings after it would be lost.
   if (target.find('#') != std::string_view::npos) return std::nullopt;
   Target read;
   const bool is_whole = !target.starts_with('/') && target != "*";

@@ -48,7 +48,7 @@ class Connections {
   void when_closed(Closed closed) { closed_ = std::move(closed); }
 
   class Connection;
-  // One call of a connection, from its begin until gRPC has released it.
+  // One call of a connection, from its start until gRPC has released it.
   class Call {
    public:
     Call() = default;

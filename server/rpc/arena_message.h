@@ -9,7 +9,7 @@
 namespace trc::server {
 
 // Fields of the message whose bytes are there already: Protobuf, which takes them for fields it
-// does not know, sends them as they are, behind the others.
+// does not know, sends them as they are, after the others.
 inline google::protobuf::UnknownFieldSet& ready_bytes_of(google::protobuf::Message& message) {
   return *message.GetReflection()->MutableUnknownFields(&message);
 }

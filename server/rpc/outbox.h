@@ -21,7 +21,7 @@ class Outbox {
     std::uint64_t first_block = 0;  // index of the first block in the whole path
     std::span<const CompensatedBlock> blocks{};
     std::string_view text{};                // whole lines
-    std::vector<Diagnostic> diagnostics{};  // behind the blocks and the text
+    std::vector<Diagnostic> diagnostics{};  // after the blocks and the text
   };
 
   // The session appends here.

@@ -33,7 +33,7 @@ class SurveyRadii final : public StreamWork<v1::SurveyRadiiRequest, v1::SurveyRa
   [[nodiscard]] std::optional<Ending> keep(const Batch& batch, const char* field,
                                            std::int64_t blocks);
   [[nodiscard]] std::optional<Ending> refuse_piece(bool fits_setup, const char* field) const;
-  // Behind the last piece.
+  // After the last piece.
   Turn survey(v1::SurveyRadiiResponse& response);
   void read_path(ProgramState& state, wire::FieldFaults& faults) const;
 

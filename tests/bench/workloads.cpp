@@ -115,7 +115,7 @@ std::vector<Segment> gear(std::size_t blocks) {
     return on_ring(full_turn * static_cast<double>(index % corners) / static_cast<double>(corners),
                    radius + (index % 2 == 0 ? 2.0 : -2.0));
   };
-  // From the middle of the line behind an outer corner.
+  // From the middle of the line after an outer corner.
   const Point start = 0.5 * (corner(0) + corner(1));
   std::vector<Segment> contour;
   Point last = start;

@@ -51,7 +51,7 @@ class ControlGroup {
     std::uint64_t set = 0;
     return std::ifstream(limit_) >> set && set == limit;
   }
-  // Starts what stands behind it inside; outside where there is no group.
+  // Starts what stands after it inside; outside where there is no group.
   [[nodiscard]] std::vector<std::string> launcher() const {
     if (!exists()) return {};
     return {"/bin/sh", "-c", "echo $$ >" + path_ + "/cgroup.procs && exec \"$0\" \"$@\""};

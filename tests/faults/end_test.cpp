@@ -137,7 +137,7 @@ void ask_by_http(Scene& scene) {
   std::this_thread::sleep_for(seconds(1));
 }
 
-// A stream that has begun with a token, and computes what is behind it.
+// A stream that has begun with a token, and computes what is after it.
 void resume(Scene& scene) {
   const std::string head = "G0 X0 Y0\nG0 X5\n";
   v1::ProgramSetup setup;
@@ -262,7 +262,7 @@ TEST_F(CutOff, StreamThatWaitsForItsClientSaysWhy) {
   expect_told(answer);
 }
 
-// Its answers wait for it; the reason comes behind the one on its way.
+// Its answers wait for it; the reason comes after the one on its way.
 TEST_F(CutOff, StreamThatIsReadSlowlySaysWhy) {
   const std::string text = long_way();
   const auto stub = v1::TrcService::NewStub(channel());

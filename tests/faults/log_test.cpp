@@ -161,7 +161,7 @@ TEST(Log, ThatCannotBeWrittenIsCountedAndHoldsUpNothing) {
   EXPECT_TRUE(eventually([&] { return failed() >= calls; })) << failed();
   EXPECT_EQ(testing_support::http_get(server.admin(), "/readyz"), "ready\n");
 
-  // With room again lines are whole, and begin behind the one that was torn.
+  // With room again lines are whole, and begin after the one that was torn.
   room(RLIM_INFINITY);
   EXPECT_TRUE(
       eventually([&] { return server.log().find("\"log_lines_dropped\"") != std::string::npos; }));

@@ -247,7 +247,7 @@ TEST_F(Measuring, TellsHowFarItIs) {
   EXPECT_NEAR(stream->certificate().clearance(), 0.1, 1e-4);
 }
 
-// Others are served while both workers measure, not behind that.
+// Others are served while both workers measure, not after that.
 TEST_F(Measuring, LeavesTurnsToOthers) {
   const auto first = measured();
   const auto second = measured();

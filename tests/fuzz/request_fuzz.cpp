@@ -1,16 +1,16 @@
 // Requests of any kind, as the reactor of a stream hands them over, without a network. Claims:
 //   (1) no crash and no undefined behaviour (with the sanitizers), nothing thrown, within two
 //       seconds
-//   (2) every request gets an answer or ends the stream; the stream ends with OK behind a summary,
+//   (2) every request gets an answer or ends the stream; the stream ends with OK after a summary,
 //       else with a status that names its reason, and never as a bug
 //   (3) what comes out can be read, is finite, and every joint is shared
-//   (4) a token goes on where it was given: the answers behind it are those of the unbroken stream,
+//   (4) a token goes on where it was given: the answers after it are those of the unbroken stream,
 //       and a changed token is refused
 //   (5) no memory stays counted
 //
 // The first byte chooses the form of the input:
 //   {     lines, each of them a request of CompensatePath in JSON
-//   [     the same of CompensateProgram, behind this one character
+//   [     the same of CompensateProgram, after this one character
 //   0, 1  requests of CompensatePath, CompensateProgram framed as on the wire: a flag, four bytes
 //   of
 //         length, big endian, and the message
@@ -73,7 +73,7 @@ struct Program {
 template <class Rpc>
 struct Answers {
   std::vector<typename Rpc::Response> responses{};
-  std::vector<std::size_t> behind{};  // how many responses there were behind each request
+  std::vector<std::size_t> behind{};  // how many responses there were after each request
   grpc::Status status{};
 };
 
@@ -155,7 +155,7 @@ std::string text_of(Response response) {
   return response.ShortDebugString();
 }
 
-// Goes on behind a few of the requests whose last answer has a token.
+// Goes on after a few of the requests whose last answer has a token.
 template <class Rpc>
 void check_tokens(const std::vector<typename Rpc::Request>& requests,
                   const Answers<Rpc>& unbroken) {

@@ -7,7 +7,7 @@
 #include "core/messages/diagnostic_text.h"
 #include "tests/programs/computing.h"
 
-// Lengths in front of the first unit word count in a unit that only the setup may say (D-167).
+// Lengths before the first unit word count in a unit that only the setup may say (D-167).
 
 namespace trc::support {
 namespace {
@@ -27,7 +27,7 @@ std::pair<int, unsigned> told(DialectName dialect, const std::string& text) {
 const std::string wall = "G90 G0 X-2. Y0\nG41 D1 G1 X0 F10.\nY2.\nG40 X-2.\nM30\n";
 const std::string wall_of_tool = "T1 D1\nG90 G0 X-2 Y0\nG41 G1 X0 F10\nY2\nG40 X-2\nM30\n";
 
-TEST(AssumedUnit, LetsNoRadiusInFrontOfAnotherUnitHold) {
+TEST(AssumedUnit, LetsNoRadiusBeforeAnotherUnitHold) {
   const std::string wear = "G20\nG10 L12 P1 R.25\nG21\nG10 L13 P1 R.1\nG20\n" + wall;
   for (const std::string radius : {"G10 L12 P1 R.25\n", "#13001=.25\n", "G10 L13 P1 R.01\n"}) {
     EXPECT_EQ(told(fanuc, radius + "G20\n" + wall), std::pair(900003, 2U)) << radius;
@@ -56,7 +56,7 @@ TEST(AssumedUnit, OfSinumerikIsThatOfTheMachineToo) {
   EXPECT_EQ(told(sinumerik, "$TC_DP6[1,1]=1\nG71\n" + wall_of_tool).first, 0);
 }
 
-TEST(AssumedUnit, LeavesNoPlaceAndNoContourBehindIt) {
+TEST(AssumedUnit, LeavesNoPlaceAndNoContourAfterIt) {
   const std::string contour = "G41 D1 G1 Y1. F10.\nX5.\nG40 Y9.\nM30\n";
   const std::string radius = "G10 L12 P1 R.25\n";
   EXPECT_EQ(told(fanuc, "G0 X3. Y0\nG20\n" + radius + contour), std::pair(900106, 4U));

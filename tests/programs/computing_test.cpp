@@ -20,13 +20,13 @@ namespace {
 
 ProgramSessionSetup fanuc() { return computing_setup(DialectName::fanuc); }
 
-TEST(AProgramThatComputes, PassesItsLinesInFrontAsTheyStand) {
+TEST(AProgramThatComputes, PassesItsFirstLinesAsTheyStand) {
   EXPECT_EQ(flat_of("%\r\nO1 (PART)\r\n/ G0 X1.\r\n#1=2\r\nG0 X#1\r\nM30\r\n%\r\n", fanuc()),
             "%\r\nO1 (PART)\r\n/ G0 X1.\r\nG0 X2.\r\nM30\r\n%\r\n");
 }
 
-// Text behind the end (D-143).
-TEST(AProgramThatComputes, KeepsTheTextBehindItsEnd) {
+// Text after the end (D-143).
+TEST(AProgramThatComputes, KeepsTheTextAfterItsEnd) {
   const auto flat = [](DialectName dialect, const std::string& text) {
     return flat_of(text, computing_setup(dialect));
   };
@@ -51,15 +51,15 @@ TEST(AProgramThatComputes, KeepsTheTextBehindItsEnd) {
   EXPECT_EQ(flat(sinumerik, "R1=2\nIF R1==2\nM30\n; A\nENDIF\nX1\n"), "M30\n; A\n");
   EXPECT_EQ(flat(sinumerik, "R1=2\nG0 X=R1\nM30\n; A\nPART: X1\n"), "G0 X=2\nM30\n; A\n");
   EXPECT_EQ(flat(linuxcnc, "#1=2\nG0 X#1\nM2\n(A)\no1 sub\nX1\no1 endsub\n"), "G0 X2\nM2\n(A)\n");
-  // The end of the program in a call: these lines are behind the call.
+  // The end of the program in a call: these lines are after the call.
   EXPECT_EQ(flat(fanuc, "M98 P9\n(A)\nX1\nO9\nG0 X2.\nM30\n"), "(O0009)\nG0 X2.\nM30\n");
   EXPECT_EQ(flat(fanuc, "M98 P9\nM30\n(A)\nO9\nG0 X2.\nM99\n(B)\n"), "(O0009)\nG0 X2.\nM30\n(A)\n");
   EXPECT_EQ(flat(fanuc, "M98 P9\nM30\n(A)\nO9\nM99\nO7\nG0 X2.\nM99\n"),
             "(O0009)\nM30\n(A)\nO7\nG0 X2.\nM99\n");
 }
 
-// The `%` that ends a tape, in front of others (D-143).
-TEST(ATape, EndsAtItsFirstPercentBehindBlocks) {
+// The `%` that ends a tape, before others (D-143).
+TEST(ATape, EndsAtItsFirstPercentAfterBlocks) {
   const std::string contour = "G90 G0 X-20. Y-20.\nG41 G1 X0 Y-10. F500\nY40.\nX60.\n";
   const std::string behind = "%\nX70.\nG0 Z50.\n%\n";
   const auto codes = [](const std::string& text) { return to_text(text, fanuc()).codes(); };
@@ -70,8 +70,8 @@ TEST(ATape, EndsAtItsFirstPercentBehindBlocks) {
             std::pair(900015, 9U));
 }
 
-// The mark of UTF-8 stands in front of the first line, and is no part of it.
-TEST(AProgramThatComputes, MayDoSoBehindAByteOrderMark) {
+// The mark of UTF-8 stands before the first line, and is no part of it.
+TEST(AProgramThatComputes, MayDoSoAfterAByteOrderMark) {
   const std::string mark = "\xEF\xBB\xBF";
   EXPECT_EQ(flat_of(mark + "#1=60.\nG0 X#1\nM30\n", fanuc()), mark + "G0 X60.\nM30\n");
   EXPECT_EQ(refusal_of(mark + "#3000=1 (NO DEPTH)\nM30\n", fanuc()), std::pair(900312, 1U));
@@ -91,7 +91,7 @@ TEST(AProgramThatComputes, IsNoneForAnythingInAComment) {
   EXPECT_EQ(flat_of(text, fanuc()), text);
 }
 
-TEST(AProgramThatComputes, ReachesBackInFrontOfItsFirstLineThatComputes) {
+TEST(AProgramThatComputes, ReachesBackBeforeItsFirstLineThatComputes) {
   EXPECT_EQ(flat_of("G91\nN10 G0 X1.\n#1=#1+1\nIF [#1 LT 3] GOTO 10\nM30\n", fanuc()),
             "G91\nN10 G0 X1.\nN10 G0 X1.\nN10 G0 X1.\nM30\n");
 }

@@ -14,7 +14,7 @@ constexpr DialectName fanuc = DialectName::fanuc;
 constexpr DialectName sinumerik = DialectName::sinumerik;
 constexpr DialectName heidenhain = DialectName::heidenhain;
 
-// Behind a wall from X0 Y0 to X0 Y40; the contour ends at the right.
+// After a wall from X0 Y0 to X0 Y40; the contour ends at the right.
 std::string behind_wall(const std::string& lines, const std::string& end = "G40 G1 X90\n") {
   return "G17 G90 G71 G94\nG0 X-20 Y0\nG41 G1 X0 Y0 F300\nY40\n" + lines + end + "M30\n";
 }

@@ -216,7 +216,7 @@ void gives_the_same_in_pieces(const DialectProgram& program) {
   }
 }
 
-// A state is saved and read again behind each piece, wherever that ends.
+// A state is saved and read again after each piece, wherever that ends.
 void gives_the_same_resumed(const DialectProgram& program) {
   const ProgramRun whole = to_text(program.text, program.setup);
   for (const std::size_t piece : {1U, 23U}) {
@@ -516,7 +516,7 @@ TEST(FaultsOfReading, AreAllToldInOneRunWithTheNumberOfTheirLines) {
   EXPECT_EQ(written.text.find("G0"), std::string::npos) << written.text;
 }
 
-// CALL is one obstacle, whatever stands behind it.
+// CALL is one obstacle, whatever stands after it.
 TEST(FaultsOfReading, NameAStatementOfSinumerikOnce) {
   ProgramSessionSetup setup;
   setup.session.program.dialect = DialectName::sinumerik;
@@ -534,7 +534,7 @@ TEST(FaultsOfReading, AreNoMoreThanTheLimit) {
   EXPECT_EQ(to_text(text, setup).diagnostics.size(), 3u);
 }
 
-// A line of 64 KiB may have a fault in each byte. What stands behind as many as are told is not
+// A line of 64 KiB may have a fault in each byte. What stands after as many as are told is not
 // read.
 TEST(FaultsOfReading, ALineWithTooManyIsReadNoFurther) {
   for (const DialectName dialect : {DialectName::fanuc, DialectName::linuxcnc,
@@ -622,7 +622,7 @@ TEST(Inches, CountAsInchesInEveryDialect) {
   }
 }
 
-TEST(Positions, AreUnknownBehindALineThatIsOnlyCopied) {
+TEST(Positions, AreUnknownAfterALineThatIsOnlyCopied) {
   ProgramSessionSetup setup;
   setup.session.program.dialect = DialectName::fanuc;
   setup.session.program.mode.tool_radius = 1;
@@ -848,7 +848,7 @@ TEST(PolarWords, MeanThePointsThatTheyAreWorth) {
     EXPECT_LT((polar[k] - points[k]).norm(), 1e-9) << k;
 }
 
-TEST(PolarWords, AreNotFollowedBehindAFrameThatMovedTheirPole) {
+TEST(PolarWords, AreNotFollowedAfterAFrameThatMovedTheirPole) {
   ProgramSessionSetup setup;
   setup.session.program.dialect = DialectName::sinumerik;
   setup.session.program.mode.tool_radius = 1;
@@ -960,7 +960,7 @@ TEST(Klartext, ACalledProgramFindsTheFeed) {
   EXPECT_NE(done.text.find("M109\nL F500\nCALL PGM K\n"), std::string::npos) << done.text;
 }
 
-// The feed that CFC has made of the last arc is not that of what is copied behind it.
+// The feed that CFC has made of the last arc is not that of what is copied after it.
 TEST(Sinumerik, WhatIsCopiedMovesAtTheFeedOfTheProgram) {
   ProgramSessionSetup setup;
   setup.session.program.dialect = DialectName::sinumerik;
@@ -1149,7 +1149,7 @@ INSTANTIATE_TEST_SUITE_P(
               "G1 X-36 Y0 F700\nG41 D1 X-25.6 Y-12.8 F300\nG3 X0 Y0 I9.6 J12.8\nG1 Y50\n"
               "G3 X-25.6 Y62.8 I-16 J0\nG40 G1 X-36 Y50\n"},
         // D-86
-        Twins{"RoundAndStraightLeadsBehindFmax",
+        Twins{"RoundAndStraightLeadsAfterFmax",
               "L X-36 Y+0 FMAX\nAPPR LCT X+0 Y+0 R12 RL F300\nL Y+50\nDEP LCT X-36 Y+50 R12\n",
               "G0 X-36 Y0\nG41 D1 G1 X-25.6 Y-12.8 F300\nG3 X0 Y0 I9.6 J12.8\nG1 Y50\n"
               "G3 X-25.6 Y62.8 I-16 J0\nG40 G1 X-36 Y50\n"},
@@ -1194,7 +1194,7 @@ TEST(Klartext, GivesBackThePoleThatArcsOfTheOutputHaveMoved) {
 }
 
 // What a label or another program counts on is the pole of the program, not that of the last arc
-// of the output; and behind a call only the control knows where the pole is.
+// of the output; and after a call only the control knows where the pole is.
 TEST(Klartext, HandsThePoleOfTheProgramToWhatItCalls) {
   ProgramSessionSetup setup;
   setup.session.program.dialect = DialectName::heidenhain;
@@ -1242,7 +1242,7 @@ TEST(Klartext, LeavesTheSideOfATextAndOfAComment) {
   EXPECT_EQ(written.text, text);
 }
 
-// Behind G40 alone the tool still stands beside the contour: to go where the contour ends in the
+// After G40 alone the tool still stands beside the contour: to go where the contour ends in the
 // program is a motion, 4 mm here.
 TEST(ABareG40, LetsTheToolGoBackToWhereItEndedInTheProgram) {
   ProgramSessionSetup setup;
@@ -1278,7 +1278,7 @@ TEST(ABareG40, OfFanucWaitsForAMotionThatHasALength) {
     const std::string text = to_text(contour + end + "X-20.\nM30\n", setup).text;
     EXPECT_EQ(text.find("X0", text.find("Y50")), std::string::npos) << text;
   }
-  // As behind a bare G40.
+  // As after a bare G40.
   const ProgramRun unended = to_blocks(contour + "G40 X0\nG0 Z5.\nM30\n", setup);
   ASSERT_FALSE(unended.diagnostics.empty());
   EXPECT_EQ(unended.diagnostics.front().code, Code::ended_while_active);

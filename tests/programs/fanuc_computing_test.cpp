@@ -14,7 +14,7 @@ ProgramSessionSetup fanuc() { return computing_setup(DialectName::fanuc); }
 
 std::string flat(const std::string& text) { return flat_of(text, fanuc()); }
 
-// The value of an expression, as it is written behind an address.
+// The value of an expression, as it is written after an address.
 std::string value_of(const std::string& expression) {
   const std::string text = flat("#1=3.5\n#2=-2\n#10=" + expression + "\nG0 X[#10+0]\n");
   return text.starts_with("G0 X") ? text.substr(4, text.size() - 5) : text;
@@ -56,8 +56,8 @@ TEST(FanucExpressions, KnowTheFunctions) {
   EXPECT_EQ(value_of("BIN[37]"), "25.");
 }
 
-// The text behind the end of the main program is no part of it only where nothing is lost.
-TEST(FanucPrograms, LoseNoContourBehindTheirEnd) {
+// The text after the end of the main program is no part of it only where nothing is lost.
+TEST(FanucPrograms, LoseNoContourAfterTheirEnd) {
   const std::string contour =
       "G21 G90 G17\nG0 X-20. Y-20.\nG41 D1 G1 X0 Y0 F300.\nY40.\nG40 X80.\n";
   const auto told = [](const std::string& text) { return refusal_of(text, fanuc()); };
@@ -204,7 +204,7 @@ TEST(FanucCalls, ShareTheVariablesOfTheirCallerOrHaveTheirOwn) {
             "(O0009)\nG0 Y2.\nG0 X5.\nM30\n");
 }
 
-TEST(FanucCalls, RepeatAsTheirLSaysOrTheDigitsInFrontOfTheProgram) {
+TEST(FanucCalls, RepeatAsTheirLSaysOrTheDigitsBeforeTheProgram) {
   const std::string rest = "M30\nO12\nG91 X1.\nM99\n";
   const std::string thrice = "(O0012)\nG91 X1.\n(O0012)\nG91 X1.\n(O0012)\nG91 X1.\nM30\n";
   EXPECT_EQ(flat("M98 P12 L3\n" + rest), thrice);
@@ -214,7 +214,7 @@ TEST(FanucCalls, RepeatAsTheirLSaysOrTheDigitsInFrontOfTheProgram) {
             "(O31001)\nG0 X1.\nM30\n");
 }
 
-TEST(FanucCalls, StandBehindTheOtherWordsOfTheirLine) {
+TEST(FanucCalls, StandAfterTheOtherWordsOfTheirLine) {
   EXPECT_EQ(flat("N5 G0 X1. M98 P9 (A)\nM30\nO9\nY1. M99\n"), "N5 G0 X1. (A)\n(O0009)\nY1.\nM30\n");
   EXPECT_EQ(flat("N5 M98 P9 (A)\nM30\nO9\nG0 Y1.\nN8 M99 (END)\n"),
             "N5 (O0009) (A)\nG0 Y1.\nN8 (END)\nM30\n");
@@ -306,7 +306,7 @@ TEST(FanucRefusals, NameTheirLine) {
   }
 }
 
-TEST(FanucModalCalls, ComeBehindLinesThatMoveAnAxis) {
+TEST(FanucModalCalls, ComeAfterLinesThatMoveAnAxis) {
   const std::string macro = "G67\nM30\nO2\nG1 F100 Z-1.\nM99\n";
   const auto rounds = [&](const std::string& lines) {
     const std::string text = flat("G66 P2\n" + lines + macro);

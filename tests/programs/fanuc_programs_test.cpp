@@ -8,7 +8,7 @@
 #include "core/messages/diagnostic_text.h"
 #include "tests/programs/computing.h"
 
-// Texts of Fanuc with several programs: what stands behind an O, where the main program is, and
+// Texts of Fanuc with several programs: what stands after an O, where the main program is, and
 // what becomes of the others.
 
 namespace trc::support::fanuc_programs {
@@ -29,7 +29,7 @@ std::string detail_of(const std::string& text, const ProgramSessionSetup& setup)
   return error == ran.diagnostics.end() ? ran.text : error->detail;
 }
 
-TEST(FanucHeads, HaveWordsBehindThemThatAreExecuted) {
+TEST(FanucHeads, HaveWordsAfterThemThatAreExecuted) {
   const std::string main = "O1\nM98 P100\nM30\n";
   EXPECT_EQ(flat(main + "O0100 G90 G1 X5. F300.\nM99\n"), "O1\n(O0100)\nG90 G1 X5. F300.\nM30\n");
   EXPECT_EQ(flat(main + ":0100 G90 G1 X5. F300.\nM99\n"), "O1\n(O0100)\nG90 G1 X5. F300.\nM30\n");
@@ -45,9 +45,9 @@ TEST(FanucHeads, HaveWordsBehindThemThatAreExecuted) {
   EXPECT_EQ(flat_of(main, setup), "O1\n(O0100)\nG0 X5.\nM30\n");
 }
 
-// Lines that wait for the main program come in front of a last line without a line end, or of one
+// Lines that wait for the main program come before a last line without a line end, or of one
 // that ends in a carriage return.
-TEST(FanucHeads, KeepAllLinesThatWaitBehindThem) {
+TEST(FanucHeads, KeepAllLinesThatWaitAfterThem) {
   const std::string lines = "O1\nG90 G0 X1.\nX2.\nT1\nX3.\nG0 Z50.";
   EXPECT_EQ(flat(lines), lines);
   EXPECT_EQ(flat("O1\nG90 G0 X1.\nG0 Z50."), "O1\nG90 G0 X1.\nG0 Z50.");
@@ -79,7 +79,7 @@ const std::string main_program =
     "O1000 (MAIN)\nG21 G90 G17 G40\nG54 G0 X-20. Y-20.\nZ-3.\nM98 P0100\nG0 Z50.\nM30\n";
 
 // As a memory card has them, in the order of their numbers.
-TEST(FanucMainPrograms, MayStandBehindWhatTheyCall) {
+TEST(FanucMainPrograms, MayStandAfterWhatTheyCall) {
   const std::string behind =
       to_text(main_program + "O0100 (SUB)\n" + contour + "M99\n", fanuc()).text;
   for (const std::size_t piece : {0U, 1U, 7U}) {

@@ -18,7 +18,7 @@ std::string flat(const std::string& text) { return flat_of(text, isg()); }
 
 std::pair<int, unsigned> refusal(const std::string& text) { return refusal_of(text, isg()); }
 
-// The value of an expression, as it is written behind an address.
+// The value of an expression, as it is written after an address.
 std::string value_of(const std::string& expression) {
   const std::string text = flat("P1=3.5 P2=-2 P3=10\nP10=" + expression + "\nG0 XP10\n");
   return text.starts_with("G0 X") ? text.substr(4, text.size() - 5) : text;
@@ -45,8 +45,8 @@ TEST(IsgExpressions, KeepTheOrderOfTheirOperators) {
   EXPECT_EQ(value_of("INV[0]"), "-1");
 }
 
-// A `/` skips a line where it stands in front of it, and behind `=` divides.
-TEST(IsgExpressions, StandBehindAnAddressWithBlanksAndDivisions) {
+// A `/` skips a line where it stands before it, and after `=` divides.
+TEST(IsgExpressions, StandAfterAnAddressWithBlanksAndDivisions) {
   EXPECT_EQ(flat("P1=80\nG0 X=P1/2 Y=50 + 10 Z=90/3\n"), "G0 X=40 Y=60 Z=30\n");
   ProgramSessionSetup setup = computing_setup(DialectName::isg, 5);
   const std::string plain = "G90 G17\nG0 X-20 Y0\nG41 G1 X0 F300\nY40\nX60\nG40 X80\nM30\n";
@@ -241,8 +241,8 @@ TEST(IsgCalls, OfTheMachineKnowWhatTheProgramHasSet) {
   EXPECT_EQ(refusal("P1=5\nL PARK\nG0 G90 XP1\n"), std::pair(900303, 3U));
 }
 
-// Text behind a second % is no part of the program, but must not be lost.
-TEST(IsgPrograms, EndInFrontOfAnotherOne) {
+// Text after a second % is no part of the program, but must not be lost.
+TEST(IsgPrograms, EndBeforeAnotherOne) {
   const std::string contour =
       "P1=20\nG90 G00 X-10 Y-10\nG01 G42 X0 Y0 F100\nX[P1]\nY20\nX0\nY-5\nG40 G00 X-10 Y-10\n";
   EXPECT_EQ(refusal("G90 G00 X-10\n" + contour + "M30\n%L A\nX[P1]\nM17\n"),
@@ -273,7 +273,7 @@ TEST(IsgControl, StandsOnOneLine) {
   EXPECT_EQ(flat("P1=3\nG0 X[P1] \\\nY2\n"), "G0 X3  Y2\n");
 }
 
-TEST(IsgControl, HasNoWordsBehindIt) {
+TEST(IsgControl, HasNoWordsAfterIt) {
   EXPECT_EQ(refusal("$FOR P2=1,2,1\nXP2\n$ENDFOR X30\n"), std::pair(900308, 3U));
   EXPECT_EQ(refusal("P1=0\n$IF P1\nX1\n$ENDIF X88\n"), std::pair(900308, 4U));
   EXPECT_EQ(refusal("P1=0\n$IF P1\nX1\n$ENDIF M5\n"), std::pair(900308, 4U));

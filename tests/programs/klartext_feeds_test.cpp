@@ -92,7 +92,7 @@ TEST(KlartextFeeds, AreNotAdaptedWhereTheyAreNotKnown) {
   EXPECT_EQ(refusal("M109\n" + start + "APPR LCT X+0 Y+0 R5 RL FZ0.1\n" + end), 900003);
 }
 
-// Behind a call the feed is whatever the called lines have said last.
+// After a call the feed is whatever the called lines have said last.
 TEST(KlartextFeeds, OfACornerWantTheOneBefore) {
   const std::string start = "L X-20 Y-20 R0 FMAX\n";
   const std::string corner = "L Y+40\nRND R6 F800\nL X+40\nL Y+0\nL X-6\nL X-20 Y-20 R0\n";
@@ -110,8 +110,8 @@ TEST(KlartextFeeds, OfACornerWantTheOneBefore) {
   EXPECT_EQ(refusal("L Z+2 R0 FQ5\n" + start + "L X+0 Y+0 RL\n" + corner), 0);
 }
 
-// What acts at the end of its block comes behind the last part of it.
-TEST(KlartextLeads, StopSpindleAndCoolantBehindThem) {
+// What acts at the end of its block comes after the last part of it.
+TEST(KlartextLeads, StopSpindleAndCoolantAfterThem) {
   EXPECT_EQ(text_of("L X-20 Y-20 R0 FMAX\nAPPR LCT X+0 Y+0 R5 RL F100 M8\nL Y+40\nL X+40\n"
                     "DEP LCT X+60 Y+60 R5 F900 M5\nL Z+50 FMAX M30\n"),
             "BEGIN PGM A MM\nTOOL CALL 5 Z S1000\nL X-20 Y-20 R0 FMAX\n"

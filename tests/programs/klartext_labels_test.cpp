@@ -11,7 +11,7 @@
 #include "tests/programs/computing.h"
 #include "tests/support/random.h"
 
-// Labels of Klartext: how much work their calls make, and what stays in force behind them.
+// Labels of Klartext: how much work their calls make, and what stays in force after them.
 
 namespace trc::support::klartext_labels {
 namespace {
@@ -86,7 +86,7 @@ const Mode modes[] = {
     {"FUNCTION CORRDATA TCS #2\n", "FUNCTION CORRDATA RESET\n"},
 };
 
-// Both where the label stands in front of the call and where it stands behind the end.
+// Both where the label stands before the call and where it stands after the end.
 std::pair<int, int> codes_of(const std::string& lines, const std::string& main) {
   return {code_of(section("7", lines) + "TOOL CALL 5 Z\n" + main),
           code_of(main + "M30\n" + section("7", lines))};
@@ -95,7 +95,7 @@ std::pair<int, int> codes_of(const std::string& lines, const std::string& main) 
 std::pair<int, int> both(int code) { return {code, code}; }
 
 // What a label that stays in the program does counts as if its lines stood there (D-160).
-TEST(KlartextLabels, ScalingAndTheLedTipHoldBehindTheCall) {
+TEST(KlartextLabels, ScalingAndTheLedTipHoldAfterTheCall) {
   for (const Mode& mode : modes) {
     EXPECT_EQ(codes_of(mode.sets, "L M129\nCALL LBL 7\n" + contour), both(900003)) << mode.sets;
     EXPECT_EQ(codes_of(mode.sets + mode.ends, "CALL LBL 7\n" + contour), both(0)) << mode.sets;
@@ -108,8 +108,8 @@ TEST(KlartextLabels, ScalingAndTheLedTipHoldBehindTheCall) {
             both(900003));
 }
 
-// Every motion behind M89 drills, and ends where only the control knows.
-TEST(KlartextLabels, ACycleOfACalledLabelRunsBehindItsCall) {
+// Every motion after M89 drills, and ends where only the control knows.
+TEST(KlartextLabels, ACycleOfACalledLabelRunsAfterItsCall) {
   EXPECT_EQ(code_of("CALL LBL 7\n" + contour + "M30\n" + section("7", "L M89\n")), 900106);
   EXPECT_EQ(code_of("CALL LBL 7\n" + contour + "M30\n" + section("7", "L M89\nL M99\n")), 0);
 }
@@ -139,7 +139,7 @@ TEST(KlartextLabels, WhatAJumpMayLeaveOutIsNotCountedOn) {
   EXPECT_EQ(code_of(main + section("7", jump) + section("8", modes[0].sets)), 900003);
 }
 
-TEST(KlartextLabels, AFeedAtTheContourHoldsBehindTheCall) {
+TEST(KlartextLabels, AFeedAtTheContourHoldsAfterTheCall) {
   const std::string arcs =
       start + "L X+0 Y-10 RL F200\nL Y+40\nCR X+20 Y+60 R+20 DR-\nL X+40\nL Y+80 R0\n";
   const auto feeds_of = [&](const std::string& main, const std::string& label) {
@@ -156,8 +156,8 @@ TEST(KlartextLabels, AFeedAtTheContourHoldsBehindTheCall) {
   EXPECT_NE(feeds_of("L M109\n", ""), feeds_of("", ""));
 }
 
-// Labels behind the end that call one another, and what a call of the first one is as lines. A
-// label calls only those that stand behind it in `flat`.
+// Labels after the end that call one another, and what a call of the first one is as lines. A
+// label calls only those that stand after it in `flat`.
 struct RandomLabels {
   explicit RandomLabels(Random& random) {
     constexpr int most = 5;
@@ -202,8 +202,8 @@ TEST(KlartextLabels, CountAsIfTheirLinesStoodThere) {
   EXPECT_LT(accepted, 250);
 }
 
-// Of a long program the lines in front of the first call have gone out when it is read.
-TEST(KlartextLabels, FarInFrontOfTheirCallCountToo) {
+// Of a long program the lines before the first call have gone out when it is read.
+TEST(KlartextLabels, FarBeforeTheirCallCountToo) {
   std::string far;
   for (int line = 0; line < 2000; ++line) far += "L X+5 Y+5 R0 FMAX ; so far in front of it\n";
   for (const Mode& mode : modes) {
@@ -222,8 +222,8 @@ TEST(KlartextLabels, RepeatedWithinACalledOneAreWrittenOut) {
   EXPECT_NE(ran.text.find("M30\nEND PGM A MM\n"), std::string::npos) << ran.text;
 }
 
-// Behind the end stand labels, whatever was wrong in front of it.
-TEST(KlartextLabels, BehindTheEndAreNotLookedThroughWithTheProgram) {
+// After the end stand labels, whatever was wrong before it.
+TEST(KlartextLabels, AfterTheEndAreNotLookedThroughWithTheProgram) {
   const ProgramRun ran =
       to_text(program_of(start + "L X+0 Y-10 RL F200\nFL PR+5\nL Y+40\nL X-20 R0\nM30\n" +
                          section("1", "CYCL DEF 11.0 SCALING\nL X+Q1 R0\nCYCL CALL\n")),
@@ -232,7 +232,7 @@ TEST(KlartextLabels, BehindTheEndAreNotLookedThroughWithTheProgram) {
   EXPECT_EQ(ran.codes(), "900003 at line 5");
 }
 
-// Old printouts write the repetitions left behind a blank.
+// Old printouts write the repetitions left after a blank.
 TEST(KlartextLabels, AreRepeatedAsOftenAsRepSays) {
   const auto path = [](const std::string& rep) {
     return to_text(program_of("LBL 1\n" + contour + "CALL LBL 1 " + rep + "\nM30\n"),

@@ -52,7 +52,7 @@ TEST(KlartextLeads, AcrossTheWallAreRefused) {
   const std::string back = "L Y+60\nL X-40 R0\n";
   EXPECT_EQ(told("L X+40 Y+30 R0 FMAX\nAPPR LCT X+0 Y+0 R8 RL F300\n" + back), refused);
   EXPECT_EQ(told("L X-40 Y+30 R0 FMAX\nAPPR LCT X+0 Y+0 R8 RL F300\n" + back), "");
-  // Down to the depth the tool goes behind the line.
+  // Down to the depth the tool goes after the line.
   EXPECT_EQ(told("L X+40 Y+30 Z+2 R0 FMAX\nAPPR LCT X+0 Y+0 Z-5 R8 RL F300\n" + back), "");
 }
 
@@ -70,7 +70,7 @@ TEST(KlartextLeads, BeginWhereTheToolStands) {
   EXPECT_TRUE(is_at_lead) << ran.listing();
 }
 
-TEST(KlartextContours, ChangeTheirSideBehindR0Alone) {  // D-162
+TEST(KlartextContours, ChangeTheirSideAfterR0Alone) {  // D-162
   const std::string right = "L X+40\nL Y+0\nL X+100 R0\n";
   EXPECT_EQ(told(wall + "L X+40 RR\n" + right), "900003 RR after RL without R0 in between");
   EXPECT_EQ(told("L X+0 Y+0 RR F300\nL Y+60\nL X+40 RL\n" + right),

@@ -27,7 +27,7 @@ const std::string loop =
     "FN 0: Q1 = +0\nLBL 1\nL X+Q1 Y+0 R0 FMAX M3\nFN 1: Q1 = +Q1 + +10\n"
     "FN 12: IF +Q1 LT +50 GOTO LBL 1\nL Z+50 R0 FMAX\nM30\n";
 
-// Behind a tool change the height is unknown until a line programs it.
+// After a tool change the height is unknown until a line programs it.
 TEST(KlartextOff, StepsFromAHeightThatIsNotKnown) {
   EXPECT_EQ(code_of("L X-20 Y-10 R0 FMAX\nL IZ-3 R0 F100\n" + contour), 0);
   EXPECT_EQ(code_of("L X-20 Y-10 R0 FMAX\nL IX-3 IZ-3 R0 F100\n" + contour), 900106);
@@ -38,7 +38,7 @@ TEST(KlartextOff, JumpsComeOutAsTheyStand) {
   EXPECT_EQ(text_of(program), program);
 }
 
-// A contour before a jump may run again; one behind it may begin at an unknown point (D-114).
+// A contour before a jump may run again; one after it may begin at an unknown point (D-114).
 TEST(KlartextOff, NoContourStandsBesideAJump) {
   const std::string start = "L X-20 Y-20 R0 FMAX\n";
   EXPECT_EQ(code_of(start + contour), 0);
@@ -59,7 +59,7 @@ TEST(KlartextOff, LinesAlongOneAxis) {
   EXPECT_EQ(code_of("L X-20 Y-20 R0 FMAX\nL X+0 Y-10 RL F200\nZ-5\nL Y+40\nL X-20 R0\n"), 900003);
 }
 
-// The values that are given hold at the begin, as those that the program gives.
+// The values that are given hold at the start, as those that the program gives.
 TEST(KlartextOff, ParametersAreKnownFromTheSetup) {
   ProgramSessionSetup setup = computing_setup(DialectName::heidenhain, 5);
   const std::string text =
@@ -98,7 +98,7 @@ TEST(KlartextOff, ThePlaceOfTurnedAxesIsNoPartOfAContour) {
 }
 
 // V of M200 to M204 is a voltage.
-TEST(KlartextOff, WordsOfTheLaserStayBehindTheirFunction) {
+TEST(KlartextOff, WordsOfTheLaserStayAfterTheirFunction) {
   const std::string text =
       "BEGIN PGM A MM\nL X-20 Y-20 R0 FMAX\nL X+0 Y+0 RL F300\nL Y+40 M200 "
       "V5\nL X+40 Y+80\nL X+60 R0\nM30\nEND PGM A MM\n";
@@ -106,7 +106,7 @@ TEST(KlartextOff, WordsOfTheLaserStayBehindTheirFunction) {
   EXPECT_NE(ran.text.find(" M200 V5\n"), std::string::npos) << ran.report();
 }
 
-// Holes about a pole: only the control knows where the tool stands behind a cycle.
+// Holes about a pole: only the control knows where the tool stands after a cycle.
 TEST(KlartextOff, HolesOfACircleAreCopied) {
   const std::string drill = "CYCL DEF 200 DRILLING Q200=2\n";
   for (const std::string holes :
@@ -131,7 +131,7 @@ TEST(KlartextOff, HolesOfACircleAreCopied) {
 }
 
 // The contour has left a pole of its own in the output.
-TEST(KlartextOff, WhatIsCopiedBehindAContourHasItsPoleAgain) {
+TEST(KlartextOff, WhatIsCopiedAfterAContourHasItsPoleAgain) {
   const std::string rounded =
       "L X-20 Y-20 R0 FMAX\nL X+0 Y-10 RL F200\nL Y+40\nL X+40\nL X+60 R0\n";
   for (const std::string copied :

@@ -52,7 +52,7 @@ TEST(LinuxcncExpressions, RefuseExistsOfWhatIsNoParameter) {
   EXPECT_EQ(refusal_of("#1=[EXISTS[#2\nG0 X#1\nM2\n", linuxcnc()), std::pair(900308, 1U));
 }
 
-TEST(LinuxcncPrograms, HaveNoMotionFunctionBehindG80) {
+TEST(LinuxcncPrograms, HaveNoMotionFunctionAfterG80) {
   const std::string head = "G21 G90 G17\nG0 X0 Y0 Z5\nG81 Z-5 R2 F100\nG80\n";
   const std::string contour = "X10 Y0\nY20\nX40\nG40 X60\nM2\n";
   EXPECT_EQ(refusal_of(head + "G41.1 D4 " + contour, linuxcnc()), std::pair(900019, 5U));
@@ -67,13 +67,13 @@ TEST(LinuxcncPrograms, HaveBothCentreWordsUnderG901) {
   EXPECT_EQ(refusal_of(head + "G3 X0 Y10 J10\n" + end, linuxcnc()), std::pair(900101, 5U));
 }
 
-// QtPlasmaC's filter reads the text in front of the control.
+// QtPlasmaC's filter reads the text before the control.
 TEST(LinuxcncPrograms, KeepWhatAFilterLooksFor) {
   EXPECT_EQ(flat("#<pierce-only>=1\n#<holes> = 4\n#<other>=3\nG0 X#<other>\nM2\n"),
             "#<pierce-only>=1\n#<holes>=4\nG0 X3\nM2\n");
 }
 
-TEST(LinuxcncPrograms, LoseNoContourBehindTheirEnd) {
+TEST(LinuxcncPrograms, LoseNoContourAfterTheirEnd) {
   const std::string contour = "G0 X-20 Y-20\nG41.1 D4 G1 X0 Y0 F300\nY40\nG40 X80\n";
   EXPECT_EQ(refusal_of("#31=5\nG0 X#31\nM2\n" + contour + "M2\n", linuxcnc()),
             std::pair(900015, 5U));
@@ -81,7 +81,7 @@ TEST(LinuxcncPrograms, LoseNoContourBehindTheirEnd) {
             std::pair(0, 0U));
 }
 
-TEST(LinuxcncParameters, TakeTheirValueBehindTheLine) {
+TEST(LinuxcncParameters, TakeTheirValueAfterTheLine) {
   EXPECT_EQ(flat("#3=15\n#3=6 G0 X#3\nG0 X#3\n"), "G0 X15\nG0 X6\n");
   EXPECT_EQ(flat("#31=1 #32=2\n#31=#32 #32=#31 (SWAPPED)\nG0 X#31 Y#32\n"),
             "(SWAPPED)\nG0 X2 Y1\n");

@@ -5,7 +5,7 @@
 
 #include "tests/programs/computing.h"
 
-// Behind a deselection without motion the tool stands beside the contour, by its radius. Where
+// After a deselection without motion the tool stands beside the contour, by its radius. Where
 // what is copied then leads it away, nothing may be written for an axis that the program does not
 // name (D-74).
 
@@ -26,7 +26,7 @@ std::string behind_contour(DialectName dialect, const std::string& text) {
   return program + text;
 }
 
-// The output of the text behind the contour.
+// The output of the text after the contour.
 std::string written(DialectName dialect, const std::string& text) {
   const std::string all = flat_of(behind_contour(dialect, text), setup_of(dialect));
   const std::string last = dialect == heidenhain ? "L X+80 Y+55\n" : "Y55";
@@ -87,7 +87,7 @@ TEST(LostRetract, LetsNothingBeCutBesideItsPlace) {
   EXPECT_EQ(refused(heidenhain, "L Z+50 R0 FMAX\nCYCL CALL PAT F5000 M3\nM2\n"), 0);
 }
 
-// Codes of what is told of a program, one behind the other.
+// Codes of what is told of a program, one after the other.
 std::string told(DialectName dialect, const std::string& text) {
   const ProgramRun ran = to_text(behind_contour(dialect, text), setup_of(dialect));
   std::string codes;

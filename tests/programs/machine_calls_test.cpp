@@ -7,7 +7,7 @@
 #include "tests/programs/computing.h"
 
 // Calls of subprograms that only the machine has, such as the macros of a probe, pass while TRC is
-// off. Whatever they may have changed is unknown behind them (D-64).
+// off. Whatever they may have changed is unknown after them (D-64).
 
 namespace trc::support::machine_calls {
 namespace {
@@ -36,7 +36,7 @@ TEST(MachineCalls, OfFanucPassWithTheirValues) {
             "G90 G0 X0 Y0\nM98 P9001\n#1=9001.\nN8 M98 P9001 L2\nM30\n");
 }
 
-// They may read the variables that the program has set: these are set in front of them, once.
+// They may read the variables that the program has set: these are set before them, once.
 TEST(MachineCalls, OfFanucFindTheVariablesOfTheProgram) {  // D-95
   EXPECT_EQ(flat("G90 G0 X0 Y0\n#1=2\n#501=25/2 (LENGTH)\n#502=-#501\n#503=#0\nM98 P9100 (READS)\n"
                  "G65 P9101 A2.\n#502=7\nG65 P9102\nM30\n",
@@ -88,7 +88,7 @@ TEST(MachineCalls, OfSinumerikAreGivenVariables) {  // D-83
   ProgramSessionSetup setup = computing_setup(sinumerik);
   setup.session.program.variables = {{"ERR", 0}};
   EXPECT_EQ(flat_of(asks, setup), "DEF INT ERR\nWRITE(ERR,\"LOG\",\"A\")\nG0 X1\nM30\n");
-  // DEF of a subprogram stands behind the first motion of the flat program.
+  // DEF of a subprogram stands after the first motion of the flat program.
   EXPECT_EQ(refused("G0 X1\nLOGS\nM30\n%_N_LOGS_SPF\nDEF INT ERR\nWRITE(ERR,\"LOG\",\"A\")\nM17\n",
                     sinumerik),
             std::pair(900003, 6U));
@@ -133,7 +133,7 @@ TEST(MachineCalls, DoNotPassWithinAContour) {
   EXPECT_EQ(refused(within + "M98 P9001\nG40 X-20.\nM30\n", fanuc), std::pair(900003, 5U));
 }
 
-// G66 has its macro behind each line that moves: such a line is read as any other, but where it
+// G66 has its macro after each line that moves: such a line is read as any other, but where it
 // leads to only the machine knows.
 TEST(MachineCalls, ModalOnesLetNoContourBegin) {
   const std::string modal = "G21 G90 G17\nG0 X-20. Y0 Z1.\nG66 P9001\n";
@@ -143,7 +143,7 @@ TEST(MachineCalls, ModalOnesLetNoContourBegin) {
   EXPECT_EQ(refused(modal + "G90 G0\nX5. Y5.\nG67\n" + contour, fanuc), std::pair(900106, 7U));
   EXPECT_EQ(refused(modal + "G0 X5. Y5.\nG67\nG90 G0 X-20. Y0 Z1.\n" + contour, fanuc),
             std::pair(0, 0U));
-  // Its feed holds behind it as well.
+  // Its feed holds after it as well.
   EXPECT_EQ(refused(modal + "G1 X5. F250.\nG67\nG90 G1 X-20. Y0 Z1.\n"
                             "G41 D1 G1 X0 Y0\nY40.\nG40 X-20.\nM30\n",
                     fanuc),

@@ -17,7 +17,7 @@ using enum DialectName;
 struct Nested {
   DialectName dialect{};
   std::string head{};
-  std::vector<std::string> openings{};  // of a value in front of another one
+  std::vector<std::string> openings{};  // of a value before another one
   std::vector<std::string> values{};    // `@`: the value
   std::vector<std::string> others{};    // where such a value may be wrong for another reason
 };
@@ -65,7 +65,7 @@ ProgramRun ran_with(const Nested& nested, const std::string& place, const std::s
   ProgramSessionSetup setup = computing_setup(nested.dialect, 5);
   setup.longest_line = 1 << 20;
   setup.most_faults = 50;
-  // The second line is one that is looked at behind the first error.
+  // The second line is one that is looked at after the first error.
   return to_text(nested.head + line + "\n" + line + "\nM30\n", setup, 0, German::as_it_is);
 }
 

@@ -56,7 +56,7 @@ TEST(ReadOver, MessagesForTheOperatorPass) {
   }
 }
 
-TEST(ReadOver, APointBehindAnExpressionIsThatOfItsNumber) {
+TEST(ReadOver, APointAfterAnExpressionIsThatOfItsNumber) {
   EXPECT_EQ(written("#1=500\nM03 S[#1]. F[#1+1].\nG1 X[#1].\nM30\n", setup_of(fanuc)),
             "M03 S500 F501.\nG1 X500.\nM30\n");
 }
@@ -92,7 +92,7 @@ TEST(ReadOver, TheWayRoundIsKeptOrRefused) {
               "900003 5 DC, ACP or ACN, a way round, beside a contour\n")
         << word;
   EXPECT_EQ(told(in_contour("C=AC(10)"), setup), "");
-  // Behind a contour a line may be written anew.
+  // After a contour a line may be written anew.
   const std::string behind = "G0 X-30 Y-30 C=DC(0)\nG41 G1 X0 Y-10 F100\nY40\nX40\nG40 Y-30\n";
   for (const std::string line : {"G0 X5 C=ACN(350)", "X5 C=DC(10)", "C=ACP(20)"}) {
     const std::string text = written("G71 G90 G17\nT1 D1\n" + behind + line + "\nM30\n", setup);
@@ -228,8 +228,8 @@ TEST(ReadOver, APoleInPolarFormLeavesThePlaceKnown) {
   EXPECT_NE(written(sinumerik_contour(line), setup_of(sinumerik)).find(line), std::string::npos);
 }
 
-// `/` within a line leaves out what stands behind it.
-TEST(ReadOver, ASwitchWithinALineHoldsForWhatStandsBehind) {
+// `/` within a line leaves out what stands after it.
+TEST(ReadOver, ASwitchWithinALineHoldsForWhatStandsAfterIt) {
   const auto with = [](const std::string& line) {
     return "G21 G90 G17\nT1 M6\nG0 X-30. Y-30.\nG41 D1 G1 X0 Y-10. F100\nY40.\n" + line +
            "\nY-10.\nG40 Y-30.\nM30\n";

@@ -64,7 +64,7 @@ TEST(Encoding, IsToldOnceForATextInUtf16) {
                   "Save the program as plain text in UTF-8 or ASCII.");
         EXPECT_EQ(ran.text, "");
       }
-  // A NUL in front of the tape.
+  // A NUL before the tape.
   EXPECT_NE(to_text("\0%\nO1\nG0 X0\nM30\n"s, computing_setup(fanuc)).diagnostics.at(0).detail,
             "text in UTF-16");
 }
@@ -179,8 +179,8 @@ INSTANTIATE_TEST_SUITE_P(
              klartext_start + "L X+0 Y+0 RL F200\nL X+50\nL X+60 RR\nL X+9 R0\nEND PGM A MM\n",
              "5:8 900003", "RR after RL without R0 in between", "a motion with R0"}));
 
-// A mill may come down behind G41, a lathe goes on without Y (D-105).
-TEST(AMillThatComesDownBehindG41, IsNoLathe) {
+// A mill may come down after G41, a lathe goes on without Y (D-105).
+TEST(AMillThatComesDownAfterG41, IsNoLathe) {
   const std::string down =
       "G41 D1\nG0 Z5.\nG0 X-5. Y0\nG1 Z-5. F100\nX0 Y0\nX80.\nG40 X99. Y-20.\nM30\n";
   const std::string turned = "G42 D1\nG0 Z5.\nG0 X20.\nG1 Z-20. F1\nX40. Z-40.\nG40 X52.\nM30\n";
@@ -193,7 +193,7 @@ TEST(AMillThatComesDownBehindG41, IsNoLathe) {
   }
 }
 
-// An axis that turns the part has been named in front of the contour.
+// An axis that turns the part has been named before the contour.
 TEST(AnAxisC, MayStandInAContour) {
   EXPECT_EQ(refusal_of(at_start + "G0 C90.\nG41 D1 G1 X0 Y0 F200\nY40. C5.\nG40 X-20.\nM30\n",
                        computing_setup(fanuc, 2)),
@@ -205,7 +205,7 @@ TEST(AnOrientation, OfTheToolPassesWhileTrcIsOff) {
   EXPECT_EQ(flat_of(text, computing_setup(sinumerik, 2)), text);
 }
 
-TEST(AFaultInFrontOfTheEnd, LeavesTheTextBehindItAlone) {
+TEST(AFaultBeforeTheEnd, LeavesTheTextAfterItAlone) {
   const ProgramRun ran =
       to_text("O1\nG21 G90\nM198 P2000\nM30\nO2000\nG1 X0\nM99\n", computing_setup(fanuc, 2));
   ASSERT_EQ(ran.diagnostics.size(), 1U) << ran.report();

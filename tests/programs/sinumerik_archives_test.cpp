@@ -6,7 +6,7 @@
 #include "core/messages/diagnostic_text.h"
 #include "tests/programs/computing.h"
 
-// Archives of Sinumerik: several programs in one text, each behind its header.
+// Archives of Sinumerik: several programs in one text, each after its header.
 
 namespace trc::support::sinumerik_archives {
 namespace {
@@ -29,13 +29,13 @@ TEST(SinumerikArchives, KeepProgramsThatNobodyCalls) {
             "%_N_A_MPF\n; SUB_C\nG0 X5\nM30\n%_N_B_MPF\nR5=1\nG0 X=R5\nM30\n");
 }
 
-TEST(SinumerikArchives, LoseNoContourBehindTheirEnd) {
+TEST(SinumerikArchives, LoseNoContourAfterTheirEnd) {
   EXPECT_EQ(told("%_N_A_MPF\nR1=20\nG0 X=R1\nM30\n%_N_C_SPF\n" + contour + "M17\n"),
             std::pair(900015, 6U));
   EXPECT_EQ(told("%_N_A_MPF\nR1=20\nG0 X=R1\n%_N_C_SPF\nG0 X5\nM17\n"), std::pair(900310, 3U));
 }
 
-TEST(SinumerikArchives, HaveTheirMainProgramInFrontOfItsSubprograms) {
+TEST(SinumerikArchives, HaveTheirMainProgramBeforeItsSubprograms) {
   EXPECT_EQ(told(main_program + sub), std::pair(0, 0U));
   EXPECT_EQ(told(sub + main_program), std::pair(900003, 7U));
   EXPECT_EQ(told("%_N_KONT_A_SPF\nR1=5\n" + contour + "M17\n" + main_program),
@@ -59,7 +59,7 @@ TEST(SinumerikArchives, OfASubprogramAloneBeginNoContourByChance) {
   EXPECT_EQ(refusal_of(sub, setup()), std::pair(0, 0U));
 }
 
-TEST(SinumerikArchives, NameTheLineThatCallsWhatIsMissingBehindACall) {
+TEST(SinumerikArchives, NameTheLineThatCallsWhatIsMissingAfterACall) {
   const ProgramRun ran = to_text("G0 X-20 Y-20\nKONT_A\nL500\nM30\n" + sub, setup());
   ASSERT_EQ(ran.diagnostics.size(), 1U) << ran.report();
   EXPECT_EQ(ran.diagnostics.front().source.line, 3U);

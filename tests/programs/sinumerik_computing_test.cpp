@@ -16,7 +16,7 @@ ProgramSessionSetup sinumerik() { return computing_setup(DialectName::sinumerik)
 
 std::string flat(const std::string& text) { return flat_of(text, sinumerik()); }
 
-// The value of an expression, as it is written behind an address.
+// The value of an expression, as it is written after an address.
 std::string value_of(const std::string& expression) {
   const std::string text = flat("R1=3.5 R2=-2 R3=10\nR10=" + expression + "\nG0 X=R10\n");
   return text.starts_with("G0 X=") ? text.substr(5, text.size() - 6) : text;
@@ -368,7 +368,7 @@ TEST(SinumerikWords, AreComputedInALineToSkip) {
   EXPECT_EQ(flat("R1=5\n/ G0 X=R1\n/2 N20 Y=R1\n"), "/ G0 X=5\n/2 N20 Y=5\n");
 }
 
-TEST(SinumerikPrograms, LoseNoContourBehindTheirEnd) {
+TEST(SinumerikPrograms, LoseNoContourAfterTheirEnd) {
   const std::string contour = "G0 X-20 Y-20\nG41 D1 G1 X0 Y0 F300\nY40\nG40 X80\n";
   EXPECT_EQ(refusal_of("R1=5\nG0 X=R1\nM30\n" + contour + "M30\n", sinumerik()),
             std::pair(900015, 5U));

@@ -88,12 +88,12 @@ TEST(ToldTogether, OfSinumerikAreStateAndWordsAndCalls) {
 }
 
 // A program that ends by itself, or for ever, has said what it has to say.
-TEST(ToldTogether, AreNotThoseBehindAnAlarm) {
+TEST(ToldTogether, AreNotThoseAfterAnAlarm) {
   EXPECT_EQ(told("#3000=1 (NO TOOL)\nG777\nM30\n", DialectName::fanuc),
             "900312 1 #3000=1 (NO TOOL)\n");
 }
 
-// A call is executed behind its line, whose words are told at their own place.
+// A call is executed after its line, whose words are told at their own place.
 TEST(ToldTogether, WordsBesideACallStandInItsLine) {
   EXPECT_EQ(told("O1\nG777 M98 P2000\nM30\nO2000\nG1 X0\nM99\n", DialectName::fanuc),
             "900002 2 G777\n");
@@ -101,8 +101,8 @@ TEST(ToldTogether, WordsBesideACallStandInItsLine) {
             "900003 1 FOO, a name\n");
 }
 
-// While lines are only examined, a called label stands behind the end of the program.
-TEST(ToldTogether, OfKlartextAContourInALabelIsNoneBehindTheEnd) {
+// While lines are only examined, a called label stands after the end of the program.
+TEST(ToldTogether, OfKlartextAContourInALabelIsNoneAfterTheEnd) {
   EXPECT_EQ(told("BEGIN PGM A MM\nTOOL CALL 1 Z S1\nL X+0 Y-20 R0 FMAX\nCALL LBL 9\nCALL LBL 1\n"
                  "L Z+100 R0 FMAX M2\nLBL 1\nL X+0 Y+0 RL F200\nL X+50\nL X+60 Y-20 R0\nLBL 0\n"
                  "END PGM A MM\n",

@@ -84,8 +84,8 @@ TEST(ToolsOfPrograms, HaveTheWearThatFanucWrites) {
 }
 
 // Where a contour begins the control reads the register in force, of the last D word or of the tool
-// in the spindle: what is written into it behind that word counts (D-163).
-TEST(ToolsOfPrograms, HaveWhatFanucWritesBehindTheWordOfTheirRegister) {
+// in the spindle: what is written into it after that word counts (D-163).
+TEST(ToolsOfPrograms, HaveWhatFanucWritesAfterTheWordOfTheirRegister) {
   const std::string wall = contour_of(fanuc, "G41") + "M30\n";
   const std::string first = contour_of(fanuc, "G41 D1");
   const std::string head = "G21 G17 G90\n";
@@ -154,7 +154,7 @@ TEST(ToolsOfPrograms, HaveTheRadiusThatSinumerikWrites) {
   EXPECT_EQ(told(other, setup), "900224 2 T2 D1\n");
   EXPECT_EQ(told("G17 G71 G90\n$TC_DP6[1,1]=6\nT1 D1\n" + wall, setup_of(sinumerik)),
             "900224 2 T1 D1\n");
-  // Behind the call the machine has the radius from before, up to the next one.
+  // After the call the machine has the radius from before, up to the next one.
   const std::string late = "G17 G71 G90\nT2 D1\n$TC_DP6[2,1]=6\n";
   EXPECT_EQ(
       told(late + wall, setup),
@@ -164,7 +164,7 @@ TEST(ToolsOfPrograms, HaveTheRadiusThatSinumerikWrites) {
   EXPECT_EQ(distance("G17 G71 G90\nT2 D1\n$TC_DP6[2,2]=6\n" + wall, setup), 5);
 }
 
-TEST(ToolsOfPrograms, AreNoneBehindT0OfSinumerik) {
+TEST(ToolsOfPrograms, AreNoneAfterT0OfSinumerik) {
   ProgramSessionSetup setup = setup_of(sinumerik);
   setup.session.program.mode.tool_radius = 0;
   setup.session.program.tools[row_of_edge(1, 1)] = 5;
@@ -177,7 +177,7 @@ TEST(ToolsOfPrograms, AreNoneBehindT0OfSinumerik) {
   EXPECT_EQ(distance("G17 G71 G90\nT1 D1 M6\n" + wall + "T0\n" + wall + "M30\n", setup), 5);
 }
 
-// A wall behind these lines, with tool 1 of R 5, tool 2 of R 3.
+// A wall after these lines, with tool 1 of R 5, tool 2 of R 3.
 ProgramSessionSetup two_tools(DialectName dialect) {
   ProgramSessionSetup setup = setup_of(dialect);
   setup.session.program.mode.tool_radius = 0;
@@ -291,7 +291,7 @@ TEST(ToolsOfPrograms, OfCyclesStayWithTheMachine) {  // D-66, D-102
   const std::string wall = contour_of(fanuc, "G41 D1");
   EXPECT_EQ(told_of(wall + "G13 I12. F200.\n"), "900003 7 G13 without D after D1 in line 4\n");
   EXPECT_EQ(told_of(wall + "G13 I12. D1 F200.\n"), "900227 7 G13 D1\n");
-  // The D of the cycle holds behind it.
+  // The D of the cycle holds after it.
   EXPECT_EQ(distance(head + "D1\n" + pocket + contour_of(fanuc, "G41") + "M30\n", setup), 3);
 }
 
@@ -308,7 +308,7 @@ TEST(ToolsOfPrograms, MayHaveBeenChangedByACall) {
   EXPECT_EQ(sinumerik_told("TC(\"MILL\")\nD1\n"), "900225 10 TC(\"MILL\") in line 7\n");
   EXPECT_EQ(sinumerik_told("T1 D1\nCHANGE()\n"), "");
   EXPECT_EQ(sinumerik_told("CHANGE()\nT1 D1\n"), "");
-  // In front of the first contour it is the tool that the setup gives.
+  // Before the first contour it is the tool that the setup gives.
   EXPECT_EQ(told("G17 G71 G90\nTC(\"MILL\")\n" + contour_of(sinumerik, "G41") + "M30\n",
                  setup_of(sinumerik)),
             "");
@@ -340,7 +340,7 @@ TEST(ToolsOfPrograms, OfIsgMayBeOthersUnderOneRadius) {
 
 // What a call may leave in force is told: the radius that the program has written is that of the
 // tool before it, the rest is taken as it was.
-TEST(ToolsOfPrograms, OfIsgAreTheirsInFrontOfACall) {
+TEST(ToolsOfPrograms, OfIsgAreTheirsBeforeACall) {
   const auto program = [](const std::string& head) {
     return "G17 G71 G90\n" + head + contour_of(isg, "G41") + "M30\n";
   };
@@ -355,7 +355,7 @@ TEST(ToolsOfPrograms, OfIsgAreTheirsInFrontOfACall) {
 }
 
 // Declared, a call of ISG leaves everything in force.
-TEST(ToolsOfPrograms, StandWhereTheyWereBehindADeclaredCall) {
+TEST(ToolsOfPrograms, StandWhereTheyWereAfterADeclaredCall) {
   const std::string text =
       "G17 G71 G90\nG00 X-20 Y0\nL \"LAMP\"\nG01 G41 X0 Y0 F300\nY40\nG40 X-20\nM30\n";
   ProgramSessionSetup setup = setup_of(isg);
@@ -365,7 +365,7 @@ TEST(ToolsOfPrograms, StandWhereTheyWereBehindADeclaredCall) {
 }
 
 // The name of its file may have an extension, in the program and in the declaration.
-TEST(ToolsOfPrograms, StandWhereTheyWereBehindADeclaredFile) {
+TEST(ToolsOfPrograms, StandWhereTheyWereAfterADeclaredFile) {
   const std::string contour = "G01 G41 X0 Y0 F300\nY40\nG40 X-20\nM30\n";
   const auto refused = [&](const std::string& call, const std::string& word) {
     ProgramSessionSetup setup = setup_of(isg);
@@ -388,7 +388,7 @@ TEST(ToolsOfPrograms, StandWhereTheyWereBehindADeclaredFile) {
     EXPECT_NE(fault_of_pass_word(word, isg), "") << word;
 }
 
-// The control executes such a cycle behind each motion of the contour.
+// The control executes such a cycle after each motion of the contour.
 TEST(ToolsOfPrograms, CutNoContourUnderAModalCycleOfIsg) {
   const auto program = [](const std::string& between) {
     return "G17 G71 G90\nL CYCLE [NAME=DRILL.cyc MODAL_MOVE @P1=2]\n" + between +
@@ -411,7 +411,7 @@ TEST(ToolsOfPrograms, HaveTheRadiusThatIsgWrites) {
             4);
 }
 
-// The builder's own word for a change of tools, beside its T: G90 holds behind it as behind M06.
+// The builder's own word for a change of tools, beside its T: G90 holds after it as after M06.
 TEST(ToolsOfPrograms, ChangedBesideTheirNumberLeaveG90InForce) {
   const std::string wall = "G00 X-20 Y0\nG41 G01 X0 F300\nY40\nG40 X-20\nM30\n";
   EXPECT_EQ(told("G17 G71 G90\nT202 LM06\n" + wall, setup_of(isg)), "");
@@ -447,7 +447,7 @@ TEST(ToolsOfPrograms, AreCalledByParametersOfKlartext) {
   EXPECT_EQ(told("TOOL CALL 1 Z DR+Q5\nL X+5 R0 FMAX\n", setup), "");
 }
 
-// CALL LBL executes the lines behind the label, a change of tool included.
+// CALL LBL executes the lines after the label, a change of tool included.
 TEST(ToolsOfPrograms, AreChangedByLabelsOfKlartext) {
   ProgramSessionSetup setup = setup_of(heidenhain);
   setup.session.program.mode.tool_radius = 0;

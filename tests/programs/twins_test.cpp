@@ -71,8 +71,8 @@ TEST_P(Twins, ComputeWhereTheFlatOneDoesNot) {
   EXPECT_FALSE(flat.is_computing());
 }
 
-// A program without faults has none when its lines are looked at behind one that was put in.
-TEST_P(Twins, TellNothingElseBehindAnError) {
+// A program without faults has none when its lines are looked at after one that was put in.
+TEST_P(Twins, TellNothingElseAfterAnError) {
   const DialectName dialect = GetParam().dialect;
   const std::string fault = dialect == DialectName::fanuc      ? "#33=#5041\n"
                             : dialect == DialectName::linuxcnc ? "#4999=#5420\n"

@@ -87,7 +87,7 @@ TEST(Unfollowed, LastsUpToItsOwnEndInSinumerik) {
   EXPECT_EQ(of_contour(sinumerik, "TRAORI\nTRAFOOF").first, 0);
 }
 
-// Behind the end of a rotation a mirrored axis stands where the mirror is: its own end moves it.
+// After the end of a rotation a mirrored axis stands where the mirror is: its own end moves it.
 TEST(Unfollowed, RotationAndMirrorEndEachForItself) {
   const auto ends_open = [](const std::string& text) {
     return of_contour(fanuc, text + "\nG91\nG0 X5.\nG90").first;
@@ -116,7 +116,7 @@ TEST(Unfollowed, SelectionBesideWhatIsNoMotion) {
 }
 
 // PathPilot heads its programs with G50; Mach goes to the reference point with G28.1, where grbl
-// stores one: behind both the axes that are named stand where only the control knows.
+// stores one: after both the axes that are named stand where only the control knows.
 TEST(Unfollowed, WordsOfControlsOfTheSameFamilyComeOutAsTheyStand) {
   const auto text_of = [](DialectName dialect, const std::string& text) {
     return to_text(text, computing_setup(dialect, 5)).text;
@@ -176,7 +176,7 @@ TEST(Unfollowed, MotionsOfOtherTasksComeOutAsTheyStand) {
   }
 }
 
-// A contour without G01 behind a thread would be cut in step with the spindle.
+// A contour without G01 after a thread would be cut in step with the spindle.
 TEST(Unfollowed, ThreadsAndProbingLastUpToTheNextMotionFunction) {
   const std::string begin = "G90 G17\nG0 X-20. Y-20. Z5.\n";
   const std::string end = "Y40.\nG40 X-20. Y-20.\nM30\n";
@@ -194,7 +194,7 @@ TEST(Unfollowed, ThreadsAndProbingLastUpToTheNextMotionFunction) {
   }
 }
 
-// Where the tool stands behind a change of tools only the control knows: no contour hangs on it
+// Where the tool stands after a change of tools only the control knows: no contour hangs on it
 // (D-127).
 TEST(Unfollowed, IsAnIncrementFromAHeightThatIsNotKnown) {
   for (const DialectName dialect : {fanuc, linuxcnc}) {

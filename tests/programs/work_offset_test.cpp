@@ -7,7 +7,7 @@
 #include "tests/programs/computing.h"
 
 // A work offset that is in force already changes nothing where it is selected once more: posts
-// write it in front of every section.
+// write it before every section.
 
 namespace trc::support {
 namespace {
@@ -41,13 +41,13 @@ TEST(WorkOffset, SelectedOnceMoreLeavesThePositionKnown) {
 }
 
 // One block that is not shifted ends no selection.
-TEST(WorkOffset, StaysBehindBlocksWithoutIt) {
+TEST(WorkOffset, StaysAfterBlocksWithoutIt) {
   for (const std::string block : {"SUPA G0 Z100", "G0 SUPA Z100 D0", "G53 G0 Z100", "G153 G0 Z100"})
     EXPECT_EQ(code_of(sinumerik, behind("G54", block + "\nG54")), 0) << block;
   EXPECT_EQ(code_of(sinumerik, behind("G54", "SUPA G0 X5\nG54")), 900106);
 }
 
-TEST(WorkOffset, IsNotTakenForTheSameBehindWhatMayHaveMovedIt) {
+TEST(WorkOffset, IsNotTakenForTheSameAfterWhatMayHaveMovedIt) {
   for (const std::string moved :
        {"G10 L2 P1 X5.", "G10 L2 P1 X5.\nG0 X0 Y0", "#5221=5.\nG0 X0 Y0", "G52 X5.\nG0 X0 Y0",
         "G68 X0 Y0 R90.\nG69\nG0 X0 Y0", "G92 X0 Y0", "G65 P9810 X1.\nG90 G0 X0 Y0",
@@ -77,7 +77,7 @@ TEST(WorkOffset, StandsInTheContourWhereItIsInForce) {
   EXPECT_EQ(code_of(isg, isg_contour), 0);
 }
 
-// G92 says where the tool stands and moves nothing: neither does a line behind it that names no Z.
+// G92 says where the tool stands and moves nothing: neither does a line after it that names no Z.
 TEST(WorkOffset, SetWhereTheToolStandsMovesNoAxisThatNobodyNames) {
   for (const std::string behind_it : {"", "G92.1\n", "G54\n", "G53 G0 Z0\n"}) {
     const std::string text = "G21 G90 G17 G40\nG0 X0. Y0. Z20.\nG92 X5. Y5. Z5.\n" + behind_it +

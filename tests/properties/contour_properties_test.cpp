@@ -73,7 +73,7 @@ const Segment& programmed_of(const Contour& contour, const CompensatedBlock& blo
 }
 
 // Travel of the third main axis and of a tracking axis, and up to three texts
-// behind every block.
+// after every block.
 Feeding full_feeding() {
   return {.texts =
               [](std::size_t ordinal) {
@@ -432,7 +432,7 @@ TEST_P(EveryContour, HoldsAtMostTwoRelevantBlocks) {
   });
 }
 
-TEST_P(EveryContour, LosesNoTextAndKeepsItBehindItsBlock) {
+TEST_P(EveryContour, LosesNoTextAndKeepsItAfterItsBlock) {
   for_each_contour([](const Sample& tested) {
     const Feeding feeding = full_feeding();
     const Outcome outcome = compensate(tested.contour, tested.mode, feeding);

@@ -165,7 +165,7 @@ std::string story_of(std::uint64_t seed, const Program& program) {
 
 constexpr Flavor flavors[] = {Flavor::mixed, Flavor::lines, Flavor::grid, Flavor::convex};
 
-// A block of G236 of up to 1.5 R at the begin, or at the end, of a contour that can be machined.
+// A block of G236 of up to 1.5 R at the start, or at the end, of a contour that can be machined.
 Program on_path(std::uint64_t seed, bool leaves) {
   Random random(seed);
   Program program;
@@ -383,7 +383,7 @@ TEST(EveryProposedEntry, IsAcceptedAndClearUnderG238) {
   EXPECT_GT(helped, refused / 2);
 }
 
-// Loops go, but none of the begin does: it has no room.
+// Loops go, but none of the start does: it has no room.
 TEST(EveryProposedEntry, IsAcceptedAndClearInAnInsideCorner) {
   std::uint64_t refused = 0;
   std::uint64_t helped = 0;

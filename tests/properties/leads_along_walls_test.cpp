@@ -110,7 +110,7 @@ void expect_clear(const Outcome& outcome, const Program& program, double radius,
         << program.text() << text_of(outcome.blocks);
 }
 
-// A bore with a keyway soon behind where it is entered, and left again before that.
+// A bore with a keyway soon after where it is entered, and left again before that.
 struct Bore {
   double turn = 0;     // where it is entered
   double before = 0;   // from there to the keyway, radians

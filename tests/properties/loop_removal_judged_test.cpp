@@ -75,7 +75,7 @@ std::string story_of(const SlowMasking& masking) {
 }
 
 // The blocks a path comes from, in its order: the number, and whether inserted
-// behind it.
+// after it.
 using Origins = std::vector<std::pair<std::int64_t, bool>>;
 
 void add(Origins& origins, const Segment& piece, std::int64_t number, bool inserted,
@@ -315,7 +315,7 @@ TEST_P(EveryHardship, IsTheSameInBatches) {
 
 // A tiny arc in line with the block before it, as near as rounding lets it be, is no bow tie:
 // neither for the passes, which a block at a time takes, nor for the short way.
-TEST(LoopRemoval, IsTheSameInBatchesBehindATinyArcInLine) {  // D-44
+TEST(LoopRemoval, IsTheSameInBatchesAfterATinyArcInLine) {  // D-44
   for (const std::uint64_t seed : {1'010'187U, 1'029'936U}) {
     Random random(seed);
     const SmallContour made = small_contour(random, Hardship::sizes);

@@ -66,10 +66,10 @@ void expect_clear(const Outcome& outcome, const Contour& contour, const TrcMode&
       << text_of(outcome.blocks);
 }
 
-// G25, G42, R = 7, STRETCH_FACTOR = 6: a tip of three degrees, behind it an arc of 247 degrees
+// G25, G42, R = 7, STRETCH_FACTOR = 6: a tip of three degrees, after it an arc of 247 degrees
 // whose inside the tool just fits into. The mitre round the tip is 42 mm long; on its way back to
 // the arc it passes the far end of it, so that the circle round the tip stays.
-TEST(LoopRemoval, KeepsAMitreOffTheFarEndOfTheArcBehindIt) {  // D-45
+TEST(LoopRemoval, KeepsAMitreOffTheFarEndOfTheArcAfterIt) {  // D-45
   TrcMode mode;
   mode.side = Side::right;
   mode.tool_radius = 7;
@@ -171,8 +171,8 @@ TEST(LoopRemoval, SeesInAWindowWhatTheWholeContourShows) {  // D-10
   EXPECT_LE(1000 * another_way, compared);
 }
 
-// A corner needs three blocks more than the window: the one behind it to be known as
-// relevant, the one behind a notch, the one a transition leads to.
+// A corner needs three blocks more than the window: the one after it to be known as
+// relevant, the one after a notch, the one a transition leads to.
 constexpr std::int64_t blocks_of_a_corner = 4;
 
 TEST(LoopRemoval, LetsABlockGoWhenItsWindowHasCome) {  // D-10
@@ -183,7 +183,7 @@ TEST(LoopRemoval, LetsABlockGoWhenItsWindowHasCome) {  // D-10
       masking.options.remove_masked_blocks = removing;
       CompensatorSetup setup = all_walls();
       setup.limits.look_ahead_blocks = 5;
-      // How far the path had come, and should have come, behind each block.
+      // How far the path had come, and should have come, after each block.
       std::vector<std::pair<std::int64_t, std::int64_t>> progress;
       const auto watch = [&](std::size_t ordinal, const std::vector<CompensatedBlock>& out) {
         if (ordinal > contour.blocks.size()) return;

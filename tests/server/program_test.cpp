@@ -73,7 +73,7 @@ TEST_F(CompensateProgramRpc, MisfitCircleAfterDeselectionIsRefusedAsInExampleT04
   EXPECT_FALSE(answer.metadata("remedy").empty());
   EXPECT_EQ(answer.summaries, 0);
 
-  // The diagnostic is in the stream too, behind everything that was certain.
+  // The diagnostic is in the stream too, after everything that was certain.
   ASSERT_EQ(answer.diagnostics.size(), 1U);
   EXPECT_EQ(answer.diagnostics[0].code(), 20035);
   EXPECT_EQ(answer.diagnostics[0].severity(), v1::Diagnostic::ERROR);

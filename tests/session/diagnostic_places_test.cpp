@@ -76,7 +76,7 @@ std::string program_with_warnings(std::string_view end) {
 }
 
 void expect_same_places(const std::string& program) {
-  // A diagnostic comes behind the whole text of its line.
+  // A diagnostic comes after the whole text of its line.
   const std::vector<Placed> line_by_line = [&] {
     ProgramSession session({});
     Answers out;
@@ -112,7 +112,7 @@ TEST(DiagnosticPlaces, AreKeptWhereTheProgramEndsUnderCompensation) {
   expect_same_places(program_with_warnings("X10\nM30\n"));
 }
 
-// A rounded corner waits for the motion behind it; the centre of its arc is corrected, which the
+// A rounded corner waits for the motion after it; the centre of its arc is corrected, which the
 // reader says at once.
 TEST(DiagnosticPlaces, AreThoseOfTheLineWhereItWaitsForItsCorner) {
   ProgramSessionSetup setup;

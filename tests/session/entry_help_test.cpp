@@ -175,7 +175,7 @@ TEST(EntryHelp, ProposesALineInPlaceOfACircularApproach) {
             "from 20.000 6.000: to 14.000 6.000; ccw to 20.000 0.000 about 20.000 6.000;");
 }
 
-// From below the line would lead through the wall: two radii off it, one before its begin.
+// From below the line would lead through the wall: two radii off it, one before its start.
 TEST(EntryHelp, ProposesALineFromTheToolSide) {
   const auto [code, help] =
       refused("G0 X24 Y-2 F1000\nV.G.WZ_AKT.R=3\nG41 G2 X20 Y0 I-2 J1\nG1 X40\nG40 X60\nM30\n");
@@ -285,7 +285,7 @@ std::string with_g238(std::string program) {
   return program.replace(program.find("G138"), 4, "G238");
 }
 
-// At an inside corner the tool has no room beside the begin, however small it is (rule 3.2).
+// At an inside corner the tool has no room beside the start, however small it is (rule 3.2).
 TEST(EntryHelp, ProposesG238WhereTheContourBeginsInAnInsideCorner) {
   for (const Verify verify : {Verify::report, Verify::enforce}) {
     ProgramSessionSetup setup{.session = {.verify = verify}, .nc_text = false};

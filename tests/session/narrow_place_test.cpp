@@ -17,7 +17,7 @@ Diagnostic last_told(std::string_view program, const ProgramSessionSetup& setup 
   return run.diagnostics.empty() ? Diagnostic{} : run.diagnostics.back();
 }
 
-// A slot of this width, mm, whose floor is `rise` higher at its end, far behind the begin.
+// A slot of this width, mm, whose floor is `rise` higher at its end, far after the start.
 std::string slot(double width, double rise, const std::string& head = "G138") {
   std::string text = "G0 X-20 Y0 F500\nV.G.WZ_AKT.R=6\n" + head + "\nG42 G1 X0 Y0\n";
   for (int x = 1; x <= 40; ++x) text += "X" + std::to_string(x) + "\n";

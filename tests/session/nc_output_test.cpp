@@ -117,14 +117,14 @@ TEST(InsertedLines, HaveNoNumberAndTheLineEndOfTheLineBefore) {
             "N40 G01 X20 Y-50\n");
 }
 
-TEST(InsertedLines, StandBehindALastLineWithoutLineEnd) {
+TEST(InsertedLines, StandAfterALastLineWithoutLineEnd) {
   EXPECT_EQ(output("G0 X0 Y0\nG237 V.G.WZ_AKT.R=5\nG41\nN10 G1 X50 F100\nN20 G40\nN30 G0 X80"),
             "G0 X0 Y0\nN10 G01 X0 Y5 F100\nG01 X50 Y5\nG01 X50 Y0\nN30 G0 X80");
   const ProgramRun run = to_text("G0 X0 Y0\nG237 V.G.WZ_AKT.R=5\nG41\nN10 G1 X50 F100");
   EXPECT_EQ(run.text, "G0 X0 Y0\nN10 G01 X0 Y5 F100\nG01 X50 Y5\n");
 }
 
-TEST(PassiveBlocks, StayBehindTheirBlockAndBeforeInsertedOnes) {
+TEST(PassiveBlocks, StayAfterTheirBlockAndBeforeInsertedOnes) {
   EXPECT_EQ(output("G0 X0 Y0 Z5\nG26 V.G.WZ_AKT.R=5\n"
                    "N10 G41 G1 X10 F100\nN20 X50\n"
                    "N21 M8\nN22 G04 X0.5\n(remark)\nN23 Z-3\n"
@@ -156,12 +156,12 @@ TEST(PassiveBlocks, DoNotMoveToTheProgrammedPoint) {
             "G01 X0 Y60\n");
 }
 
-TEST(PassiveBlocks, ProgramEndIsBehindTheRetract) {
+TEST(PassiveBlocks, ProgramEndIsAfterTheRetract) {
   EXPECT_EQ(output("G0 X0 Y0\nG237 V.G.WZ_AKT.R=5\nG41\nG1 X50 F100\nG40\nN90 M9 M30\n"),
             "G0 X0 Y0\nG01 X0 Y5 F100\nG01 X50 Y5\nG01 X50 Y0\nN90 M9 M30\n");
 }
 
-TEST(PassiveBlocks, AStopStaysBehindTheMotionOfItsLine) {
+TEST(PassiveBlocks, AStopStaysAfterTheMotionOfItsLine) {
   EXPECT_EQ(output("N10 G0 X0 Y0\n"
                    "N20 V.G.WZ_AKT.R=10\n"
                    "N30 G41 G01 X30 Y0 F1000\n"
@@ -292,7 +292,7 @@ TEST(Refusals, WhatWasCertainIsWrittenAndNothingAfter) {
   }
 }
 
-TEST(Refusals, BinaryBehindTheProgramEnd) {
+TEST(Refusals, BinaryAfterTheProgramEnd) {
   const std::string program = "G0 X0\nM30\ntext\nmore \xFF\nlast\n";
   for (const std::size_t cut : {0U, 1U, 4U, 9U}) {
     const ProgramRun run = to_text(program, {}, cut);

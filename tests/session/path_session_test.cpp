@@ -56,7 +56,7 @@ TEST(PathSession, BlocksComeOutWhenTheyAreCertain) {
 }
 
 // D-37: in messages as in text. The path up to where the tool stands is certain.
-TEST(PathSession, AnArcBehindADeselectionUnderG239IsRefusedWhereverItsCentreIs) {
+TEST(PathSession, AnArcAfterADeselectionUnderG239IsRefusedWhereverItsCentreIs) {
   for (const Point& center : {Point(0, -50), Point(0, -10), Point(20, 0)}) {
     SessionSetup setup;
     setup.program.mode.tool_radius = 10;
@@ -86,7 +86,7 @@ TEST(PathSession, AnArcBehindADeselectionUnderG239IsRefusedWhereverItsCentreIs) 
   }
 }
 
-// A long staircase whose end sets free some thousand blocks at once, in the motion behind it or at
+// A long staircase whose end sets free some thousand blocks at once, in the motion after it or at
 // the end of the program.
 bool compensate_staircase(SessionSetup setup, bool deselected, Answers& out) {
   constexpr std::uint64_t steps = 3000;

@@ -141,7 +141,7 @@ TEST(ResumedSession, StateDoesNotGrowWithTheContour) {
 }
 
 // With a window, what contour masking and loop removal hold of a selection is bounded by it
-// (D-10), whether loops go or stay, and whatever stands behind the blocks.
+// (D-10), whether loops go or stay, and whatever stands after the blocks.
 TEST(ResumedSession, StateIsBoundedByTheWindow) {
   const auto largest = [](const std::string& masking, bool implicit, int window, int teeth) {
     ProgramSessionSetup setup;

@@ -13,7 +13,7 @@
 namespace trc::support {
 namespace {
 
-// The path behind `G0` to the start: one line a block, without numbers and feeds.
+// The path after `G0` to the start: one line a block, without numbers and feeds.
 std::string path_of(const std::string& program, const std::string& reports = "") {
   const ProgramRun run = to_blocks(program);
   EXPECT_FALSE(run.stopped) << run.codes();
@@ -179,7 +179,7 @@ TEST(PerpendicularRadiusChange, StepsAcrossATangentialJoint) {
 }
 
 // The corner keeps the old radius, with lines and with an arc; the step follows it.
-TEST(PerpendicularRadiusChange, StepsBehindAnOutsideCorner) {
+TEST(PerpendicularRadiusChange, StepsAfterAnOutsideCorner) {
   const std::string contour = "G41 G1 X20\nX40\nV.G.WZ_AKT.R=6\nY-30\nG40 Y-50";
   const std::string head = "#TRC[PERPENDICULAR_RADIUS_CHANGE=1]";
   EXPECT_EQ(path_of(program_of("X0 Y0", "G25\n" + head, contour)),
@@ -306,7 +306,7 @@ TEST(OtherAxes, TravelWithTheirBlock) {  // D-26
             "0 0; ");
 }
 
-// Behind a change of side as behind an approach: the line with G42 ends beside the contour with the
+// After a change of side as after an approach: the line with G42 ends beside the contour with the
 // old radius.
 TEST(RadiusChangeAtOnce, FollowsAChangeOfSide) {  // D-21
   const std::string begin =

@@ -28,7 +28,7 @@ TEST(SelectionsInARow, NoneIsLostWithTheEndOfTheProgram) {
   }
 }
 
-// A selection behind it may be long and leave in portions: none may follow what says that the path
+// A selection after it may be long and leave in portions: none may follow what says that the path
 // before it is wrong.
 TEST(SelectionsInARow, NothingFollowsOneWhoseVerificationFails) {
   std::string program =

@@ -102,7 +102,7 @@ TEST(ProgramWithoutCompensation, KeepsItsDigitsWithFewDecimals) {
   }
 }
 
-// Lines before, between and behind two selections stay as they are written.
+// Lines before, between and after two selections stay as they are written.
 TEST(ProgramWithoutCompensation, ItsLinesStayAlsoBesideASelection) {
   const std::string selection = "V.G.WZ_AKT.R=1\nG139 G41 G1 X10 Y0\nX50\nG40 X60 Y5\n";
   const std::string resolved = "G01 X10 Y1\nG01 X50 Y1\nG01 X60 Y5\n";

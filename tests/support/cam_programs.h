@@ -62,7 +62,7 @@ struct CamProgram {
   Lead in = Lead::none;
   Lead out = Lead::none;
   Overrun overrun = Overrun::none;
-  double overrun_length = 1;  // mm, behind the corner for one over a corner
+  double overrun_length = 1;  // mm, after the corner for one over a corner
   Laps laps = Laps::one;
   double size_of_leads = 2.2;  // tool radii
   double rounded_corners = 3;  // mm, of the finishing lap

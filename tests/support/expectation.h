@@ -21,7 +21,7 @@ namespace trc::support {
 //   N passthrough TEXT
 //   diagnostic CODE line LINE
 //
-// mm and degrees in the compensation plane. Behind a block may follow
+// mm and degrees in the compensation plane. After a block may follow
 // `third FROM TO` (third main axis, else it must not move) and `F FEED` written
 // as `F300` (else the feed is not looked at). `*` in place of N, origin or LINE
 // stands for any. Blocks that move nothing are not listed; passthrough is

@@ -87,7 +87,7 @@ class Process {
 };
 
 // trcd at a loopback port, a free one unless another is named, until this object goes: then it is
-// asked to end. A launcher is a command that runs the one behind it.
+// asked to end. A launcher is a command that runs the one after it.
 class ServerProcess {
  public:
   explicit ServerProcess(const std::vector<std::string>& flags = {},

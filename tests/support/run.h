@@ -72,13 +72,13 @@ class Channel {
 struct Feeding {
   // Compensates after every so many items; 0: only at the end.
   std::size_t batch = 1;
-  // Text passed behind the block with this ordinal (0: approach); empty: none.
+  // Text passed after the block with this ordinal (0: approach); empty: none.
   std::function<std::vector<std::string>(std::size_t ordinal)> texts{};
   // End position of the third main axis and of tracking axis A, block by block.
   std::function<double(std::size_t ordinal)> third{};
   std::function<double(std::size_t ordinal)> tracking{};
   CompensatorSetup compensator = all_walls();
-  // Called behind each block with its ordinal and what has come out so far.
+  // Called after each block with its ordinal and what has come out so far.
   std::function<void(std::size_t ordinal, const std::vector<CompensatedBlock>& out)> watch{};
 };
 

@@ -5,7 +5,7 @@
 // handshake that goes on in another thread than it began in. Races between
 // our own threads are found all the same: they meet in locks of ours. What is ignored by the
 // library that calls costs nothing, what is ignored by a name in the stack a look at all symbols
-// each time. A connection is let go of by the thread of gRPC that ends its last call, behind that
+// each time. A connection is let go of by the thread of gRPC that ends its last call, after that
 // of the turn that has looked at it.
 extern "C" const char* __tsan_default_suppressions() {
   return "called_from_lib:libgrpc.so\n"

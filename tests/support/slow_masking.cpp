@@ -28,7 +28,7 @@ constexpr Extended input_resolution = 1e-3L;
 // A whole equidistant or an inserted arc.
 struct Element {
   Shape shape{};
-  std::size_t block = 0;  // an arc: the one behind the corner
+  std::size_t block = 0;  // an arc: the one after the corner
   bool inserted = false;
 };
 
@@ -154,7 +154,7 @@ class Masking {
   }
 
   // How many pieces from this one on are all of an inserted arc, between the end of the block
-  // before it and the start of the one behind.
+  // before it and the start of the one after it.
   [[nodiscard]] std::size_t whole_arc(std::size_t at) const {
     const Piece& first = pieces_[way_[at]];
     const Element& arc = elements_[first.element];

@@ -107,7 +107,7 @@ class SlowCompensation {
   [[nodiscard]] Real tool_radius_of(const Shape& arc) const {
     return tool_inside(arc) ? arc.radius - radius_ : arc.radius + radius_;
   }
-  // The point `s` behind the start of the equidistant, as `Shape::extent`.
+  // The point `s` past the start of the equidistant, as `Shape::extent`.
   [[nodiscard]] SlowPoint along(const Shape& shape, Real s) const {
     if (!shape.is_arc) return shape.start + to_tool(shape.start_tangent) + s * shape.start_tangent;
     const Real sense = shape.sweep > 0 ? 1 : -1;
@@ -141,7 +141,7 @@ class SlowCompensation {
     return shape.is_arc ? Code::arc_wrapped : Code::line_reversed;
   }
   // Of two blocks that reverse: whether the way back lies on the tool side of the
-  // way there, judged by two points a little before and behind the corner.
+  // way there, judged by two points a little before and after the corner.
   [[nodiscard]] bool encloses_tool(const Shape& before, const Shape& after) const;
   // The transition angle in rad; 2 pi at a reversal (D-05) that does not enclose
   // the tool, pi where nothing turns.

@@ -93,9 +93,9 @@ class Contour {
 struct Programmed {
   const MotionBlock* block = nullptr;
   double required = 0;          // mm, of the path this block gives
-  double required_behind = 0;   // mm, of what is inserted behind it
-  bool crosses_behind = false;  // REVERSE: what is inserted behind it crosses the corner (D-22)
-  std::size_t number = 0;       // in its contour, or of the block behind it
+  double required_behind = 0;   // mm, of what is inserted after it
+  bool crosses_behind = false;  // REVERSE: what is inserted after it crosses the corner (D-22)
+  std::size_t number = 0;       // in its contour, or of the block after it
   bool is_contour = false;
 };
 

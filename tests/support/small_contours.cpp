@@ -22,7 +22,7 @@ double power_of_ten(Random& random, double low, double high) {
   return std::pow(10.0, random.between(low, high));
 }
 
-// Puts blocks behind each other and remembers where it is heading.
+// Puts blocks one after the other and remembers where it is heading.
 class Pen {
  public:
   Pen(const Point& at, const Vector& heading) : at_(at), heading_(heading) {}

@@ -245,7 +245,7 @@ TEST(Survey, AsksAboutToolsOfACentrePath) {
   expect_same(refused, single_run(text, 6, setup.session));
 }
 
-// Under G239 the motion behind G40 begins where the tool stands.
+// Under G239 the motion after G40 begins where the tool stands.
 TEST(Survey, ReadsAnewWhereBlocksDependOnTheRadius) {
   constexpr std::string_view text =
       "N10 G90 G17 G00 X0 Y0\n"

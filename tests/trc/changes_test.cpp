@@ -269,7 +269,7 @@ TEST(RadiusChange, TapersTheBlockBetweenTheOldAndTheNewCorner) {  // D-20
   EXPECT_GT(judged, contours / 2);
 }
 
-// A slope up to a half circle whose end is `low` too low, and into a rise behind it.
+// A slope up to a half circle whose end is `low` too low, and into a rise after it.
 Outcome over_half_a_circle(double low) {
   const Point start(0, 10);
   const Point end(20, 10 - low);

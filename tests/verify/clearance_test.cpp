@@ -151,7 +151,7 @@ TEST(Gap, IsZeroWhereSegmentsCross) {
 }
 
 // Rounding puts the place where they cross on neither of them, or on both.
-TEST(Gap, OfLinesOneBehindTheOtherIsWhatLiesBetweenThem) {
+TEST(Gap, OfLinesOneAfterTheOtherIsWhatLiesBetweenThem) {
   Chance random(4711);
   for (int i = 0; i < 100'000; ++i) {
     const Point from(random.between(-3000, 3000), random.between(-3000, 3000));
@@ -244,7 +244,7 @@ TEST(Clearance, CountsWhatIsTouchedBesideALongMitre) {
     corners.emplace_back(start + 10 * along);
     programmed.emplace_back(contour(i, Line{start, corners.back()}, radius));
     const Vector beside = radius * left_of(along);
-    // An inside corner comes behind each block that goes down.
+    // An inside corner comes after each block that goes down.
     const double from = i == 1 ? 0 : i % 2 == 1 ? -7 : 7;
     const double to = i == 6 ? 10 : i % 2 == 1 ? 3 : 17;
     path.push_back(path_block(i, Line{start + from * along + beside, start + to * along + beside}));
@@ -344,7 +344,7 @@ TEST(Clearance, AsksForTheRadiusOfThePathBesideWallsOfASmallerOne) {
 }
 
 TEST(Clearance, AsksForTheSmallerRadiusOfWhatIsInsertedBetweenTwo) {
-  // At once from 10 to 8, across the contour, behind the block with 10.
+  // At once from 10 to 8, across the contour, after the block with 10.
   const std::vector<Block> programmed{contour(0, Line{{-20, 0}, {0, 0}}, 10),
                                       contour(1, Line{{0, 0}, {100, 0}}, 10),
                                       contour(2, Line{{100, 0}, {200, 0}}, 8)};

@@ -44,7 +44,7 @@ Piece any_piece(Random& random, const Point& about, double size, double misfit) 
           .sweep = sweep};
 }
 
-// Behind each other, as in a contour: the second goes on where the first ends.
+// One after the other, as in a contour: the second goes on where the first ends.
 void join(const Piece& first, Piece& second) {
   const Vector way = first.end - second.start;
   second.start += way;

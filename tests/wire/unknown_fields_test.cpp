@@ -40,7 +40,7 @@ Message& made_at(Message& request, const Way& way, std::string& place) {
   for (const FieldDescriptor* const field : way) {
     place += (place.empty() ? "" : ".") + field->name();
     if (field->is_repeated()) {
-      // Behind one in which nothing is wrong.
+      // After one in which nothing is wrong.
       message->GetReflection()->AddMessage(message, field);
       message = message->GetReflection()->AddMessage(message, field);
       place += "[1]";

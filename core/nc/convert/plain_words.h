@@ -26,7 +26,7 @@ struct PlainWords {
   std::vector<std::string> functions{};  // M
   std::string speed{};                   // S, its number
   std::optional<std::int64_t> tool{};
-  std::optional<std::int64_t> next_tool{};  // T2 M6 T3: made ready behind the change
+  std::optional<std::int64_t> next_tool{};  // T2 M6 T3: made ready after the change
   bool loads_tool = false;
   // The length of a tool: G43, the number after its H or after the D of ISG; D1 of SINUMERIK;
   // G49.

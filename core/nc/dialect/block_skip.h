@@ -8,7 +8,7 @@
 namespace trc {
 
 // The `/` of a line that a switch of the machine leaves out, with its number (`/2`) and the blanks
-// behind: bytes [begin, end). Nothing stands in front of it but blanks and the number of the block.
+// after it: bytes [begin, end). Nothing stands before it but blanks and the number of the block.
 struct SkipSign {
   std::size_t begin = 0;
   std::size_t end = 0;  // 0: the line has none
@@ -19,7 +19,7 @@ struct SkipSign {
 // Only stops, spindle and coolant follow it, so the switch does not matter.
 [[nodiscard]] bool is_beside_the_path(std::string_view line, const SkipSign& sign,
                                       DialectName dialect);
-// `X40 /M8` of Fanuc: what stands behind the sign is left out, not the words in front of it.
+// `X40 /M8` of Fanuc: what stands after the sign is left out, not the words before it.
 [[nodiscard]] SkipSign skip_sign_within(std::string_view line, DialectName dialect);
 [[nodiscard]] SkipSign skip_sign_of(std::string_view line, DialectName dialect);
 

@@ -98,7 +98,7 @@ struct BlockWords {
     std::optional<std::uint32_t> only{};  // the radius of the setup is its: D, G41
     std::optional<Value> t_word{};
     std::optional<std::int64_t> named{};    // of T="NAME"
-    std::optional<Value> later_t_word{};    // of FANUC: fetched behind the change by M06
+    std::optional<Value> later_t_word{};    // of FANUC: fetched after the change by M06
     std::optional<std::uint32_t> change{};  // M06
     bool loads = false;                     // M06
     bool q_word_names_tool = false;         // M61 of LinuxCNC: the tool in the spindle
@@ -206,7 +206,7 @@ struct BlockWords {
   Polar polar{};
   SoftLead soft{};
   std::uint32_t words = 0;  // without N and comments
-  bool to_skip = false;     // `/` in front
+  bool to_skip = false;     // leading `/`
   // The line is copied as it stands; where it leads the axes of `forget` only the control knows.
   bool copied = false;
   AxisBits forget = 0;

@@ -5,7 +5,7 @@
 
 namespace trc {
 
-// Makes each further turn a block of its own, in front of the arc that the other words describe.
+// Makes each further turn a block of its own, before the arc that the other words describe.
 bool move_in_full_turns(Reading& reading, ProgramLine& line, const BlockWords& block);
 
 }  // namespace trc

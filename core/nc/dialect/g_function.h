@@ -45,7 +45,7 @@ enum class GGroup : std::uint8_t {
 };
 inline constexpr std::size_t g_group_count = static_cast<std::size_t>(GGroup::refused) + 1;
 
-// How functions with a number behind the point are compared: 541 of G54.1.
+// How functions with a number after the point are compared: 541 of G54.1.
 [[nodiscard]] constexpr int tenths_of(int number, int tenth = 0) { return number * 10 + tenth; }
 
 struct GFunction {

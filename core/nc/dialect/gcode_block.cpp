@@ -202,7 +202,7 @@ bool check_circle_words(Reading& reading, const ProgramLine& line, const BlockWo
 }
 
 // C beside a coordinate of the plane: on some controls of Fanuc a chamfer needs no comma. An axis
-// that turns the part has been named in front of the contour.
+// that turns the part has been named before the contour.
 bool check_chamfer(Reading& reading, const ProgramLine& line, const BlockWords& block) {
   if (reading.dialect.name != DialectName::fanuc) return true;
   const int axis = reading.axis_of_letter['C' - 'A'];

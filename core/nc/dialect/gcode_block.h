@@ -9,7 +9,7 @@ namespace trc {
 bool complete_gcode_block(Reading& reading, ProgramLine& line, BlockWords& block);
 
 // The work offset in force, selected once more, changes nothing (D-111). What else moves
-// coordinates, or may do so unseen, leaves open which one a selection behind it goes back to.
+// coordinates, or may do so unseen, leaves open which one a selection after it goes back to.
 void take_work_offset(Reading& reading, BlockWords& block);
 
 }  // namespace trc

@@ -14,7 +14,7 @@ bool take_fagor_words(Reading& reading, ProgramLine& line, BlockWords& block);
 bool take_modal_rounding(Reading& reading, ProgramLine& line, BlockWords& block);
 
 // FRC= and FRCM=, the feed of a rounding or a chamfer, which becomes a block of its own. FRCM=
-// holds for what comes behind the contour as well: it stays.
+// holds for what comes after the contour as well: it stays.
 bool take_corner_feed(Reading& reading, ProgramLine& line, BlockWords& block);
 
 // While TRC is active the corner becomes blocks of its own, and its word is not written. Else the

@@ -112,13 +112,13 @@ struct GcodeModes {
       archive(number, comes_out, place);
     }
   };
-  // Lines behind `/`, which may be skipped, that give a tool, tool data, or how the contour is
+  // Lines with `/`, which may be skipped, that give a tool, tool data, or how the contour is
   // reached and its corners are rounded; 0: none.
   struct Skipped {
     std::uint32_t tool = 0;
     std::uint32_t tool_data = 0;
     std::uint32_t approach = 0;
-    std::uint32_t next_tool = 0;  // T in front of M06
+    std::uint32_t next_tool = 0;  // T before M06
     std::uint32_t feed = 0;       // F
     bool dimension = false;       // the last G90 or G91
     bool motion = false;          // the last of G00 … G03
@@ -204,7 +204,7 @@ struct GcodeModes {
     // Since then:
     bool tool_said = false;       // by T, D or a radius
     bool behind_contour = false;  // `last`
-    // Of ISG: V.G.WZ_AKT.R stands behind the last T or D; a call has come behind that.
+    // Of ISG: V.G.WZ_AKT.R stands after the last T or D; a call has come after that.
     bool only_radius_said = false;
     bool radius_doubtful = false;
     bool awaited_by_tool = false;
@@ -223,7 +223,7 @@ struct GcodeModes {
     bool lathe = false;    // a word that only lathes have
     bool y = false;        // a Y word
     bool program = false;  // an O word that names it
-    bool c = false;        // of FANUC: an axis C in front of contours
+    bool c = false;        // of FANUC: an axis C before contours
 
     template <class Archive>
     void serialize(Archive& archive) {

@@ -93,7 +93,7 @@ bool check_turning(Reading& reading, const ProgramLine& line, const BlockWords& 
   if (selects && !reading.gcode.seen.y && leads_in_zx)
     return refuse_selection(reading, line, block, Code::turning,
                             "G41, G42 of a lathe, because no Y precedes it");
-  // A mill may come down behind G41, in front of the approach.
+  // A mill may come down after G41, before the approach.
   const bool comes_down =
       !block.move.end[0] && (!reading.faults.empty() || reading.state.awaits_approach());
   if (reading.trc_active() && !reading.gcode.seen.y && reading.state.mode().plane == Plane::xy &&

@@ -31,17 +31,17 @@ namespace trc {
 //     R is not modal here.
 //   - While TRC is off calls of subprograms (L NAME), assignments to variables
 //     (V.P. = …), coordinate systems and the like pass as they stand. The position
-//     is unknown then; behind a call it is known again once G00 … G03 and G90 or
+//     is unknown then; after a call it is known again once G00 … G03 and G90 or
 //     G91 have been programmed anew.
 //   - G70 counts coordinates, centres, radii and F in inch, also the tool radius
 //     that a program writes; the radii of the tool table are mm.
 //   - Zero shifts and G92 pass while TRC is off. The position is unknown then, with
-//     axis words behind G92 on those axes, behind G53 also after the motion of its
+//     axis words after G92 on those axes, after G53 also after the motion of its
 //     block: ProgramState::forget_position.
 //   - F is a feed per minute under G94 only; under G93, G95 and G194 it passes as
 //     technology and blocks have no feed. TRC cannot be active under G93, nor G11
 //     under any of them.
-//   - Behind M02, M30 and between #COMMENT BEGIN and END lines are text only; G41 and G42 after the
+//   - After M02, M30 and between #COMMENT BEGIN and END lines are text only; G41 and G42 after the
 //     end are refused (900015), since nothing would resolve them.
 class Interpreter {
  public:
@@ -65,8 +65,8 @@ class Interpreter {
     bool is_as_written = true;       // that line itself: columns say where in it
     bool sets_variables = false;     // for a call of the machine: copied as it stands
     bool calls_the_machine = false;  // what only the machine has: passes as ISG's calls do
-    bool machine_follows = false;    // a macro of the machine, behind the motion of the line
-    std::optional<KlartextEffects> call_leaves{};  // behind the label that it calls
+    bool machine_follows = false;    // a macro of the machine, after the motion of the line
+    std::optional<KlartextEffects> call_leaves{};  // after the label that it calls
   };
   // Reads the line as `feed` reads a whole line.
   bool read(const FlatLine& line, std::vector<LinePointer>& lines);

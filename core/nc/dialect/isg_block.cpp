@@ -66,7 +66,7 @@ Code twice_code(GGroup group) {
 // G40 stands there, but the tool is still beside the contour (rule 10.9).
 constexpr std::string_view behind_lost_retract = " after G40 without motion";
 
-// A call that passes elsewhere: not in front of the motion that leaves the contour.
+// A call that passes elsewhere: not before the motion that leaves the contour.
 TextFault with_reason(const Reading& reading, const ProgramLine& line, TextFault fault) {
   const bool calls = fault.code == Code::nc_unsupported && upper(line.text[fault.begin]) == 'L';
   if (!calls || !reading.contour_open() || reading.trc_active()) return fault;

@@ -26,9 +26,9 @@ namespace trc {
 // or "A as it is written.
 [[nodiscard]] std::string label_of(std::string_view text, std::size_t begin,
                                    std::string_view statement);
-// Whether RL or RR stands in such a statement, also behind other letters without a blank.
+// Whether RL or RR stands in such a statement, also after other letters without a blank.
 [[nodiscard]] bool has_side(std::string_view statement);
-// Whether R0 stands in it behind other letters without a blank: XR0.
+// Whether R0 stands in it after other letters without a blank: XR0.
 [[nodiscard]] bool has_glued_r0(std::string_view statement);
 [[nodiscard]] bool begins_with_word(std::string_view statement, std::string_view word);
 

@@ -17,8 +17,8 @@ namespace trc {
 struct ContoursOfLabel {
   std::uint64_t before = 0;
   std::optional<std::uint64_t> behind{};
-  std::uint32_t steps = 0;  // of KlartextModes::section, in front of it
-  KlartextEffects leaves{.unsure = KlartextMode::anything};  // known behind its LBL 0
+  std::uint32_t steps = 0;                                   // of KlartextModes::section, before it
+  KlartextEffects leaves{.unsure = KlartextMode::anything};  // known after its LBL 0
 
   // `now`: the present number, used where no LBL 0 has come yet.
   [[nodiscard]] bool has_contour(std::uint64_t now) const { return behind.value_or(now) != before; }
@@ -32,7 +32,7 @@ struct KlartextModes {
   std::optional<Point> pole{};           // CC, mm, in the plane
   AxisBits pole_across = 0;              // of a CC across the plane: its axes
   std::optional<double> polar_radius{};  // PR, mm
-  std::optional<Vector> tangent{};       // behind the last motion in the plane, of any length
+  std::optional<Vector> tangent{};       // after the last motion in the plane, of any length
   bool rapid = false;                    // the last motion was one with FMAX
   double feed_before = 0;                // in force before the block
   double called_feed = 0;                // F AUTO, mm/min

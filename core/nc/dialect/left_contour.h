@@ -7,7 +7,7 @@
 
 namespace trc {
 
-// A line behind a deselection without motion. In the output, axes that it does not name still stand
+// A line after a deselection without motion. In the output, axes that it does not name still stand
 // beside the contour, a tool radius away from their programmed position (D-74).
 struct LineBesideContour {
   std::array<bool, 3> named{};  // X Y Z that it leads to where the program has them

@@ -14,8 +14,8 @@ namespace trc {
 // The file that L NAME of ISG calls, in capitals: SPINDLE_OK.UP of `Spindle_OK.up [1]`.
 [[nodiscard]] std::string called_file(std::string_view call);
 
-// The function or name that begins at a byte of the line, in capitals; its number without zeros in
-// front: G777 of `g0777 X1`, POPEN, #LASER.
+// The function or name that begins at a byte of the line, in capitals; its number without leading
+// zeros: G777 of `g0777 X1`, POPEN, #LASER.
 [[nodiscard]] std::string word_to_pass(std::string_view line, std::size_t begin);
 
 // Whether the setup says that it passes.

@@ -11,7 +11,7 @@ namespace trc {
 // Reads L NAME, V.P. = … and the like of ISG, which pass as they stand. Whether it is such a line.
 bool read_passing_line(Reading& reading, ProgramLine& line, BlockWords& block);
 
-// T5 LM06: a call behind words that do not move. `begin` is where it stands.
+// T5 LM06: a call after words that do not move. `begin` is where it stands.
 bool read_call_behind_words(Reading& reading, std::uint32_t begin, ProgramLine& line,
                             BlockWords& block);
 
@@ -32,7 +32,7 @@ bool restate_modes(Reading& reading, ProgramLine& line, BlockWords& block);
 // Watches whether the tool may differ from that of the last contour: 900225.
 bool watch_tool(Reading& reading, const ProgramLine& line, const BlockWords& block);
 
-// At the begin of a contour (D-78).
+// At the start of a contour (D-78).
 bool warn_of_other_tool(Reading& reading, const ProgramLine& line, std::uint32_t begin);
 
 // Reports once (D-81): the modes before a call are taken to hold after it, unless programmed anew.

@@ -172,7 +172,7 @@ bool read_block(Reading& reading, ProgramLine& line) {
                             : passes || read_words_of_dialect(reading, line, block);
   sum_up_words(line);
   if (!reading.faults.empty() && block.has(GGroup::side)) reading.scanned_trc = !block.deselects();
-  // Text behind the end is no program to be looked through for further faults.
+  // Text after the end is no program to be looked through for further faults.
   if (!reading.faults.empty() && !block.to_skip && !reading.reads_flat && !reading.in_front_of_tape)
     reading.ended |= line.ends_program;
   reading.in_front_of_tape &= !readable || (line.roles & ~bit(WordRole::comment)) == 0;

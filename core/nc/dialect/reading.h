@@ -120,9 +120,9 @@ struct Reading {
   SkipSign cut{};                 // out of the line that is read
 
   std::uint32_t comment_block = 0;  // line of #COMMENT BEGIN; 0: not in one
-  bool ended = false;               // behind M02 or M30
-  bool in_subprogram = false;       // of a %L in front of the program
-  // No line so far was a block: lines that cannot be read may stand in front of the tape.
+  bool ended = false;               // after M02 or M30
+  bool in_subprogram = false;       // of a %L before the program
+  // No line so far was a block: lines that cannot be read may stand before the tape.
   bool in_front_of_tape = false;
 
   // Modes in force.
@@ -147,11 +147,11 @@ struct Reading {
   bool sets_variables = false;
   bool calls_the_machine = false;
   bool machine_follows = false;
-  std::optional<KlartextEffects> call_leaves{};  // behind the label that it calls
+  std::optional<KlartextEffects> call_leaves{};  // after the label that it calls
   bool reads_flat = false;                       // all lines are such
 
   std::vector<Fault> faults{};
-  bool scanned_trc = false;  // behind the first fault: TRC is active
+  bool scanned_trc = false;  // after the first fault: TRC is active
 
  private:
   [[nodiscard]] bool is_within_slip(const Diagnostic& found) const;

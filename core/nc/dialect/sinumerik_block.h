@@ -5,7 +5,7 @@
 
 namespace trc {
 
-// Words with a value behind `=`, names, and the plain ones.
+// Words with a value after `=`, names, and the plain ones.
 bool read_named_words(Reading& reading, ProgramLine& line, BlockWords& block);
 
 }  // namespace trc

@@ -18,7 +18,7 @@ bool approach_softly(Reading& reading, ProgramLine& line, BlockWords& block);
 // The contour begins where this block ends: that of the approach itself, or the next motion.
 bool begin_contour_of_approach(Reading& reading, ProgramLine& line, BlockWords& block);
 
-// The motions from P4 to P0; G40 comes behind them.
+// The motions from P4 to P0; G40 comes after them.
 bool depart_softly(Reading& reading, ProgramLine& line, BlockWords& block);
 
 }  // namespace trc

@@ -72,7 +72,7 @@ enum class Function : std::uint8_t {
   bound,  // least, greatest, value
   to_binary,
   to_decimal,
-  negation,  // in front of its operand
+  negation,  // before its operand
   bit_negation,
   length_of_text,
   exists,

@@ -29,7 +29,7 @@ namespace trc::program {
 //     caller. #100 … #499 begin vacant. #500 … #999 outlast the machine's power: one that the
 //     program has not set is known from the setup alone, as everything from #1000 on.
 //   - A word whose variable is vacant is ignored.
-//   - GOTO looks for its N behind it first, then from the beginning, in its own O program.
+//   - GOTO looks for its N after it first, then from the beginning, in its own O program.
 //   - M98 P31001 is O31001, or O1001 three times where there is no such program.
 //   - M99 P goes on in the caller (Fanuc) or in the subprogram itself (Haas): where both have the
 //     N, it is refused.

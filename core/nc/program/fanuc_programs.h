@@ -15,7 +15,7 @@
 namespace trc::program {
 
 // O1001, :1001, O<PART1> at the beginning of a line, <PART1> alone in it. The O is a word of its
-// block as N is: what stands behind it is executed.
+// block as N is: what stands after it is executed.
 struct ProgramHead {
   std::string name{};        // "1001", "<PART1>" in capitals; empty: the line begins no program
   std::int64_t number = -1;  // -1: it has a name
@@ -58,14 +58,14 @@ struct ProgramOfText {
 [[nodiscard]] std::vector<ProgramOfText> programs_of(const ProgramText& text,
                                                      Checkpoint& checkpoint);
 
-// Controls store programs by number, so a subprogram may stand in front of its caller.
+// Controls store programs by number, so a subprogram may stand before its caller.
 struct MainProgram {
   std::size_t line = 0;     // of its O
   bool is_first = true;     // of the text
   std::string first{};      // of the text, as it is told, where that is another one
   std::string ambiguous{};  // why the main program is not known; empty: it is
 };
-// `begun`: the first program, where its O stands in front of the text.
+// `begun`: the first program, where its O stands before the text.
 [[nodiscard]] MainProgram main_program_of(const ProgramText& text, const ProgramHead& begun,
                                           Checkpoint& checkpoint);
 

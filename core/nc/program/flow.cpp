@@ -226,7 +226,7 @@ void Flow::write_text_behind_end(std::string& flat, std::size_t behind) {
 }
 
 void Flow::copy_text_behind_end(std::string& flat, std::size_t behind) {
-  // Without M02 or M30 the lines would be executed; in a call they stand behind the call.
+  // Without M02 or M30 the lines would be executed; in a call they stand after the call.
   if (flat.empty() || frames_.size() > 1) return;
   const ProgramText& text = texts_.front();
   for (std::size_t line = frames_.front().current + 1; line < behind; ++line) {

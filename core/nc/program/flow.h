@@ -43,8 +43,8 @@ struct ModalState {
   std::array<std::optional<double>, 3> place{};
 };
 
-// Where the first block of the program stands: in the text that is executed, or in lines in front
-// of it, which have come out already.
+// Where the first block of the program stands: in the text that is executed, or in lines before
+// it, which have come out already.
 enum class FirstBlock : std::uint8_t { in_text, before_text };
 
 // What the reader of a program lends to its flow. All of a text is looked at before its first line
@@ -73,7 +73,7 @@ class Flow {
   // examined in turn, and an unknown value is taken for 1.
   void look_ahead();
 
-  // Takes lines that the reader has passed on in front of the text.
+  // Takes lines that the reader has passed on before the text.
   virtual void know(std::string_view /*lines*/) {}
   // Sets the modes in force; called before each step.
   void hold(const ModalState& modes) { modes_ = modes; }
@@ -84,7 +84,7 @@ class Flow {
   [[nodiscard]] bool machine_follows() const { return machine_follows_; }
   // The effects of the line executed last, where it calls a label that stays in the program.
   [[nodiscard]] const std::optional<KlartextEffects>& call_leaves() const { return call_leaves_; }
-  // Lines that set variables for a call of the machine, in front of what the line has become: they
+  // Lines that set variables for a call of the machine, before what the line has become: they
   // are copied as they stand.
   [[nodiscard]] const std::string& settings() const { return settings_; }
   // Whether the line executed last came out as it was written.
@@ -134,7 +134,7 @@ class Flow {
   [[nodiscard]] const ProgramText& text_of(const Frame& frame) const { return texts_[frame.text]; }
   [[nodiscard]] std::string_view line_end() const;
 
-  // For the line being executed: whether the setup leaves it out, and whether a line behind `/` may
+  // For the line being executed: whether the setup leaves it out, and whether a line with `/` may
   // be skipped.
   [[nodiscard]] bool is_left_out(std::string_view line) const;
   [[nodiscard]] bool may_be_skipped(bool behind_slash) const {
@@ -218,7 +218,7 @@ class Flow {
   std::deque<Stretch> ahead_{};
   bool supposes_ = false;        // the line that is looked at has a variable
   bool misread_ = false;         // a statement that may begin or end something
-  std::size_t passed_over_ = 0;  // line behind it; 0: nothing is
+  std::size_t passed_over_ = 0;  // line after it; 0: nothing is
 };
 
 // Whether a line makes its program one that computes.

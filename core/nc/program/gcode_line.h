@@ -34,11 +34,11 @@ struct LineHead {
   std::int64_t number = -1;  // -1: none
   std::size_t number_begin = 0;
   std::size_t number_end = 0;
-  std::size_t behind = 0;  // the first sign behind both
+  std::size_t behind = 0;  // the first sign after both
 };
 [[nodiscard]] LineHead head_of(std::string_view line);
 
-// The end of the text read up to `at`, without the blanks in front of `at`.
+// The end of the text read up to `at`, without the blanks before `at`.
 [[nodiscard]] inline std::size_t end_without_blanks(std::string_view line, std::size_t begin,
                                                     std::size_t at) {
   return begin + without_blanks_behind(line.substr(begin, at - begin)).size();

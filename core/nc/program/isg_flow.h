@@ -25,7 +25,7 @@ namespace trc::program {
 //     to each call; called programs know those of their caller. V.S. and V.E. outlast the run:
 //     their assignments come out, with their values. V.A. and V.G. are the machine's, but for the
 //     tool radii that the setup and the program give.
-//   - Subprograms stand in front of the program, behind %L NAME, or are texts of the setup, which
+//   - Subprograms stand before the program, after %L NAME, or are texts of the setup, which
 //     may have their own; they share all modes with their caller.
 //   - A call of a subprogram that is not there passes (D-47, D-67). It may read what the program
 //     has set, so these values come out before it at the latest. After it they are not known.
@@ -216,7 +216,7 @@ class IsgFlow : public Flow, private Variables {
   }
 
   std::vector<Unit> units_{};
-  std::map<std::pair<std::size_t, std::size_t>, Outline> outlines_{};  // by text and begin
+  std::map<std::pair<std::size_t, std::size_t>, Outline> outlines_{};  // by text and start
   Values values_{};
   std::vector<Values> locals_{1};
   std::set<std::string, std::less<>> whole_{};       // declared with a type of whole numbers
@@ -234,7 +234,7 @@ class IsgFlow : public Flow, private Variables {
   bool in_declaration_ = false;  // between #VAR and #ENDVAR
 
   // State of the line being executed.
-  std::string joined_{};    // of a line that goes on behind `\`
+  std::string joined_{};    // of a line that goes on after `\`
   bool is_joined_ = false;  // the line that is executed, of several
   std::string_view line_{};
   IsgHead head_{};

@@ -17,17 +17,17 @@ struct IsgHead {
   std::size_t number_end = 0;
   bool is_target = false;  // N10:
   std::string label{};     // of [NAME], in capitals; empty: none
-  std::size_t behind = 0;  // the first sign behind all
+  std::size_t behind = 0;  // the first sign after all
 };
 [[nodiscard]] IsgHead isg_head_of(std::string_view line);
 
 // The position after the comment that begins at `at`, which may nest; 0: it has no end.
 [[nodiscard]] std::size_t behind_isg_comment(std::string_view line, std::size_t at);
-// Where the command ends that begins with the `#` at `at`, without blanks behind it.
+// Where the command ends that begins with the `#` at `at`, without blanks after it.
 [[nodiscard]] std::size_t end_of_isg_command(std::string_view line, std::size_t at);
 // Whether nothing but comments stands from `at` on.
 [[nodiscard]] bool is_isg_line_over(std::string_view line, std::size_t at);
-// The word behind the sign at `at`, in capitals: IF of $IF, VAR of #VAR.
+// The word after the sign at `at`, in capitals: IF of $IF, VAR of #VAR.
 [[nodiscard]] std::string word_behind_sign(std::string_view line, std::size_t at);
 
 // Whether a parameter (P1, PP1, P[P1]) or a variable (V.P.NAME) begins there.
@@ -39,7 +39,7 @@ struct IsgHead {
 [[nodiscard]] bool computes_spindle(std::string_view words);
 [[nodiscard]] bool is_isg_expression_at(std::string_view line, std::size_t at);
 
-// %L NAME: a subprogram in front of its program. Empty: the line is none.
+// %L NAME: a subprogram before its program. Empty: the line is none.
 [[nodiscard]] std::string isg_subprogram_of(std::string_view line);
 [[nodiscard]] bool begins_isg_program(std::string_view line);
 
@@ -47,7 +47,7 @@ struct IsgHead {
 struct IsgCall {
   bool is_call = false;
   bool is_local = false;
-  bool is_joined = false;  // no blank in front of the name: of LLNAME both L may be the call
+  bool is_joined = false;  // no blank before the name: of LLNAME both L may be the call
   std::string name{};      // in capitals, without folder; with its ending
   std::size_t begin = 0;   // of the name
   std::size_t end = 0;

@@ -39,7 +39,7 @@ class LabelEffects {
 
   struct Label {
     std::size_t section = nowhere;
-    std::size_t step = 0;  // the first one behind it
+    std::size_t step = 0;  // the first one after it
   };
   // The effect of a line.
   struct Step {
@@ -55,7 +55,7 @@ class LabelEffects {
     bool has_label = false;
     bool leads_on = false;  // by calls or jumps
     bool is_looked_at = false;
-    KlartextEffects own{};  // of its lines behind the first label, if they are executed
+    KlartextEffects own{};  // of its lines after the first label, if they are executed
   };
 
   void add_step(const Step& step);

@@ -97,7 +97,7 @@ class LinuxcncFlow : public GcodeFlow {
   [[nodiscard]] std::span<const std::size_t> lines_of(std::size_t text, std::size_t scope,
                                                       const std::string& label,
                                                       Statement statement) const;
-  // The next O word of the label and the scope behind (or in front of) the current line whose
+  // The next O word of the label and the scope after (or before) the current line whose
   // statement is one of these.
   [[nodiscard]] std::optional<OWord> next_of(const std::string& label,
                                              std::initializer_list<Statement> statements) const;

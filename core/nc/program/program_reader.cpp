@@ -72,7 +72,7 @@ bool ProgramReader::feed(std::string_view text, std::vector<LinePointer>& lines)
 }
 
 // The first bytes have come. A byte order mark goes to the Interpreter, so that the first line
-// begins behind it. A text in UTF-16 has a fault in each line; it is told once, and as such.
+// begins after it. A text in UTF-16 has a fault in each line; it is told once, and as such.
 bool ProgramReader::begin(std::vector<LinePointer>& lines) {
   has_begun_ = true;
   const std::string first = std::exchange(partial_, {});

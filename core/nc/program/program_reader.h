@@ -22,7 +22,7 @@ namespace trc {
 // such a jump is refused (900305). Of ISG only lines that set variables are.
 //
 // A text of Fanuc that begins with an O may begin with a subprogram, whose main program stands
-// behind it. Its lines wait until one of them says that it is a main program (a tool, a work
+// after it. Its lines wait until one of them says that it is a main program (a tool, a work
 // offset, a unit, M30), `most_text_before` bytes at most. Where none does, and it ends with M99 or
 // computes, the whole text is collected, and the main program is looked for in it.
 class ProgramReader {
@@ -93,7 +93,7 @@ class ProgramReader {
   [[nodiscard]] program::ModalState modes() const;
   // The parts of what a line becomes: assignments for the machine, then the rest.
   enum class FlatText : std::uint8_t { settings, rest };
-  // Reads lines from `at` on, until there are `most` in `lines`, and moves `at` behind them.
+  // Reads lines from `at` on, until there are `most` in `lines`, and moves `at` past them.
   bool read_flat_lines(std::string_view flat, std::size_t& at, FlatText kind, std::size_t most,
                        std::vector<LinePointer>& lines);
   bool take_refusals();
@@ -118,10 +118,10 @@ class ProgramReader {
   std::string waiting_{};        // text that waits
   std::string first_program_{};  // the line of its O, where it need not be the main one
   std::string first_file_{};     // of an archive of Sinumerik: PART_MPF
-  bool starts_at_main_ = false;  // which stands behind what it calls
+  bool starts_at_main_ = false;  // which stands after what it calls
   std::size_t main_line_ = 0;
   bool main_is_known_ = false;
-  std::string rest_{};  // collected, but nothing in front of it computes
+  std::string rest_{};  // collected, but nothing before it computes
   std::size_t rest_at_ = 0;
 
   bool computing_ = false;
@@ -130,7 +130,7 @@ class ProgramReader {
   std::uint64_t lines_of_text_ = 0;
   bool executed_ = false;
   bool ended_ = false;  // with the line that is executed
-  std::string flat_{};  // which it has become, the text behind the end with it
+  std::string flat_{};  // which it has become, the text after the end with it
   std::size_t flat_at_ = 0;
 };
 

@@ -33,7 +33,7 @@ class ProgramText {
   [[nodiscard]] std::uint32_t number(std::size_t index) const {
     return first_line_ + static_cast<std::uint32_t>(index);
   }
-  // Whether lines in front of the first one are missing.
+  // Whether lines before the first one are missing.
   [[nodiscard]] bool is_cut() const { return first_line_ > 1; }
 
  private:

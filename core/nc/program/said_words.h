@@ -57,7 +57,7 @@ struct RegisterSetting {
 [[nodiscard]] std::optional<RegisterSetting> register_set_by(std::string_view line,
                                                              bool incremental);
 
-// Whether the line has that letter with a plain number behind it, outside of comments.
+// Whether the line has that letter with a plain number after it, outside of comments.
 [[nodiscard]] bool says_plainly(std::string_view line, char letter);
 
 }  // namespace trc::program

@@ -181,7 +181,7 @@ class SinumerikFlow : public Flow, private Variables {
   void write_values();
   void lose_values();
 
-  // sinumerik_kept_parts.cpp: what stands behind the program and stays.
+  // sinumerik_kept_parts.cpp: what stands after the program and stays.
   void note_named_by_cycles(std::string_view written);
   bool keep_parts_behind_end(const std::vector<bool>& called, std::string& flat);
   bool find_named_labels(const std::vector<std::string>& names, std::set<std::size_t>& lines);
@@ -232,7 +232,7 @@ class SinumerikFlow : public Flow, private Variables {
   // since they were last written.
   std::set<std::string, std::less<>> kept_{};
   std::set<std::pair<std::string, std::size_t>> unwritten_elements_{};
-  std::size_t start_ = 0;  // the lines in front of it have passed as they stand
+  std::size_t start_ = 0;  // the lines before it have passed as they stand
   // Texts among the arguments of cycles that pass: they may name parts of the program.
   std::set<std::vector<std::string>> named_by_cycles_{};
   bool modal_call_reads_ = false;  // MCALL of what only the machine has

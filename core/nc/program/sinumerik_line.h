@@ -17,7 +17,7 @@ struct NamedHead {
   std::size_t number_end = 0;
   std::string label{};  // in capitals; empty: none
   std::size_t label_begin = 0;
-  std::size_t behind = 0;  // the first sign behind all
+  std::size_t behind = 0;  // the first sign after all
 };
 [[nodiscard]] NamedHead named_head_of(std::string_view line);
 

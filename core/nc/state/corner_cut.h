@@ -8,7 +8,7 @@
 
 namespace trc {
 
-// What a program does to the corner behind a motion: ,R ,C of Fanuc, RND= CHF= CHR= of Sinumerik,
+// What a program does to the corner after a motion: ,R ,C of Fanuc, RND= CHF= CHR= of Sinumerik,
 // RND CHF of Heidenhain.
 struct CornerCut {
   // open: a later line may still give the form.

@@ -35,8 +35,8 @@ enum class Climb : std::uint8_t { behind_the_lead, along_the_lead };
 // How the third axis comes to the plane of the contour with a smooth approach of Sinumerik.
 struct Infeed {
   double height = 0;            // mm: coordinate up to which the tool comes as it came there
-  bool along_the_lead = false;  // from there on with the lead (G340), else in front of it (G341)
-  double feed = 0;              // mm/min, of the way in front of the lead
+  bool along_the_lead = false;  // from there on with the lead (G340), else before it (G341)
+  double feed = 0;              // mm/min, of the way before the lead
 
   template <class Archive>
   void serialize(Archive& archive) {

@@ -25,7 +25,7 @@ enum class WordRole : std::uint8_t {
   feed,        // F of a feed per minute
   technology,  // S T D M H, dwell, zero shifts with their axis words, all other G functions
                // and commands that pass
-  stop,        // M00 M01 M02 M30: technology that acts behind the motion of its line, so behind
+  stop,        // M00 M01 M02 M30: technology that acts after the motion of its line, so after
                // all blocks that the motion becomes
   comment,     // ( … ) and ; …, with the signs
 };
@@ -53,13 +53,13 @@ struct KlartextLine {
   std::uint64_t increments = 0;  // of those
   bool sets_pole = false;        // CC
   bool needs_pole = false;       // C CP LP CTP
-  bool loses_pole = false;       // behind it only the control knows where the pole is
+  bool loses_pole = false;       // after it only the control knows where the pole is
   bool hands_pole_on = false;    // CALL, LBL: what follows there may count on it
   bool sets_polar_radius = false;
   bool needs_polar_radius = false;  // LP without PR
   bool counts_from_start = false;   // CT, IPA, IPR: more than increments of axes
   bool needs_tangent = false;       // CT CTP
-  double pole_x = 0;                // in force behind the line, in the axes of the plane, mm
+  double pole_x = 0;                // in force after the line, in the axes of the plane, mm
   double pole_y = 0;
 
   bool operator==(const KlartextLine&) const = default;
@@ -129,7 +129,7 @@ struct ProgramLine {
   return !((second >= 'A' && second <= 'Z') || (second >= 'a' && second <= 'z'));
 }
 
-// The name of several characters in front of the sign, as in X1=5 and MX = 5; else empty.
+// The name of several characters before the sign, as in X1=5 and MX = 5; else empty.
 [[nodiscard]] inline std::string_view long_name_of(const ProgramLine& line, const WordRange& word) {
   const std::string_view text = line.word(word);
   std::size_t end = 0;

@@ -37,7 +37,7 @@ enum class WholeNumbers : std::uint8_t {
   increments,  // X10 is 0.010 mm, 0.0010 in or 0.010 degrees: the least input increment
 };
 
-// How the switch for block skip stands: lines behind `/` (D-59).
+// How the switch for block skip stands: lines with `/` (D-59).
 enum class BlockSkip : std::uint8_t {
   refuse,     // unknown: whatever depends on it is refused (900017)
   execute,    // off: they are lines like any other

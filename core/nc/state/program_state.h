@@ -60,7 +60,7 @@ struct MoveRequest {
   std::vector<std::optional<double>> tracking{};  // by index into tracking_axes
   double feed = 0;                                // mm/min in force
   ContourRole role = ContourRole::unspecified;
-  std::optional<CornerCut> corner{};  // behind the motion, in a contour
+  std::optional<CornerCut> corner{};  // after the motion, in a contour
   double corner_feed = 0;             // of it, mm/min; 0: that of the motion
 
   template <class Archive>
@@ -118,7 +118,7 @@ class ProgramState {
   // number of selection begins unless the side only changes. 900103.
   bool select(Side side, const Source& source);
   // G40. Under G239 the last equidistant point becomes the position, if the
-  // selection had a contour block behind its approach: a coordinate that is not
+  // selection had a contour block after its approach: a coordinate that is not
   // programmed afterwards keeps the compensated value (rule 3.6).
   // Warns of a selection without any motion (D-28); nothing is done while off.
   bool deselect(const Source& source);
@@ -181,7 +181,7 @@ class ProgramState {
   //
   // A circle needs a centre or a radius; a centre word that is missing is 0
   // relative to the start point (G162), or the coordinate of the start point
-  // (G161). Behind a deselection under G239 that left the programmed point there
+  // (G161). After a deselection under G239 that left the programmed point there
   // is none before a straight motion in the plane (D-37). 20034, 20035, 20036,
   // 21024, 21758, 90018, 90133, 90134, 900003 (centre word across the plane),
   // 900101, 900105, 900106. A centre that is shifted gets a warning (900221).
@@ -194,13 +194,13 @@ class ProgramState {
     if (!mode_.active() || in_plane_blocks_ == 0) return {};
     return tangent_at_end(last_path_);
   }
-  // RND and CHF of Klartext, lines of their own behind a motion of a contour. `feed`: of the cut,
+  // RND and CHF of Klartext, lines of their own after a motion of a contour. `feed`: of the cut,
   // mm/min; 0: that of the motion. 900003 where the motion has no corner to be cut.
   bool cut_corner_behind(const CornerCut& cut, double feed, const Source& source);
-  // APPR of Klartext and G147 of Sinumerik, behind select(): the contour begins at `end` of the
+  // APPR of Klartext and G147 of Sinumerik, after select(): the contour begins at `end` of the
   // request, whose feed is that of the lead. `way`: how the tool goes there from where it stands.
   // The lead comes out with the first motion of the contour, which gives the direction of the
-  // contour. Without `infeed` the third axis travels with the feed of the lead, in front of it.
+  // contour. Without `infeed` the third axis travels with the feed of the lead, before it.
   // 900003 where there is no room.
   bool approach_by(const Lead& lead, const MoveRequest& request, const MoveRequest& way,
                    const std::optional<Infeed>& infeed = {});
@@ -370,7 +370,7 @@ class ProgramState {
     last_index_ = index;
     return last_part_;
   }
-  // Behind the first motion of the contour.
+  // After the first motion of the contour.
   [[nodiscard]] bool is_in_contour() const { return mode_.active() && in_plane_blocks_ > 0; }
   template <class Shape>
   bool append_between_corners(const MoveRequest& request, const Shape& shape, const Position& end,
@@ -424,7 +424,7 @@ class ProgramState {
   double left_at_height_ = 0;  // mm, across the plane, where the contour of that retract ended
   std::array<bool, 3> beside_contour_{};
   bool just_deselected_ = false;
-  std::optional<Plane> next_plane_{};  // named behind a bare G40
+  std::optional<Plane> next_plane_{};  // named after a bare G40
   Source increments_since_{};          // where G91 stands last
   HeldCorner corner_{};
   std::optional<PendingLead> lead_{};

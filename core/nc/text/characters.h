@@ -7,7 +7,7 @@
 
 namespace trc {
 
-// May stand in front of a text in UTF-8.
+// May stand before a text in UTF-8.
 inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 // Converts ASCII letters only, whatever the locale.

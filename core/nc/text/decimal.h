@@ -25,7 +25,7 @@ inline std::uint64_t eight_bytes(const char* at) {
 // array makes the compiler guard the stack.
 [[nodiscard]] std::uint64_t bytes_of_short_line(const char* at, std::size_t left);
 
-// The bytes of `line` from `at` on, zeros behind its end.
+// The bytes of `line` from `at` on, zeros past its end.
 inline std::uint64_t next_bytes(std::string_view line, const char* at) {
   constexpr std::size_t size = 8;
   const auto left = static_cast<std::size_t>(line.data() + line.size() - at);
@@ -48,23 +48,23 @@ class ShortDigits {
  public:
   ShortDigits(std::string_view line, const char* at)
       : bytes_(next_bytes(line, at) ^ 0x3030'3030'3030'3030),
-        // The top bit of a byte is set where it is above 9; a carry only reaches bytes behind such
+        // The top bit of a byte is set where it is above 9; a carry only reaches bytes after such
         // a one.
         others_((bytes_ | (bytes_ + 0x7676'7676'7676'7676)) & 0x8080'8080'8080'8080),
         end_(static_cast<unsigned>(std::countr_zero(others_))) {}
 
   [[nodiscard]] bool are_short() const { return others_ != 0; }
   [[nodiscard]] unsigned count() const { return end_ / 8; }
-  // The digits with zeros in front.
+  // The digits with leading zeros.
   [[nodiscard]] std::uint64_t number() const { return number_of(bytes_ << 8 << (63 - end_)); }
-  // The digits with zeros behind: a fraction times `short_scale`.
+  // The digits with trailing zeros: a fraction times `short_scale`.
   [[nodiscard]] std::uint64_t fraction() const {
     return number_of(bytes_ & (others_ ^ (others_ - 1)) >> 8);
   }
 
  private:
   std::uint64_t bytes_;   // less '0' each
-  std::uint64_t others_;  // the top bit of the first byte that is no digit, and of some behind it
+  std::uint64_t others_;  // the top bit of the first byte that is no digit, and of some after it
   unsigned end_;          // the place of that bit
 };
 
@@ -77,7 +77,7 @@ struct AnyNumber {
 
 }  // namespace decimal
 
-// Moves `at` behind the number there: sign, digits, point; false when there is none. `whole`: it
+// Moves `at` past the number there: sign, digits, point; false when there is none. `whole`: it
 // has no point. Infinite when it is larger than any double, else correctly rounded: where the
 // digits as a whole number and the power of ten that they are divided by are exact as doubles, one
 // division rounds once, and it does not matter which of the powers that leave a whole number is

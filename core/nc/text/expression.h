@@ -8,7 +8,7 @@
 namespace trc {
 
 // Value of the expression at the start of `text`: decimal numbers, + - * / ** and brackets [ ],
-// with blanks between. `length` are the bytes it takes; a word behind it is not read.
+// with blanks between. `length` are the bytes it takes; a word after it is not read.
 //
 // Numbers only: a variable or a function is refused by its name (900003). A number too large or a
 // division by zero is 900008, an open bracket 900009. `begin` of a fault counts from `text`.

@@ -9,14 +9,14 @@
 namespace trc {
 
 // Cuts a line of a dialect of plain letters and numbers into words: that of Fanuc and of
-// LinuxCNC. Unlike WordReader, which reads ISG's, it knows comments that do not nest, the `/` in
-// front of a block to skip, `,R` and `,C`, and takes L and P for letters like all others.
+// LinuxCNC. Unlike WordReader, which reads ISG's, it knows comments that do not nest, the `/`
+// before a block to skip, `,R` and `,C`, and takes L and P for letters like all others.
 struct GcodeWord {
   enum class Kind : std::uint8_t { end, comment, skip, address, fault };
   Kind kind = Kind::end;
   char letter = 0;          // upper case; `$`: the spindle of M03; `@`: polar coordinates, @ and ^
   bool comma = false;       // ,R ,C
-  bool has_number = false;  // false only behind N and O
+  bool has_number = false;  // false only after N and O
   bool whole = false;       // without decimal point
   double value = 0;
   std::uint32_t begin = 0;  // bytes of the line

@@ -6,14 +6,14 @@
 
 namespace trc {
 
-// A word behind TOOL CALL or TOOL DEF.
+// A word after TOOL CALL or TOOL DEF.
 struct KlartextToolWord {
   enum class Kind : std::uint8_t {
     end,
     number,     // 5, 5.1: the tool
     text,       // "…": its name
     parameter,  // Q5, QS1
-    name,       // S1000, DR+0.5, Z: `name`, and behind it perhaps a value
+    name,       // S1000, DR+0.5, Z: `name`, and after it perhaps a value
     unknown,
   };
   enum class Value : std::uint8_t {
@@ -31,7 +31,7 @@ struct KlartextToolWord {
   std::string_view text{};       // the whole word
 };
 
-// Cuts what stands behind TOOL CALL and TOOL DEF into words: capitals, the letters in quotes are
+// Cuts what stands after TOOL CALL and TOOL DEF into words: capitals, the letters in quotes are
 // hidden, single blanks. Words need no blanks between them; blanks may stand between a name and its
 // value, and a decimal comma is one, as older controls write it.
 class KlartextToolReader {

@@ -8,7 +8,7 @@
 
 namespace trc {
 
-// A word of Klartext: a name and what stands behind it.
+// A word of Klartext: a name and what stands after it.
 struct KlartextWord {
   enum class Kind : std::uint8_t {
     end,
@@ -19,7 +19,7 @@ struct KlartextWord {
     number,    // a number without name
     text,      // "…"
     comment,   // ; …
-    skip,      // / in front
+    skip,      // leading /
     fault,
   };
   Kind kind = Kind::end;
@@ -59,7 +59,7 @@ class KlartextReader {
 // Whether the block is a comment alone.
 [[nodiscard]] bool is_klartext_comment(std::string_view block);
 
-// Whether the block goes on behind `line`, one physical line: it ends in `~` and is no comment.
+// Whether the block goes on after `line`, one physical line: it ends in `~` and is no comment.
 [[nodiscard]] bool is_continued_klartext(std::string_view line);
 
 }  // namespace trc

@@ -2,7 +2,7 @@
 
 namespace trc {
 
-// One operand of an expression within another: behind a sign, in brackets, an argument, an index.
+// One operand of an expression within another: after a sign, in brackets, an argument, an index.
 // The reader recurses for each, so their depth is bounded: the stack must not run out.
 class Nesting {
  public:

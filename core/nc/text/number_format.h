@@ -30,7 +30,7 @@ inline constexpr std::array<std::int64_t, most_decimals + 1> units_per_one_by_de
 // the middle between two integers, the exact product has the same nearest integer, and is no tie.
 [[nodiscard]] inline std::int64_t to_units(double value, int decimals) {
   constexpr double largest = 0x1p41;
-  constexpr double to_integer = 0x1.8p52;  // a sum with it has no bits behind the point
+  constexpr double to_integer = 0x1.8p52;  // a sum with it has no bits after the point
   const double units = value * static_cast<double>(units_per_one(decimals));
   const double nearest = (units + to_integer) - to_integer;
   const double away = units - nearest;

@@ -24,7 +24,7 @@ struct Word {
   WordKind kind = WordKind::end;
   char letter = 0;            // address: upper case
   bool whole = false;         // the number has neither decimal point nor fraction
-  bool has_argument = false;  // G159=3, S2=500: the number behind the sign
+  bool has_argument = false;  // G159=3, S2=500: the number after the sign
   bool relative = false;      // a variable: itself and `value`
   double value = 0;
   double argument = 0;
@@ -46,7 +46,7 @@ struct TextFault {
 // Words need no blanks between them; blanks may stand between a letter, its `=`
 // and its number. A no-break space is a blank: text copied from a manual holds it.
 // A comment in parentheses nests and ends in its line (900009). Numbers are
-// decimal without exponent: E is a letter of its own. Behind `=` they may be computed: X=100/2,
+// decimal without exponent: E is a letter of its own. After `=` they may be computed: X=100/2,
 // Y=4 + 5.
 class WordReader {
  public:
@@ -107,7 +107,7 @@ inline constexpr double largest_whole = 1e15;
 // A number of Sinumerik, where 5EX1 is 50.
 [[nodiscard]] std::size_t read_named_number(std::string_view text, double& value, bool& whole);
 
-// S[M3 REV1000], S2[POS=90 M19] of ISG, from the S on: behind the bracket; 0: it is a number or an
+// S[M3 REV1000], S2[POS=90 M19] of ISG, from the S on: after the bracket; 0: it is a number or an
 // expression.
 [[nodiscard]] std::size_t behind_spindle_words(std::string_view text);
 
@@ -117,7 +117,7 @@ inline constexpr double largest_whole = 1e15;
 // first_byte_that_is_no_text() for UTF-8 alone.
 [[nodiscard]] std::size_t first_byte_that_is_no_utf8(std::string_view text);
 
-// Whether the block goes on behind `line`, one physical line: it ends in `\`
+// Whether the block goes on after `line`, one physical line: it ends in `\`
 // outside a comment and is no program name.
 [[nodiscard]] bool is_continued(std::string_view line);
 

@@ -123,7 +123,7 @@ class MotionWriter {
   void append_arc(TextBuffer& out, const NumberedArc& arc, const Axes& axes,
                   WrittenState& state) const;
 
-  // In Klartext the centre is a block of its own, in front of the arc: CC.
+  // In Klartext the centre is a block of its own, before the arc: CC.
   void append_pole(TextBuffer& out, const Point& pole, Plane plane, WrittenState& state) const;
 
   // Whether two feeds are written alike, mm/min.

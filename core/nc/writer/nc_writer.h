@@ -179,7 +179,7 @@ class NcWriter {
   WrittenState after_;              // of the line being judged
   bool feed_is_programmed_ = true;  // the last F word is one of the program
   // The feed of the program where only the control knows its value, of Klartext: FQ5, FZ0.1. It is
-  // written anew behind a feed that holds for some blocks only.
+  // written anew after a feed that holds for some blocks only.
   std::string open_feed_{};
   bool open_feed_holds_ = false;  // it is the last F word that has come out
   // A TRC mode that is in force in the program and missing in the output.
@@ -206,7 +206,7 @@ class NcWriter {
   std::uint64_t copied_index_ = std::numeric_limits<std::uint64_t>::max();
   const WaitingLine* own_ = nullptr;  // the line of the block being written, until it has come out
   TextBuffer words_;                  // of the line being written, a blank before each
-  TextBuffer last_comment_;           // behind them: what begins with `;` ends the line
+  TextBuffer last_comment_;           // after them: what begins with `;` ends the line
   TrackingTravel tracking_{};         // of the piece being written
   std::string_view line_end_ = "\n";  // of the lines TRC inserts: that of the line before
   bool line_end_missing_ = false;     // the text so far ends with a line without

@@ -13,7 +13,7 @@ namespace trc {
 //
 //            o                The short block leads from B to C. On the side where both corners
 //            | .  C           are inside, the tool goes round the whole of it, which is an outside
-//     -------x--.o            corner: round C, where B is less far beyond the block behind it, else
+//     -------x--.o            corner: round C, where B is less far beyond the block after it, else
 //            |.'              round B.
 //          B o
 struct BowTie {

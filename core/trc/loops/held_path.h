@@ -21,7 +21,7 @@ namespace trc {
 // made again when it leaves. So a selection of millions of blocks fits into memory, and the data
 // used most into the caches.
 //
-// The blocks of the path are counted from the begin of the selection, and so are the
+// The blocks of the path are counted from the start of the selection, and so are the
 // programmed contour blocks.
 class HeldPath {
  public:
@@ -65,7 +65,7 @@ class HeldPath {
   // Whether the last block was compensated in the same way as this one.
   [[nodiscard]] bool follows_like(const PathBlock& block) const;
 
-  // Numbers, from begin to end.
+  // Numbers, from start to end.
   [[nodiscard]] std::size_t begin() const { return blocks_.begin(); }
   [[nodiscard]] std::size_t end() const { return blocks_.end(); }
   [[nodiscard]] bool empty() const { return blocks_.empty(); }
@@ -113,13 +113,13 @@ class HeldPath {
   };
   [[nodiscard]] Stretch stretch(std::size_t first, std::size_t end) const;
   [[nodiscard]] std::size_t number_of(std::size_t block) const { return blocks_[block].number; }
-  // Whether passive blocks lie behind the next block to be restored, or one before it.
+  // Whether passive blocks lie after the next block to be restored, or one before it.
   [[nodiscard]] bool has_passive(std::size_t next) const {
     return !passive_.empty() && passive_[passive_.begin()].block <= next;
   }
   // Whether only the axes of the plane move in a block.
   [[nodiscard]] bool stays_put(std::size_t block) const;
-  // Whether the tool leaves the height it is at by a motion of its own, behind one of the blocks
+  // Whether the tool leaves the height it is at by a motion of its own, after one of the blocks
   // from `first` to the one before `end`; none of them has been restored.
   [[nodiscard]] bool changes_depth(std::size_t first, std::size_t end) const;
   [[nodiscard]] bool has_own_data(std::size_t block) const { return blocks_[block].has_own; }

@@ -88,7 +88,7 @@ class LoopExits {
   // where it begins.
   [[nodiscard]] std::optional<LoopExit> exit_behind_into_rest(const PathPiece& at,
                                                               const Onset& onset) const;
-  // An exit on it or before it, where the first walls, which lie behind the last ones, are in the
+  // An exit on it or before it, where the first walls, which lie after the last ones, are in the
   // way: there the path goes on along the lead-out.
   [[nodiscard]] std::optional<LoopExit> exit_by_lead_out(const PathPiece& piece,
                                                          const Onset& onset) const;

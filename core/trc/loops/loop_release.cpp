@@ -344,7 +344,7 @@ bool LoopRelease::check_left_out() {
     if (stretch.length > 0) stretch.of_walls = of_walls();
     longest.add(stretch);
     left_out_in_all += stretch.length;
-    // Where a window has left the begin of the contour behind, laps may be unknown.
+    // Where a window has left the start of the contour behind, laps may be unknown.
     const bool is_whole = path_.begin_of_contour() > 0 ? goes_round(reached, next, stretch)
                                                        : holds_a_whole(reached, next, stretch);
     if (!whole_part && is_whole) whole_part = stretch;

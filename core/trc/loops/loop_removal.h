@@ -26,7 +26,7 @@ namespace trc {
 // inserts the transitions of G25, and LoopRelease puts out the rest.
 //
 // Holds such a selection as a whole, or, with a window of N contour blocks (D-10), looks N blocks
-// ahead and back: the path of a block leaves when the N-th block behind it has come. All else
+// ahead and back: the path of a block leaves when the N-th block after it has come. All else
 // passes through at once.
 class LoopRemoval {
  public:
@@ -59,7 +59,7 @@ class LoopRemoval {
     return is_leaving() && held_.entering.empty() ? &release_ : nullptr;
   }
   [[nodiscard]] const HeldPath& path() const { return held_.path; }
-  // The selection that it has stopped at, approach first and without the leads at the begin; no
+  // The selection that it has stopped at, approach first and without the leads at the start; no
   // blocks where part of it has left.
   [[nodiscard]] RefusedWay refused_way() const;
 
@@ -81,7 +81,7 @@ class LoopRemoval {
   struct Behind {
     PathBlocks blocks{};
     PathBlocks taken{};         // of these, while they are fed again; empty else
-    Input input = Input::more;  // behind the last one
+    Input input = Input::more;  // after the last one
   };
 
   bool end_selection();
@@ -96,7 +96,7 @@ class LoopRemoval {
   void note_contour_block(const Box& programmed, const Certificate::Block& course);
   // The contour from a block on.
   [[nodiscard]] ContourView contour_from(std::size_t first) const;
-  // Finds the walls (D-38), once the contour has ended and if its begin is still known, or that of
+  // Finds the walls (D-38), once the contour has ended and if its start is still known, or that of
   // its last lap.
   void find_walls();
   // Walks as far as the contour is known. Returns false once the stream must stop.

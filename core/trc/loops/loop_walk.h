@@ -92,7 +92,7 @@ class LoopWalk {
   }
 
  private:
-  // Blocks of the path are counted from the begin of the selection, contour blocks too.
+  // Blocks of the path are counted from the start of the selection, contour blocks too.
   using Onset = Obstacles::Onset;
   using Nearness = Obstacles::Nearness;
   enum class Step { done, wait, stop };
@@ -165,7 +165,7 @@ class LoopWalk {
   [[nodiscard]] std::optional<Onset> next_onset() const;
   // Whether the corners leave nothing of the block, so that it is travelled backwards.
   [[nodiscard]] bool runs_backwards(std::size_t block) const;
-  // Whether the loop between two places soon violates; the path enters the obstacle at its begin.
+  // Whether the loop between two places soon violates; the path enters the obstacle at its start.
   [[nodiscard]] bool violates_soon(const PathPlace& from, const PathPlace& to,
                                    std::size_t obstacle) const;
 
@@ -186,7 +186,7 @@ class LoopWalk {
   PathPiece at_{};
   Tolerated tolerated_{};
   std::vector<Pass> passes_;  // the last ones, whose loops the walk may still be in
-  // For a window only: the first piece of, or behind, the chain that ends with the last contour
+  // For a window only: the first piece of, or after, the chain that ends with the last contour
   // block.
   std::size_t first_of_chain_ = 0;
   // For a window only: the pieces from this one on come no nearer than `Nearness::exact` allows.

@@ -60,7 +60,7 @@ class Obstacles {
     const bool has_some = !walls_.leads.empty() && walls_.leads.back().end == end_of_contour();
     return has_some ? walls_.leads.back().first : end_of_contour();
   }
-  // For a block at the end of the contour: the block at its begin that it goes over again.
+  // For a block at the end of the contour: the block at its start that it goes over again.
   [[nodiscard]] std::optional<std::size_t> first_visit_of(std::size_t number) const {
     const bool goes_over = walls_.blocks_of_round > 0 && number >= walls_.blocks_of_round &&
                            number - walls_.blocks_of_round < walls_.head.end;
@@ -122,7 +122,7 @@ class Obstacles {
     return block >= few_.first && block < few_.end && few_.near.empty() ? few_.end : block;
   }
 
-  // Behind the path.
+  // After the path.
   template <class Archive>
   void serialize(Archive& archive) {
     archive(certificate_, walls_, all_are_walls_);
@@ -130,7 +130,7 @@ class Obstacles {
   }
 
  private:
-  // Puts first visits in front in numbers_, where the path of the block comes before them.
+  // Puts first visits at the front of numbers_, where the path of the block comes before them.
   void put_first_visits_in_front(std::size_t block, const Point& place, double limit) const;
   // mm.
   [[nodiscard]] double let_pass(double radius, Nearness nearness) const {

@@ -11,7 +11,7 @@ namespace trc {
 
 // A point of the path of a selection: how far along which block.
 struct PathPlace {
-  std::size_t block = 0;  // counted from the begin of the selection
+  std::size_t block = 0;  // counted from the start of the selection
   double along = 0;       // mm from the start of its tool path
 
   bool operator<(const PathPlace& other) const {
@@ -49,7 +49,7 @@ struct PathPiece {
 };
 
 // The pieces of the path that LoopRemoval has walked and that have not left yet. They are counted
-// from the begin of the selection.
+// from the start of the selection.
 class WalkedPath {
  public:
   // A piece as it is kept: most are whole blocks.

@@ -79,7 +79,7 @@ void Bottlenecks::hold(PathBlockPtr block) {
     const bool first = contour_.empty();
     if (!first && contour_.back().mode->side != block->mode().side) {
       changes_.push_back(number);
-      // Each side has its own closing, and the begin of this one may have been forgotten.
+      // Each side has its own closing, and the start of this one may have been forgotten.
       walls_.reset();
     }
     has_roles_ = has_roles_ || block->programmed.role != ContourRole::unspecified;

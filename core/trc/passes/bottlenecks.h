@@ -59,7 +59,7 @@ class Bottlenecks {
   void hold(PathBlockPtr block);
   // The contour from a block on.
   [[nodiscard]] ContourView contour_from(std::size_t first) const;
-  // Finds the walls, once the contour has ended and if its begin is still known, or that of its
+  // Finds the walls, once the contour has ended and if its start is still known, or that of its
   // last lap.
   void find_walls();
   // The part of a contour block that is a wall for the path of another one, and how near that path
@@ -90,10 +90,10 @@ class Bottlenecks {
   PathBlocks held_;
   std::vector<std::size_t> numbers_;  // of the contour block, or of the one before it
 
-  // The contour, counted from the begin of the selection, as far as a window reaches.
+  // The contour, counted from the start of the selection, as far as a window reaches.
   std::vector<MotionBlock> contour_;
   std::size_t contour_base_ = 0;
-  std::vector<std::size_t> changes_;  // of side: the first contour block behind each
+  std::vector<std::size_t> changes_;  // of side: the first contour block after each
   std::optional<SidedWalls> walls_;   // nothing: all of the contour is one
   ClosingWatch closing_;              // for a window only
   BoxTree boxes_;

@@ -62,7 +62,7 @@ std::optional<PathBlock::Rejoin> join_in_line(const OffsetCurve& before, const O
       .cut_before = back > std::numbers::pi ? back - 2 * std::numbers::pi : back};
 }
 
-// How far the begin of the second block may lie beside the way on which the first one goes on, and
+// How far the start of the second block may lie beside the way on which the first one goes on, and
 // the end of the first one beside the way back: the effect of rounded ends grows with the distance
 // of the blocks and falls with their lengths (D-44).
 double most_aside(const PathBlock& before, const PathBlock& after, double resolution) {

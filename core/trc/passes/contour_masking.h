@@ -93,12 +93,12 @@ class ContourMasking {
   void report_masked(std::size_t first, std::size_t end);
   // The masked blocks from `first` on and before `end`, which moves to the first block after.
   [[nodiscard]] LeftOut left_out(std::size_t first, std::size_t& end) const;
-  // Whether masked blocks begin with this one, behind a kept one.
+  // Whether masked blocks begin with this one, after a kept one.
   [[nodiscard]] bool begins_masked(std::size_t index) const {
     return held(index).masked && !(index > base_ && held(index - 1).masked);
   }
   [[nodiscard]] double cut_off_beside(std::size_t first, std::size_t end) const;
-  // Finds the walls of the held contour (D-38), as far as its begin is known.
+  // Finds the walls of the held contour (D-38), as far as its start is known.
   void find_walls();
   [[nodiscard]] double wall_length(std::size_t index) const;
   // The number of a held block among those of the contour.

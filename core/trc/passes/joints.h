@@ -14,7 +14,7 @@ namespace trc {
 // Why two blocks cannot be joined.
 struct JointRefusal {
   Code code{};
-  bool of_after = false;  // the block behind the corner is at fault, else the one before
+  bool of_after = false;  // the block after the corner is at fault, else the one before
   Point place = Point::Zero();
 };
 

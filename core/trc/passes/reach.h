@@ -6,7 +6,7 @@
 namespace trc {
 
 // Whether a tool of this radius, mm, leaves a contour block a compensated length between the blocks
-// before and behind it, which end and begin where it begins and ends.
+// before and after it, which end and begin where it begins and ends.
 [[nodiscard]] bool is_reached(const PathBlock& before, const PathBlock& block,
                               const PathBlock& after, double radius, const Tolerances& tolerances);
 

@@ -18,7 +18,7 @@
 
 namespace trc {
 
-// Turns path blocks into the result: puts passive blocks behind their block (D-25), sets the feed
+// Turns path blocks into the result: puts passive blocks after their block (D-25), sets the feed
 // at the tool centre (G10, G11) and counts. Checks the promise that all callers rely on: each block
 // starts where the one before ended.
 class Reporting {

@@ -83,7 +83,7 @@ class Transitions {
   RefusedWay& refused_way_;
   PathBlockPtr held_;
   PathBlockPtr short_;  // after the held block: that of a bow tie if the next crosses the held one
-  PathBlocks masked_;   // behind the held block
+  PathBlocks masked_;   // after the held block
   // The contour block before the held one, if both are of the contour and meet in a corner.
   std::optional<Segment> wall_before_;
   double deepest_told_ = 0;  // mm, of corners that wear mode does not reach

@@ -13,7 +13,7 @@ namespace trc {
 // place.
 struct RefusedWay {
   bool leaves = false;
-  // A way in: the selection block and the contour behind it as far as it is known. A way out: the
+  // A way in: the selection block and the contour after it as far as it is known. A way out: the
   // last contour block and the deselection block. None: nothing was refused.
   std::vector<MotionBlock> blocks{};
   double shift = 0;  // mm to the left of the contour; negative: right
@@ -23,14 +23,14 @@ struct RefusedWay {
   std::optional<double> needed_straight{};
   // The cut of the corner before it from the last contour block, as in PathBlock.
   double cut_at_start = 0;
-  // Where loops are removed, `blocks` begins after the leads at the begin: the numbers of leads
+  // Where loops are removed, `blocks` begins after the leads at the start: the numbers of leads
   // left out there, and of blocks at its end that are no walls.
   bool removes_loops = false;
   bool at_begin = false;  // nothing of it can be travelled
   std::size_t leads_in = 0;
   std::size_t leads_out = 0;
   // The way in is not at fault: `blocks` are a whole contour that begins and closes in an inside
-  // corner, where the tool has no room beside the begin (rule 3.2).
+  // corner, where the tool has no room beside the start (rule 3.2).
   bool in_corner = false;
   // Where the way in meets the equidistant under G238, which needs no length but a free start.
   std::optional<Point> target{};

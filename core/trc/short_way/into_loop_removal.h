@@ -17,7 +17,7 @@ namespace trc {
 // The end of the short way in a contour whose loops are removed: the held path of LoopRemoval.
 class IntoLoopRemoval {
  public:
-  // The passes behind LoopRemoval: take all of `path`, and leave it empty. Returns false once the
+  // The passes after LoopRemoval: take all of `path`, and leave it empty. Returns false once the
   // stream must stop.
   using LeaveSelection = std::function<bool(PathBlocks& path, std::vector<CompensatedBlock>& out)>;
 
@@ -30,7 +30,7 @@ class IntoLoopRemoval {
 
   // Whether LoopRemoval holds the contour so far, so that the short way ends here.
   [[nodiscard]] bool is_open() const { return entry_.is_open(); }
-  // Whether a stretch of plain blocks may begin behind this block.
+  // Whether a stretch of plain blocks may begin after this block.
   [[nodiscard]] bool takes_more_like(const PathBlock& block) const {
     return entry_.takes_more_like(block);
   }
@@ -38,7 +38,7 @@ class IntoLoopRemoval {
     entry_.go_on_like_last();
     goes_on_ = true;
   }
-  // Whether the stretch may go on behind the last block that was taken.
+  // Whether the stretch may go on after the last block that was taken.
   [[nodiscard]] bool goes_on() const { return goes_on_; }
 
   // Takes the block before the corner and the blocks inserted after it, reachable or not, and puts
@@ -63,7 +63,7 @@ class IntoLoopRemoval {
   LeaveSelection leave_selection_;
   bool goes_on_ = true;
   MotionBlock inserted_{};  // one after the other
-  PathBlocks leaving_;      // between LoopRemoval and the passes behind it
+  PathBlocks leaving_;      // between LoopRemoval and the passes after it
 };
 
 }  // namespace trc

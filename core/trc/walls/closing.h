@@ -54,14 +54,14 @@ struct EndsMeeting {
   bool operator==(const EndsMeeting&) const = default;
 };
 
-// Where a contour comes back to its begin (D-38).
+// Where a contour comes back to its start (D-38).
 struct Closing {
-  ContourPlace first{};   // behind it the walls begin
+  ContourPlace first{};   // after it the walls begin
   ContourPlace second{};  // here they end
   Point point = Point::Zero();
-  // Largest distance between the two, mm, from where the end of the contour joins its begin.
+  // Largest distance between the two, mm, from where the end of the contour joins its start.
   double gap = 0;
-  std::size_t joins = 0;  // the first block at the end that lies on the begin
+  std::size_t joins = 0;  // the first block at the end that lies on the start
   bool is_alone = false;  // between the two the contour does not return to this place
   // The number of times that the contour repeats one lap with its leads: each lap is followed by
   // the leads to the next one (D-107).
@@ -70,7 +70,7 @@ struct Closing {
   bool has_turns_in = false;
   bool has_turns_out = false;
 
-  // The begin of an overrun: where the contour first comes back.
+  // The start of an overrun: where the contour first comes back.
   struct Overrun {
     ContourPlace first{};
     ContourPlace second{};

@@ -54,7 +54,7 @@ void ClosingWatch::note(std::size_t number, const Segment& programmed, double to
     head_is_complete_ = head_.is_beyond_leads(tool_radius_);
     if (!head_is_complete_) return head_.add(programmed);
   }
-  // A block is seen with the head up to a window behind it, and may wait for a window of its own.
+  // A block is seen with the head up to a window after it, and may wait for a window of its own.
   if (number < head_end() + 2 * window_) return;
   behind_head_.add(programmed);
   if (behind_head_.is_beyond_leads(tool_radius_) && !candidate_.is_found) phase_ = Phase::over;

@@ -13,15 +13,15 @@
 namespace trc {
 
 // Where a contour closes, for a window of N contour blocks, while more of it may come (D-158). What
-// lies before and behind the closing is a lead and no wall (D-38). That cannot be seen before the
-// contour has come back to its begin, or has ended: until then two blocks in each other's way are
+// lies before and after the closing is a lead and no wall (D-38). That cannot be seen before the
+// contour has come back to its start, or has ended: until then two blocks in each other's way are
 // undecided if one of them may be a lead and some window shows both.
 //
 // Phases of a contour whose laps are shorter than the window:
 //
 //     open                          laps
 //     lead-in, first lap, ...       ... second lap, ...                  end
-//     blocks near the begin may     blocks that follow the end of a lap
+//     blocks near the start may     blocks that follow the end of a lap
 //     be the lead-in                may be the lead-out
 class ClosingWatch {
  public:
@@ -41,7 +41,7 @@ class ClosingWatch {
   // Whether the contour has to be known from its first block on.
   [[nodiscard]] bool needs_begin() const { return phase_ == Phase::open; }
   // To be called after each block, while needs_begin(). Once the contour has gone round and goes on
-  // along its begin: its walls, without those of later laps. `contour`: all that has come, in the
+  // along its start: its walls, without those of later laps. `contour`: all that has come, in the
   // boxes given.
   [[nodiscard]] std::optional<Walls> find_lead_in(const ContourView& contour, const BoxTree& boxes);
   // Where laps have been found: the block that the last lap begins with if leads follow it, else
@@ -59,9 +59,9 @@ class ClosingWatch {
 
  private:
   enum class Phase : std::uint8_t {
-    open,  // the contour has not come back to its begin
+    open,  // the contour has not come back to its start
     laps,  // it has, and has gone on with another lap
-    over,  // no window shows both its begin and the next block
+    over,  // no window shows both its start and the next block
   };
   // Blocks that follow each other.
   struct Stretch {
@@ -80,19 +80,19 @@ class ClosingWatch {
   struct Candidate {
     bool is_found = false;
     std::size_t closes_with = 0;  // this block
-    std::size_t next_wall = 0;    // the next block behind it should lie on this wall
+    std::size_t next_wall = 0;    // the next block after it should lie on this wall
     std::size_t seen = 0;         // the blocks before this one have been looked at
-    bool goes_along = true;       // the blocks behind it lie on the first walls
+    bool goes_along = true;       // the blocks after it lie on the first walls
   };
 
   [[nodiscard]] std::size_t head_end() const { return head_.blocks; }
   void note_lap(std::size_t number, const Segment& programmed);
   // Looks for the block that closes the contour, from scanned_ on.
   void find_candidate(const ContourView& contour, const BoxTree& boxes);
-  // Whether the block meets the first half of the contour near its begin.
+  // Whether the block meets the first half of the contour near its start.
   [[nodiscard]] bool touches_head(const ContourView& contour, const BoxTree& boxes,
                                   std::size_t number) const;
-  // Looks at the blocks behind the candidate. Whether they are too many for a lead-out.
+  // Looks at the blocks after the candidate. Whether they are too many for a lead-out.
   [[nodiscard]] bool goes_on_behind_candidate(const ContourView& contour);
   [[nodiscard]] Walls begin_laps(const ContourView& contour);
 
@@ -103,8 +103,8 @@ class ClosingWatch {
   Phase phase_ = Phase::over;
   Stretch head_{};  // the first blocks, among which a closing is looked for
   bool head_is_complete_ = false;
-  Stretch behind_head_{};     // behind the last block that may be seen with the head
-  Stretch behind_closing_{};  // behind the candidate, or the begin of the last lap
+  Stretch behind_head_{};     // after the last block that may be seen with the head
+  Stretch behind_closing_{};  // after the candidate, or the start of the last lap
   Candidate candidate_{};
   std::size_t scanned_ = 0;
   int tries_ = 0;

@@ -16,7 +16,7 @@ bool is_smooth(const Segment& before, const Segment& behind) {
   return in.dot(out) > 0 && std::abs(cross(in, out)) < slight;
 }
 
-// Whether the contour misses its begin by a step: one of its leads then runs beside the walls, the
+// Whether the contour misses its start by a step: one of its leads then runs beside the walls, the
 // lead-out beside the first ones or the lead-in beside the last ones, and crosses them here.
 bool is_behind_a_step(const ContourView& contour, const EndsMeeting& meeting, double tolerance,
                       double tool_radius) {

@@ -13,7 +13,7 @@ struct BetweenTurns {
   std::size_t end = 0;
 };
 
-// The blocks left without whole turns at the begin and at the end: turns are blocks that go
+// The blocks left without whole turns at the start and at the end: turns are blocks that go
 // round one circle, as arcs or as chords, with the tool inside it. Nothing: there are no whole
 // turns.
 [[nodiscard]] std::optional<BetweenTurns> between_turns(const ContourView& contour,

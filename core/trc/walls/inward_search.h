@@ -8,7 +8,7 @@
 
 namespace trc {
 
-// The blocks that an overrun goes along: those at the begin of the contour, or of the last lap, as
+// The blocks that an overrun goes along: those at the start of the contour, or of the last lap, as
 // laps may differ at their corners.
 enum class Overruns { along_the_begin, along_the_last_lap };
 

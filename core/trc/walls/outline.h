@@ -7,7 +7,7 @@
 
 namespace trc {
 
-// The polygon along consecutive stretches of a contour and back to its begin. Arcs are chords of at
+// The polygon along consecutive stretches of a contour and back to its start. Arcs are chords of at
 // most 0.25 rad.
 class Outline {
  public:

@@ -9,7 +9,7 @@ namespace trc {
 
 // A contour whose blocks repeat: the same lap with the same leads at several depths (D-107).
 struct RepeatedLaps {
-  std::size_t blocks = 0;  // from the begin of one lap, with its leads, to that of the next one
+  std::size_t blocks = 0;  // from the start of one lap, with its leads, to that of the next one
   std::size_t last = 0;    // the first block of the last one
 };
 

@@ -12,7 +12,7 @@ namespace trc {
 // The contour of one selection as it was programmed.
 struct SelectionContour {
   std::vector<const MotionBlock*> blocks{};
-  std::vector<std::size_t> changes{};  // of side: the first block behind each
+  std::vector<std::size_t> changes{};  // of side: the first block after each
 };
 
 // The contours of a program, in order. A block that leads to a contour, or changes its side, is not

@@ -13,7 +13,7 @@ namespace trc {
 // leads, and its path also keeps clear of the walls of all other sides, except those at the change
 // itself. Blocks are counted over the whole selection.
 struct SidedWalls {
-  std::vector<std::size_t> changes{};  // the first block behind each change of side
+  std::vector<std::size_t> changes{};  // the first block after each change of side
   std::vector<Walls> sides{};          // one more than there are changes
 
   [[nodiscard]] bool is_lead(std::size_t number) const;
@@ -29,7 +29,7 @@ struct SidedWalls {
   }
 };
 
-// `changes`: in order, none at the begin or the end of the contour; its shift is that of its begin.
+// `changes`: in order, none at the start or the end of the contour; its shift is that of its start.
 [[nodiscard]] SidedWalls find_walls(const ContourView& contour, std::vector<std::size_t> changes,
                                     const LeadSettings& settings, double tool_radius);
 

@@ -38,19 +38,19 @@ struct Walls {
   // one, in order. A block divided by the visit belongs to the later ring.
   std::vector<std::size_t> rings{};
   // The path of the blocks of either may come nearer by `touch`, mm, to the walls of the other;
-  // where there are rings, that of `tail` also to the walls of `tail` and of the begin of the last
-  // ring. The end of the contour lies on its begin only as exactly as it was programmed.
+  // where there are rings, that of `tail` also to the walls of `tail` and of the start of the last
+  // ring. The end of the contour lies on its start only as exactly as it was programmed.
   Range head{};
   Range tail{};
   double touch = 0;
   // How much nearer, mm, the path of a ring may come to the walls of later rings, which lie on top
-  // of it, and the end of each ring to its begin.
+  // of it, and the end of each ring to its start.
   double touch_of_rings = 0;
-  // How many blocks beyond its first two the lead-out passes at the begin of the contour.
+  // How many blocks beyond its first two the lead-out passes at the start of the contour.
   std::size_t blocks_beside_lead = 0;
   // The number of blocks that an overrun goes over before the one that it ends on.
   std::size_t blocks_of_overrun = 0;
-  // How many blocks after the begin of the contour its overrun goes along it again; 0: no
+  // How many blocks after the start of the contour its overrun goes along it again; 0: no
   // overrun.
   std::size_t blocks_of_round = 0;
 
@@ -76,7 +76,7 @@ struct Walls {
     return number == path ||
            (!is_lead(number) && (rings.empty() || ring_of(number) >= ring_of(path)));
   }
-  // Whether a whole lap lies between two blocks: from the begin of the contour to its end, or from
+  // Whether a whole lap lies between two blocks: from the start of the contour to its end, or from
   // one ring into another.
   [[nodiscard]] bool goes_round(std::size_t from, std::size_t to) const;
   // How much nearer than the tool radius the path of `path` may come to `number`, mm.

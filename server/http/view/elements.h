@@ -76,7 +76,7 @@ class Elements {
 
   struct Group {
     verify::Bounds box{};
-    double length = 0;  // of the way up to its begin, mm
+    double length = 0;  // of the way up to its start, mm
     bool has_special = false;
   };
   [[nodiscard]] std::span<const Group> groups() const { return groups_; }

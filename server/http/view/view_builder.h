@@ -59,7 +59,7 @@ class ViewBuilder {
   // One thread puts contour and path in, another one takes the view out.
   mutable std::mutex mutex_;
 
-  // Does `work` in a turn; without memory has_memory_ is false behind it.
+  // Does `work` in a turn; without memory has_memory_ is false after it.
   template <class Work>
   void in_turn(const Work& work);
   // Finds up to so many lines. Returns whether some of them are left.

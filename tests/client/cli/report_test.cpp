@@ -275,7 +275,7 @@ TEST(EntryHelpText, SaysNothingWhereNothingIsKnown) {
   EXPECT_TRUE(lines_of({.given_length = 3}, {}).empty());
 }
 
-TEST(EntryHelpText, StandsBehindTheRemedy) {
+TEST(EntryHelpText, StandsAfterTheRemedy) {
   Sent received = reversed_line();
   received.diagnostic.entry_help = std::make_shared<const EntryHelp>(quarter_circle_help());
   EXPECT_NE(alone("part.nc", received).find("help: use a smaller tool\nhelp: the approach is "),

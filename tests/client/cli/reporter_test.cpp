@@ -64,7 +64,7 @@ TEST(Reporter, HelpsWithWhatTheCommandLineHas) {
       }
 }
 
-// "line 4 (block 3)" in a message, and the same in front of it.
+// "line 4 (block 3)" in a message, and the same before it.
 TEST(Reporter, NamesBlocksOfKlartextWithoutN) {
   Diagnostic found = diagnostic(Code::tool_radius_zero, {.number = 3, .line = 4});
   EXPECT_EQ(cli::text_of(for_command_line(found, DialectName::heidenhain), {.file = "a.h"})
@@ -160,7 +160,7 @@ TEST(Reporter, NamesOptionsForEveryReason) {
     }
 }
 
-// What is a setting of messages is an option here, and the value stands behind it.
+// What is a setting of messages is an option here, and the value stands after it.
 TEST(Reporter, NamesOptionsForSettings) {
   for (const CodeRow& row : code_table())
     for (const char* detail :

@@ -67,7 +67,7 @@ TEST(Compensate, NamesJsonFieldsAsDocumented) {
   EXPECT_EQ(summary.at("maskedBlocks").string_value(), "0");
 }
 
-TEST(Compensate, PutsTheDiagnosticIntoJsonAndNoSummaryBehindIt) {
+TEST(Compensate, PutsTheDiagnosticIntoJsonAndNoSummaryAfterIt) {
   const Ended ended = trc({"compensate", "-", "--format", "jsonl"}, violating);
   EXPECT_EQ(ended.code, 1);
   const auto lines = lines_of(ended.out);

@@ -13,7 +13,7 @@
 namespace trc::testing_support {
 namespace {
 
-// What stands between two blanks or more, of the lines behind the first ones.
+// What stands between two blanks or more, of the lines after the first ones.
 std::vector<std::string> cells_of(const std::string& text) {
   std::vector<std::string> cells;
   static const std::regex between("  +");
@@ -77,7 +77,7 @@ TEST(Explain, SaysWhatACodeMeansAndWhatHelps) {
   EXPECT_EQ(trc({"explain", "--example"}).code, 2);
 }
 
-// Words of a call behind "| trc compensate -" in what explains a code, as a shell takes them;
+// Words of a call after "| trc compensate -" in what explains a code, as a shell takes them;
 // nothing: no example.
 std::optional<std::vector<std::string>> call_of(const std::string& explained,
                                                 const std::string& command = "compensate") {

@@ -184,7 +184,7 @@ TEST(Verbose, SpeaksGermanAndInTheUnitOfTheProgram) {
     EXPECT_EQ(ended.err.find(english), std::string::npos) << english << '\n' << ended.err;
 }
 
-TEST(Mark, StandsUnderTheWordBehindAByteOrderMark) {
+TEST(Mark, StandsUnderTheWordAfterAByteOrderMark) {
   const Ended refused = trc({"compensate", "-"}, "\xEF\xBB\xBFN10 G17 X1O\nM30\n");
   EXPECT_NE(refused.err.find("<stdin>:1:9: N10: error 900008"), std::string::npos) << refused.err;
   EXPECT_NE(refused.err.find("    1 | N10 G17 X1O\n      |         ^~~\n"), std::string::npos)

@@ -106,7 +106,7 @@ TEST(Load, CountsStreamsThatNeverEnded) {
   EXPECT_EQ(outcome.tally.stream.count(), outcome.tally.unfinished);
 }
 
-TEST(Load, BeginsWithTheRampAndMeasuresBehindIt) {
+TEST(Load, BeginsWithTheRampAndMeasuresAfterIt) {
   const MeddlingServer server({});
   const Outcome outcome = run_against(server, {.plan = {.streams = 20,
                                                         .rate = 100,
@@ -114,7 +114,7 @@ TEST(Load, BeginsWithTheRampAndMeasuresBehindIt) {
                                                         .duration = milliseconds(500),
                                                         .grace = seconds(10)},
                                                .blocks = 10});
-  // Fifty in the ramp, and fifty behind it.
+  // Fifty in the ramp, and fifty after it.
   EXPECT_NEAR(static_cast<double>(outcome.tally.stream.count()), 50, 2);
   EXPECT_NEAR(outcome.seconds, 0.5, 0.2);
 }

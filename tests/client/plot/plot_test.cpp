@@ -250,7 +250,7 @@ TEST(Svg, MarksMaskedBlocksRed) {
   EXPECT_EQ(paths_in(group(svg, "programmed")).size(), 1u);
 }
 
-// As the notes name them: the last block of a loop is left by the transition behind it, and a block
+// As the notes name them: the last block of a loop is left by the transition after it, and a block
 // the tool just fits beside is travelled on the spot.
 TEST(Svg, MarksBlocksOfRemovedLoopsRed) {
   const auto removing = mode(Side::left, Plane::xy, true);
@@ -526,7 +526,7 @@ TEST(Svg, DrawsBothToolsWhereTheRadiusChanges) {
   std::vector<CompensatedBlock> path = corner_path;
   path[3].path = Line{{110, 0}, {120, -50}};
   const Picture picture = compose({.programmed = contour, .path = path});
-  ASSERT_EQ(picture.tools.size(), 4u);  // at the begin of the approach, at its end, and both here
+  ASSERT_EQ(picture.tools.size(), 4u);  // at the start of the approach, at its end, and both here
   EXPECT_EQ(picture.tools[2].center, Point(110, 0));
   EXPECT_EQ(picture.tools[2].radius, 10);
   EXPECT_EQ(picture.tools[3].center, Point(120, -50));

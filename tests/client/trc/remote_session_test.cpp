@@ -525,8 +525,8 @@ TEST(BrokenServer, GapInThePathIsNoSuccess) {
   EXPECT_EQ(remote.failure()->reason, "RESPONSE_INVALID");
 }
 
-// Gives each line back as it is, and a token behind it where the call was told so. Its first call
-// is lost behind two lines.
+// Gives each line back as it is, and a token after it where the call was told so. Its first call
+// is lost after two lines.
 class LineServer : public v1::TrcService::Service {
  public:
   explicit LineServer(std::vector<bool> gives_tokens) : gives_tokens_(std::move(gives_tokens)) {

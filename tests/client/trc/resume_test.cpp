@@ -104,7 +104,7 @@ std::string counts_of(const std::optional<Summary>& summary) {
          std::to_string(core->programmed_length) + " " + std::to_string(core->compensated_length);
 }
 
-// Called before each piece is given and behind each answer.
+// Called before each piece is given and after each answer.
 using Disturb = std::function<void()>;
 
 template <class Session, class Pieces>

@@ -244,7 +244,7 @@ TEST(SeveralServers, NameIsLookedUp) {
 }
 
 // As HAProxy passes on a refusal before the client has said all: details and a reset.
-TEST(SeveralServers, WordOfTheServerCountsMoreThanTheResetBehindIt) {
+TEST(SeveralServers, WordOfTheServerCountsMoreThanTheResetAfterIt) {
   google::rpc::ErrorInfo reason;
   reason.set_reason("SERVER_DRAINING");
   google::rpc::Status said;

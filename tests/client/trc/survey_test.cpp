@@ -101,7 +101,7 @@ TEST(Survey, ThatIsLostOnItsWayIsAskedForAnew) {
   EXPECT_EQ(radii, (std::vector<double>{3, 5}));
 }
 
-TEST(Survey, ThatIsLostBehindItsSummaryIsTheSameThoughItTakesAnotherTime) {
+TEST(Survey, ThatIsLostAfterItsSummaryIsTheSameThoughItTakesAnotherTime) {
   Told server({{{3}, {grpc::UNAVAILABLE, "gone"}, 1.5}, {{3}, {}, 2.5}});
   std::vector<double> radii;
   EXPECT_FALSE(server.ask(radii));

@@ -17,14 +17,14 @@ inline constexpr double corner_threshold = 0.05;
 inline constexpr double same_path = 1e-3;
 inline constexpr double equidistant = 2e-6;
 
-// The corner behind contour block `index` (0-based), seen from the tool: rad,
+// The corner after contour block `index` (0-based), seen from the tool: rad,
 // positive at an inside corner, -pi < turn <= pi.
 [[nodiscard]] double turn_to_tool(const JudgedContour& judged, std::size_t index);
 
-// One programmed block and what became of it and of the corner behind it.
+// One programmed block and what became of it and of the corner after it.
 struct Compensated {
   Segment block{};
-  std::vector<Segment> corner{};  // inserted behind it
+  std::vector<Segment> corner{};  // inserted after it
 
   bool operator==(const Compensated&) const = default;
 };

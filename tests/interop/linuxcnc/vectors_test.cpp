@@ -111,7 +111,7 @@ TEST_P(Vectors, ReversedLinesThatLinuxCncAcceptsWeRefuse) {
 }
 
 // LinuxCNC leaves an outside corner below its threshold alone and then takes the
-// angle it has skipped for growth of the arc behind it.
+// angle it has skipped for growth of the arc after it.
 TEST_P(Vectors, FalseGougeErrorsOfLinuxCncComeOutAsExactEquidistants) {
   const auto faulty =
       those([](const JudgedContour& judged) { return judged.fault == "false_gouge"; });

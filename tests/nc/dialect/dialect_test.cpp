@@ -130,7 +130,7 @@ TEST(Dialect, TechnologyPassesInItsPlaceAndItsText) {
                                                             "#TIME 2.5", "G60 G359", "M30"}));
 }
 
-TEST(Dialect, TechnologyOfAMotionLineActsBeforeTheMotionAndAStopBehindIt) {
+TEST(Dialect, TechnologyOfAMotionLineActsBeforeTheMotionAndAStopAfterIt) {
   const Reading reading = read("N5 G01 X10 M8 M0 F1");
   ASSERT_EQ(reading.blocks.size(), 3U);
   EXPECT_EQ(std::get<PassiveBlock>(reading.blocks[0]).text, "M8");
@@ -169,7 +169,7 @@ TEST(Dialect, AProgramEndsWithM30AndKeepsTheRestAsText) {
   EXPECT_FALSE(reading.lines[2].has_words);
 }
 
-TEST(Dialect, M02EndsBehindTheMotionOfItsLine) {
+TEST(Dialect, M02EndsAfterTheMotionOfItsLine) {
   const Reading reading = read("G00 X1 M02\nX2");
   EXPECT_EQ(reading.motions().size(), 1U);
 }
@@ -228,7 +228,7 @@ TEST(Dialect, WordRolesTellTheWriterWhatIsWhat) {
   EXPECT_EQ(roles, "N10:N G17:m G41:T G01:G X10:X I5:X F100:F M8:M M0:S (c):( ");
 }
 
-TEST(Dialect, LinesCarryTheModesInForceBehindThem) {
+TEST(Dialect, LinesCarryTheModesInForceAfterThem) {
   const Reading reading = read("G00 X1\nG91 G70 G161 G18 F1\nG01 Z1\n");
   ASSERT_EQ(reading.lines.size(), 3U);
   EXPECT_FALSE(reading.lines[0].incremental);

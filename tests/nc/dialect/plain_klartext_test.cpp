@@ -14,7 +14,7 @@
 #include "tests/support/random.h"
 
 // Blocks of Klartext that hold a line, an arc or a pole alone are read in one pass. A comment
-// behind such a block sends it to the general reader: both readers must make the same of it.
+// after such a block sends it to the general reader: both readers must make the same of it.
 
 namespace trc::testing {
 namespace {

@@ -12,7 +12,7 @@
 #include "tests/support/long_run.h"
 #include "tests/support/random.h"
 
-// Lines that hold a motion alone are read in one pass. A comment behind such a line sends it to the
+// Lines that hold a motion alone are read in one pass. A comment after such a line sends it to the
 // general reader: both readers must make the same of it.
 
 namespace trc::testing {

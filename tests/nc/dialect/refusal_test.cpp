@@ -8,7 +8,7 @@
 namespace trc::testing {
 namespace {
 
-// The mode errors of T-22 and G303 behind G40 (T-20) are among them; each also has
+// The mode errors of T-22 and G303 after G40 (T-20) are among them; each also has
 // a program in tests/programs/bad.
 struct Refused {
   const char* name;
@@ -35,10 +35,10 @@ INSTANTIATE_TEST_SUITE_P(
     OfABlock, Refusal,
     ::testing::Values(Refused{"TwoMotionFunctions", "G00 X1\nG01 X2 G00 Y5", "2:8 900012"},
                       Refused{"TheSameMotionFunctionTwice", "G01 X2 G01", "1:8 900012"},
-                      Refused{"AMotionBehindAnAssignment", "V.P.A=5 G01 X100 Y50", "1:1 900003"},
-                      Refused{"AMotionCloseBehindAnAssignment", "V.L.A=5X9", "1:1 900003"},
-                      Refused{"ACallBehindAnAssignment", "V.P.A=P1 L SUB", "1:1 900003"},
-                      Refused{"ACommandBehindAnAssignment", "V.S.A = 1 #TRC [KERF_MASKING=1]",
+                      Refused{"AMotionAfterAnAssignment", "V.P.A=5 G01 X100 Y50", "1:1 900003"},
+                      Refused{"AMotionCloseAfterAnAssignment", "V.L.A=5X9", "1:1 900003"},
+                      Refused{"ACallAfterAnAssignment", "V.P.A=P1 L SUB", "1:1 900003"},
+                      Refused{"ACommandAfterAnAssignment", "V.S.A = 1 #TRC [KERF_MASKING=1]",
                               "1:1 900003"},
                       Refused{"TwoPlanes", "G17 G18", "1:5 900012"},
                       Refused{"TwoDimensions", "G90 G91 X1", "1:5 900012"},
@@ -92,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"AControlStatement", "$IF 1", "1:1 900003"},
         Refused{"ASideInASubprogram", "%L SUB\nN1 G41 X1\nM29\n%MAIN\nX1", "2:4 900003"},
         Refused{"ASubprogramAlone", "%L SUB\nX1\nM29\n", "3:0 900014"},
-        Refused{"ASubprogramBehindTheProgram", "X1\n%L SUB\nM29\n", "2:1 900003"},
+        Refused{"ASubprogramAfterTheProgram", "X1\n%L SUB\nM29\n", "2:1 900003"},
         Refused{"AMotionOfAnotherDialect", "L X+10", "1:1 900016"},
         Refused{"AMotionOfAnotherDialectWithoutASign", "L X10", "1:1 900003"},
         Refused{"TwoNames", "X1\nL SUB TWO", "2:1 900003"},
@@ -172,8 +172,8 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     OfTheTrcSequence, Refusal,
     ::testing::Values(
-        Refused{"ASelectionBehindG40WithoutMotion", "G41 X1\nX2\nG40\nZ5\nG42", "5:1 900103"},
-        Refused{"G303BehindG40", "G42 G139\nG01 X10 Y10\nX20\nG40\nG303 X1", "5:1 90193"},
+        Refused{"ASelectionAfterG40WithoutMotion", "G41 X1\nX2\nG40\nZ5\nG42", "5:1 900103"},
+        Refused{"G303AfterG40", "G42 G139\nG01 X10 Y10\nX20\nG40\nG303 X1", "5:1 90193"},
         Refused{"G303AsSuch", "G42 G139\nG01 X10 Y10\nX20\nG40 X20 Y20\nG303 X1", "5:1 900003"},
         Refused{"InverseWithoutOnline", "#TRC [INVERSE=1]", "1:1 22125"},
         Refused{"ANegativeMinimum", "#TANGFEED [RMIN=-1]", "1:1 20963"},
@@ -272,7 +272,7 @@ TEST(TrcSequence, FunctionsOfThePresentStateMayBeRepeated) {
   EXPECT_TRUE(read("G17 G139\nG41 X1\nG41 X2\nG17 G139\nX3\nG40 X4").diagnostics.empty());
 }
 
-// Behind a command a motion would pass as text.
+// After a command a motion would pass as text.
 TEST(Commands, StandAloneInTheirBlock) {
   for (const std::string command :
        {"#HSC ON X30", "#CONTOUR MODE OFF X30", "#MSG [\"T\"] X30", "#MSG SYN [\"T\"] G40 X30",

@@ -10,7 +10,7 @@
 #include "core/messages/diagnostic_text.h"
 #include "tests/nc/dialect/reading.h"
 
-// Compares two readings of a program: by the reader of plain lines and, with a comment behind each
+// Compares two readings of a program: by the reader of plain lines and, with a comment after each
 // line, by the general reader.
 
 namespace trc::testing {

@@ -24,7 +24,7 @@ bool selects(const Reading& reading) {
   return std::ranges::any_of(motions, [](const auto& motion) { return motion.mode->active(); });
 }
 
-TEST(SideSeen, BehindAParameterOfKlartext) {
+TEST(SideSeen, AfterAParameterOfKlartext) {
   for (const std::string block :
        {"L X+0 Y-Q4\tRL F300", "L X+0 Y-Q4RL F300", "L X+0 Y-Q4\xC2\xA0RL F300", "L X+Q5\tY-Q4\tRL",
         "L X+0 YQ4RL", "L X+0 Y Q4\tRL", "L X+0 Y-Q4 RL ~\nF300", "L X+0 Y-Q4~\nRL F300"}) {
@@ -69,7 +69,7 @@ TEST(SideSeen, BesideWhatTheControlDoesByItself) {
   }
 }
 
-TEST(SideSeen, R0BehindAFunctionWithWordsOfItsOwn) {
+TEST(SideSeen, R0AfterAFunctionWithWordsOfItsOwn) {
   const Reading reading = read_as(
       DialectName::heidenhain,
       "L X+0 Y+0 R0 FMAX\nL X+5 Y+0 RL F100\nL X+20 Y+0\nL X+30 Y-9 M103 F0.5 R0\nL X+40\n");
@@ -78,7 +78,7 @@ TEST(SideSeen, R0BehindAFunctionWithWordsOfItsOwn) {
   EXPECT_FALSE(reading.last_motion().mode->active());
 }
 
-TEST(SideSeen, BehindAVariableOfSinumerik) {
+TEST(SideSeen, AfterAVariableOfSinumerik) {
   const std::string contour = "\nG1 X0 Y40\nG1 X50\nG40 X80 Y80\n";
   const Reading known =
       read_as(DialectName::sinumerik, "R9=0\nG0 X-9 Y-9\nG1 X=R9G41 Y0 F100" + contour);
@@ -102,7 +102,7 @@ TEST(SideSeen, WhereWordsAreGluedOrTextsNotClosed) {
   EXPECT_EQ(std::get<Line>(moves.last_motion().path).end, Point(0, 50));
 }
 
-TEST(SideSeen, BehindALineEndThatIsNone) {
+TEST(SideSeen, AfterALineEndThatIsNone) {
   const Reading reading = read_as(DialectName::heidenhain, "; A\vL X+0 Y+0 RL F300\vL Y+40\n");
   EXPECT_EQ(reading.code(), Code::nc_not_text);
 }

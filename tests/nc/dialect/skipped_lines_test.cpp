@@ -8,7 +8,7 @@
 #include "core/nc/dialect/dialect.h"
 #include "tests/nc/dialect/reading.h"
 
-// While the position of the block skip switch is unknown, no contour may depend on a line behind
+// While the position of the block skip switch is unknown, no contour may depend on a line with
 // `/` (D-59).
 
 namespace trc::testing {
@@ -26,7 +26,7 @@ bool is_undecided(DialectName name, const std::string& program) {
   });
 }
 
-// A contour with one line in front of it and one within.
+// A contour with one line before it and one within.
 std::string contour(const std::string& before, const std::string& within,
                     const std::string& tool = "T1 M6\n") {
   return "G17 G90\n" + tool + "G0 X-20. Y-20. Z1.\n" + before + "G41 G1 X0. Y0. F100.\nY30.\n" +

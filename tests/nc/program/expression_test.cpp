@@ -160,7 +160,7 @@ TEST(Expression, HasArcTangentsOfTwoValuesAsItsControlWritesThem) {
   EXPECT_DOUBLE_EQ(sinumerik("ATAN2(1,-1)"), 135);
 }
 
-TEST(Expression, DividesBehindAnArcTangentOfOneValue) {
+TEST(Expression, DividesAfterAnArcTangentOfOneValue) {
   EXPECT_DOUBLE_EQ(fanuc("ATAN[1]/2"), 22.5);
   EXPECT_EQ(fault_in(linuxcnc_grammar(), "ATAN[1]/2"),
             code(Code::expression_invalid) + " 0 ATAN without / [ ]");

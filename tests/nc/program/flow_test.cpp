@@ -144,7 +144,7 @@ TEST(Flow, KnowsTheModesThatItIsGiven) {
   EXPECT_EQ(execution.rest(), "G0 X91.\nM30\n");
 }
 
-TEST(Flow, LooksBehindARefusalForWhateverElseStandsAgainstTheProgram) {
+TEST(Flow, LooksAfterARefusalForWhateverElseStandsAgainstTheProgram) {
   Execution execution("#1=1/0\nG0 X1.\n#2=SQRT[-1]\nM30\n");
   execution.rest();
   ASSERT_EQ(execution.last(), Flow::Step::refused);

@@ -88,7 +88,7 @@ TEST(ProgramText, CountsLinesWhateverTheyEndWith) {
   EXPECT_FALSE(text.is_cut());
 }
 
-TEST(ProgramText, HasNoLineBehindItsLastEnd) { EXPECT_EQ(ProgramText("", "A\nB\n").size(), 2U); }
+TEST(ProgramText, HasNoLineAfterItsLastEnd) { EXPECT_EQ(ProgramText("", "A\nB\n").size(), 2U); }
 
 TEST(ProgramText, CountsFromItsFirstLine) {
   const ProgramText text("", "A\nB\n", 7);

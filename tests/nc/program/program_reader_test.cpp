@@ -64,7 +64,7 @@ Steps steps_of(const std::string& text, DialectName dialect) {
 constexpr std::size_t few_lines = 300;
 constexpr std::size_t many_lines = 20'000;
 
-TEST(ProgramReader, ReadsTheTextBehindTheEndInSteps) {
+TEST(ProgramReader, ReadsTheTextAfterTheEndInSteps) {
   for (const auto& [dialect, begin] : {std::pair(DialectName::fanuc, "O1\n#1=0\nG0 X#1\nM30\n"),
                                        std::pair(DialectName::linuxcnc, "#1=0\nG0 X#1\nM2\n"),
                                        std::pair(DialectName::sinumerik, "R1=0\nG0 X=R1\nM30\n"),
@@ -76,7 +76,7 @@ TEST(ProgramReader, ReadsTheTextBehindTheEndInSteps) {
   }
 }
 
-// It was collected because of M99 in front of it, but nothing in it computes.
+// It was collected because of M99 before it, but nothing in it computes.
 TEST(ProgramReader, ReadsACollectedTextThatDoesNotComputeInSteps) {
   const Steps steps = steps_of("O1\nM99\n" + repeated(many_lines, "G0 X1\n"), DialectName::fanuc);
   EXPECT_FALSE(steps.refused);

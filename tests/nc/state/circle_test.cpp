@@ -136,7 +136,7 @@ TEST(CircleCentreCorrection, MakesBothRadiiEqualAndMovesByTheNamedShift) {
   EXPECT_GT(corrected, 15'000);
 }
 
-// T-04: the numbers of the worked example of G239 with a circle behind G40.
+// T-04: the numbers of the worked example of G239 with a circle after G40.
 TEST(CircleCentreCorrection, RefusesTheMisfitOfTheWorkedExample) {
   const CircleResult result = about({90, 0}, {90, 50}, {140, -30}, true);
   EXPECT_EQ(code_of(result), Code::circle_center_misfit);

@@ -253,7 +253,7 @@ TEST_F(Program, G239UnderSuppressTrcLeavesThePositionOnTheContour) {
   EXPECT_EQ(state.position(), (Position{60, 20, 0}));
 }
 
-TEST_F(Program, G239BehindAConvertedCircleTakesTheChord) {
+TEST_F(Program, G239AfterAConvertedCircleTakesTheChord) {
   ProgramState state = make();
   state.set_options({.conv_cir_to_lin = true}, at(1));
   state.set_masking(Masking::on, at(1));
@@ -318,7 +318,7 @@ TEST_F(Program, ASelectionNeedsARadiusWithItsFirstMotion) {  // D-40
   EXPECT_NE(diagnostics_.pending().back().detail.find("N40"), std::string::npos);
 }
 
-TEST_F(Program, ARadiusBehindG41IsGivenInTime) {
+TEST_F(Program, ARadiusAfterG41IsGivenInTime) {
   ProgramState state = make_without_radius();
   state.select(Side::left, at(40));
   state.set_tool_radius(3, at(50));

@@ -60,8 +60,8 @@ TEST(Words, MayHaveBlanksAndAnEqualSignInsideThem) {
   EXPECT_EQ(words_of("G 01  X = 10\tY= -.5 Z 3."), "G1 X10 Y-0.5 Z3");
 }
 
-// A `/` is the sign of a line to be skipped in front of it alone.
-TEST(Words, MayBeComputedBehindTheirSign) {
+// A `/` marks a line to be skipped at its beginning alone.
+TEST(Words, MayBeComputedAfterTheirSign) {
   EXPECT_EQ(words_of("G1 X=100/2 Y=4 + 5 Z-2"), "G1 X50 Y9 Z-2");
   EXPECT_EQ(words_of("X=10 Y=2**3-1"), "X10 Y7");
 }
@@ -72,7 +72,7 @@ TEST(Words, TakeASignAndAPointWithoutDigitsOnOneSide) {
   EXPECT_EQ(words_of("X+3 Y-.5 Z5. A.25"), "X3 Y-0.5 Z5 A0.25");
 }
 
-TEST(Words, KeepTheNumberBehindAnIndexedAddress) {
+TEST(Words, KeepTheNumberAfterAnIndexedAddress) {
   EXPECT_EQ(words_of("G159=3 S2=500 X1 = -4"), "G159=3 S2=500 X1=-4");
 }
 
@@ -107,7 +107,7 @@ TEST(Words, OneClosingParenthesisTooManyBelongsToTheComment) {
   EXPECT_EQ(words_of("G140 (Deactivate))"), "G140 (Deactivate))");
 }
 
-TEST(Words, ACommandReachesToTheCommentBehindIt) {
+TEST(Words, ACommandReachesToTheCommentAfterIt) {
   EXPECT_EQ(words_of("N10 #TRC [REVERSE=1] (on)"), "N10 #TRC [REVERSE=1] (on)");
   EXPECT_EQ(words_of("#MSG [\"a;b (c\"];d"), "#MSG [\"a;b (c\"] ;d");
 }

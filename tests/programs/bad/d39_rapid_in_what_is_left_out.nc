@@ -1,5 +1,5 @@
 ; expect: 900218 at line 16
-; D-39: what is left out holds the rapid motion to the second island, and the plunge behind it.
+; D-39: what is left out holds the rapid motion to the second island, and the plunge after it.
 G17 G90 G71
 V.G.WZ_AKT.R = 3
 G141 G26

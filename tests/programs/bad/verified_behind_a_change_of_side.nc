@@ -1,7 +1,7 @@
 ; expect: 900216 at line *
 ; setup: verify
 ; (a change of side ends the contour for masking, as G40 and a new selection would; measured is all
-; of it: the path beside N30 comes near to the slot behind the change)
+; of it: the path beside N30 comes near to the slot after the change)
 N10 G00 X-20 Y0 F1000
 N20 G138 G26 G141 V.G.WZ_AKT.R = 5
 #TRC[REMOVE_MASKED_BLOCKS=1]

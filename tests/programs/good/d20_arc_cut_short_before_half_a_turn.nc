@@ -1,5 +1,5 @@
 %HALF
-(N40 turns by 180.006 degrees; the inside corner behind it ends its path at 167)
+(N40 turns by 180.006 degrees; the inside corner after it ends its path at 167)
 V.G.WZ_AKT.R=2
 N10 G0 X-20 Y-10 F500
 N20 G41 G1 X0 Y0

@@ -1,6 +1,6 @@
 ; setup: tool 1 10
 ; setup: allowance 0.25
-(10 mm, 0.25 mm of stock, and 0.1 mm worn off behind the first corner)
+(10 mm, 0.25 mm of stock, and 0.1 mm worn off after the first corner)
 N10 G00 X-20 Y0 F1000
 N20 D1
 N30 G138 G41 G01 X0 Y0

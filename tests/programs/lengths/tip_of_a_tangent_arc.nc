@@ -1,5 +1,5 @@
 %TANGENT_TIP
-(the arc overlaps the line behind it by 0.05 nm)
+(the arc overlaps the line after it by 0.05 nm)
 N10 G17 G90 G162
 N20 G0 X25 Y15
 N30 G138 G26 G141

@@ -13,7 +13,7 @@ TEST(RequestTarget, HasItsPathAndItsQueryDecoded) {
   EXPECT_EQ(target->host, "");
 }
 
-// A forgotten escape: what stands behind it would be lost.
+// A forgotten escape: what stands after it would be lost.
 TEST(RequestTarget, IsNoneWithAFragment) {
   for (const char* const target : {"/path?a=part#3&b=2", "/path#", "#", "http://host/path#b"})
     EXPECT_FALSE(read_target("GET", target)) << target;

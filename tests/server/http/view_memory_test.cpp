@@ -127,7 +127,7 @@ TEST(ViewMemory, DoesNotCountWhatIsGivenUpForIt) {
   EXPECT_GE(all.used_bytes(), 2 * mib);
 }
 
-// Its contour is read from the text, and goes on behind the error.
+// Its contour is read from the text, and goes on after the error.
 TEST(RefusedView, IsReadInStepsAndWithinItsMemory) {
   const std::string text = contour(1, repeated(100'000, "G4 P1\n"));
   Memory much(1024 * mib);

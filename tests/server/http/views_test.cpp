@@ -250,7 +250,7 @@ class Visitor {
 };
 
 TEST_F(Views, AreWholeHoweverManyComeAndGoUntilTheServerEnds) {
-  // The last ones are measured behind their picture.
+  // The last ones are measured after their picture.
   constexpr std::size_t large = (1U << 20U) + 1;
   std::vector<Upload> uploads{stairs(300, false), stairs(2000, false), stairs(300, true),
                               stairs(1000, false, large)};
@@ -314,7 +314,7 @@ TEST(ViewsWithoutMemory, SayThatTheCompensatedTextIsTooLong) {
   EXPECT_EQ(tile->status, 200);
 }
 
-TEST_F(Views, KnowNoBlocksOfALineBehindAllOthers) {
+TEST_F(Views, KnowNoBlocksOfALineAfterAllOthers) {
   Client client(port_);
   const auto made = client.ask("POST", views_path(), stairs(10, false).text);
   ASSERT_TRUE(made);

@@ -32,7 +32,7 @@ TEST(Outbox, LeavesInSlicesThatFitAMessage) {
   EXPECT_GT(slices, 10);
 }
 
-// A masked selection has a note for every loop, all behind one block.
+// A masked selection has a note for every loop, all after one block.
 TEST(Outbox, DiagnosticsLeaveInSlicesThatFitAMessage) {
   Outbox outbox;
   outbox.content().blocks().push_back(block(0));
@@ -101,7 +101,7 @@ TEST(Outbox, TextLeavesInWholeLines) {
   EXPECT_EQ(joined, text);
 }
 
-TEST(Outbox, DiagnosticsComeBehindWhatWasCertainBefore) {
+TEST(Outbox, DiagnosticsComeAfterWhatWasCertainBefore) {
   Outbox outbox;
   outbox.content().blocks().assign(2, block(0));
   outbox.content().tell({diagnostic(Code::stretch_factor_out_of_range, {})});
@@ -125,7 +125,7 @@ TEST(Outbox, ADiagnosticAloneIsASliceToo) {
   EXPECT_TRUE(outbox.empty());
 }
 
-TEST(Outbox, PortionsLeaveBeforeWhatCameBehindThem) {
+TEST(Outbox, PortionsLeaveBeforeWhatCameAfterThem) {
   Outbox outbox;
   outbox.go_on_behind(5);
   std::uint64_t given = 5;

@@ -40,7 +40,7 @@ using PathStream = Stream<CompensatePath, v1::CompensatePathRequest, v1::Compens
 using ProgramStream =
     Stream<CompensateProgram, v1::CompensateProgramRequest, v1::CompensateProgramResponse>;
 
-// A zigzag; with a selection at its begin.
+// A zigzag; with a selection at its start.
 v1::CompensatePathRequest zigzag(std::uint64_t first_block, std::uint64_t count) {
   std::vector<v1::Block> blocks;
   for (std::uint64_t i = first_block; i < first_block + count; ++i)

@@ -50,7 +50,7 @@ TEST(Trace, IgnoresWhatIsNoTraceparent) {
        }) {
     EXPECT_FALSE(read_traceparent(bad)) << bad;
   }
-  // A later version may say more behind.
+  // A later version may say more after that.
   EXPECT_TRUE(read_traceparent("01" + good.substr(2) + "-more"));
 }
 

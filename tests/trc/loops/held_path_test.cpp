@@ -47,7 +47,7 @@ TEST_F(HeldPathTest, WhatIsInsertedBeforeASmallerRadiusHasTheSmallerOne) {
     EXPECT_EQ(path_.radius_of_tool(number), expected[number]) << number;
 }
 
-TEST_F(HeldPathTest, WhatIsForgottenTakesNothingFromTheBlocksBehindIt) {
+TEST_F(HeldPathTest, WhatIsForgottenTakesNothingFromTheBlocksAfterIt) {
   hold(Role::contour, 5);
   hold(Role::inserted, 5);
   hold(Role::inserted, 2);

@@ -84,7 +84,7 @@ TEST(Chords, AreDividedAsCheaplyAsCornersAllow) {
   ASSERT_EQ(chords.size(), 2U);
   EXPECT_EQ(chords[0].count, 2U);
   EXPECT_EQ(chords[1].first, 2U);
-  // With something behind that leaves nothing of the last one, all are one.
+  // With something after it that leaves nothing of the last one, all are one.
   const auto behind = course_of(line_at(-0.1), shift);
   const auto joined = cheapest_division(choices, 3, std::nullopt, behind, shift);
   ASSERT_EQ(joined.size(), 1U);

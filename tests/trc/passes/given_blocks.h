@@ -38,7 +38,7 @@ inline PathBlockPtr contour_block(const Segment& programmed, const TrcMode& mode
   return block;
 }
 
-// From where the tool is to the begin of the contour.
+// From where the tool is to the start of the contour.
 inline PathBlockPtr approach_block(const Line& programmed, const TrcMode& mode) {
   PathBlockPtr block = contour_block(programmed, mode);
   block->role = Role::approach;
@@ -48,7 +48,7 @@ inline PathBlockPtr approach_block(const Line& programmed, const TrcMode& mode) 
   return block;
 }
 
-// What comes out of a pass for these blocks, and nothing behind them.
+// What comes out of a pass for these blocks, and nothing after them.
 template <class P>
 PathBlocks all_from(P& pass, PathBlocks blocks) {
   PathBlocks out;

@@ -14,7 +14,7 @@
 #include "core/geometry/distance.h"
 #include "core/session/program_session.h"
 
-// Programs whose contours come back to places they have been in: what counts as their begin and
+// Programs whose contours come back to places they have been in: what counts as their start and
 // end, as laps, and as parts that only touch (D-38, D-44).
 
 namespace trc {
@@ -83,7 +83,7 @@ TEST(ClosingPrograms, AnOverrunMayGoPastAFilletTheToolDoesNotFitInto) {  // D-38
   EXPECT_NEAR(outcome.clearance_to({right, bottom}), 2.5, 1e-9);
 }
 
-// A disc in chords of 0.1 mm, its leads along the tangent in front of the first chord and behind
+// A disc in chords of 0.1 mm, its leads along the tangent before the first chord and after
 // the last one: so near to the chords that they seem to repeat them.
 TEST(ClosingPrograms, TangentialLeadsBesideFineChordsAreNoOverrun) {  // D-38
   const auto position = [](double x, double y) {
@@ -368,7 +368,7 @@ TEST(ClosingPrograms, AStepBetweenTheLastWallAndTheFirstIsTold) {  // D-38
   }
 }
 
-// The last wall misses the begin, and goes on beside the first walls, in the material, until it
+// The last wall misses the start, and goes on beside the first walls, in the material, until it
 // crosses one of them: they are not lead-in for that, which would be cut without a word.
 TEST(ClosingPrograms, AnOverrunBesideTheFirstWallsIsTold) {  // D-96
   for (const double step : {0.02, 0.1, 0.2}) {
@@ -431,7 +431,7 @@ TEST(ClosingPrograms, ALeadOfChordsEndsWhereTheWallBegins) {  // D-38
 
 // A pocket of chords, entered and left at one of its corners: what the kink there costs is below
 // the resolution of the input.
-// A line that is hardly there takes as much of the one before it as the corner behind needs: not
+// A line that is hardly there takes as much of the one before it as the corner after it needs: not
 // with the third axis, at another feed or at rapid, which have their place. Refused as ever.
 TEST(ClosingPrograms, WhatALineHardlyThereDoesKeepsItsPlace) {  // D-44
   const auto corner = [](const std::string& before, const std::string& behind) {
@@ -542,7 +542,7 @@ TEST(ClosingPrograms, LeadsLongerThanAPostMayCrossOrBeChords) {  // D-38
 }
 
 // The finishing lap rounds the corners of the roughing lap. Where the first lap ends is within a
-// block, of which the begin belongs to that lap.
+// block, of which the start belongs to that lap.
 TEST(ClosingPrograms, ALapMayEndWithinABlock) {  // D-100
   const std::string finishing =
       "G2 X10 Y50 R10\nG1 X70\nG2 X80 Y40 R10\nG1 Y10\nG2 X70 Y0 R10\nG1 X10\nG2 X0 Y10 R10\n";

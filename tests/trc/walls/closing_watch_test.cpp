@@ -44,7 +44,7 @@ class Watch : public ::testing::Test {
   BoxTree boxes_{};
 };
 
-TEST_F(Watch, ABlockNearTheBeginMayBeALead) {
+TEST_F(Watch, ABlockNearTheStartMayBeALead) {
   go({{0, 0}, {20, 0}});
   EXPECT_TRUE(watch_.is_undecided(1, 0));
   EXPECT_TRUE(watch_.needs_begin());
@@ -71,14 +71,14 @@ TEST_F(Watch, WhatFollowsALapMayBeALeadOut) {
   EXPECT_EQ(watch_.begin_of_last_lap(), 11U);
 }
 
-TEST_F(Watch, AContourThatTouchesItsBeginAndGoesOnElsewhereHasNoLeadIn) {
+TEST_F(Watch, AContourThatTouchesItsStartAndGoesOnElsewhereHasNoLeadIn) {
   go({{0, 0}});
   go(lap());
   EXPECT_FALSE(go({{10, -30}, {20, -30}, {30, -30}, {40, -30}, {50, -30}, {60, -30}, {70, -30}}));
   EXPECT_TRUE(watch_.needs_begin());
 }
 
-TEST_F(Watch, BlocksThatNoWindowShowsBesideTheBeginAreDecided) {
+TEST_F(Watch, BlocksThatNoWindowShowsBesideTheStartAreDecided) {
   go({{0, 0}});
   for (int step = 1; step <= 40; ++step) go({{10.0 * step, 0}});
   EXPECT_FALSE(watch_.needs_begin());

@@ -265,7 +265,7 @@ TEST(Walls, LeadsBetweenTwoDepthsAreLeads) {
   EXPECT_FALSE(walls.is_wall_for(3, 10));
 }
 
-// The last depth alone goes on along its begin, and over a corner: the leads between the two others
+// The last depth alone goes on along its start, and over a corner: the leads between the two others
 // meet where the overrun begins, not where it ends.
 TEST(Walls, LeadsBetweenDepthsAreLeadsWhereTheLastOneOverruns) {
   const auto depths = [] {
@@ -555,8 +555,8 @@ TEST(Walls, ALeadThatCutsAWallMakesNoLeadOfIt) {  // D-38
   EXPECT_TRUE(walls.parts.empty());
 }
 
-// The same behind the second of two laps.
-TEST(Walls, ALeadBehindLapsThatCutsAWallMakesNoLeadOfIt) {  // D-38
+// The same after the second of two laps.
+TEST(Walls, ALeadAfterLapsThatCutsAWallMakesNoLeadOfIt) {  // D-38
   Drawing drawing = Drawing(18, -12).arc(26, -12, pi / 2);
   for (int lap = 0; lap < 2; ++lap)
     drawing.line(30, -20).line(30, 20).line(-30, 20).line(-30, -20).line(26, -20);
@@ -600,7 +600,7 @@ TEST(Walls, ALeadOutSlightlyIntoTheFirstWallMakesNoLeadOfIt) {  // D-38
   }
 }
 
-// Behind an overrun that ends before a flat inside corner, the arc out runs through that corner.
+// After an overrun that ends before a flat inside corner, the arc out runs through that corner.
 TEST(Walls, ALeadOutThroughAFlatCornerMakesNoLeadOfIt) {  // D-38
   for (const double angle : {0.1, 0.2, 0.3})
     for (const double before : {0.5, 1.0, 1.5}) {
@@ -622,12 +622,12 @@ TEST(Walls, ALeadOutThroughAFlatCornerMakesNoLeadOfIt) {  // D-38
     }
 }
 
-// Behind an overrun that ends just before the keyway of a bore the arc out stays within the closing
+// After an overrun that ends just before the keyway of a bore the arc out stays within the closing
 // tolerance of the wall up to there.
-TEST(Walls, AnArcOutOfABoreIsALeadFromItsBegin) {  // D-38
+TEST(Walls, AnArcOutOfABoreIsALeadFromItsStart) {  // D-38
   for (const double lead : {5.0, 12.0, 18.0})
     for (const double before : {0.5, 0.2, 0.02}) {
-      const double overrun = 4 - before;  // mm; the keyway begins 4 mm behind the start
+      const double overrun = 4 - before;  // mm; the keyway begins 4 mm after the start
       const Point end(20 * std::sin(overrun / 20), -20 * std::cos(overrun / 20));
       const Point center = (1 - lead / 20) * end;
       const Walls walls = walls_of(Drawing(-lead, -20 + lead)
@@ -646,8 +646,8 @@ TEST(Walls, AnArcOutOfABoreIsALeadFromItsBegin) {  // D-38
     }
 }
 
-// A line in comes within the closing tolerance of the last walls before it meets the begin.
-TEST(Walls, ALineInAlongABossDoesNotHideItsBegin) {  // D-38
+// A line in comes within the closing tolerance of the last walls before it meets the start.
+TEST(Walls, ALineInAlongABossDoesNotHideItsStart) {  // D-38
   Drawing drawing(2, -2);
   drawing.line(2, 0);
   for (int arc = 0; arc < 720; ++arc) drawing.arc(0, 0, 2 * pi / 720);
@@ -657,7 +657,7 @@ TEST(Walls, ALineInAlongABossDoesNotHideItsBegin) {  // D-38
 }
 
 // Of a block without length both ends are the crossing: there is nothing beyond it.
-TEST(Walls, APointBehindAFullCircleTiesNothing) {  // D-44
+TEST(Walls, APointAfterAFullCircleTiesNothing) {  // D-44
   for (const double shift : {1.0, -1.0}) {
     const Drawing drawing = Drawing(-30, 0).line(0, 0).arc(4, 16, 2 * pi).line(0, 0).line(3, -20);
     ContourView view = drawing.view();

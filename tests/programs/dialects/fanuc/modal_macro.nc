@@ -1,6 +1,6 @@
 ; radius 2
 ; path -2 0 L; -2 40 L; -20 40 L
-; A macro behind each position, and one of the machine.
+; A macro after each position, and one of the machine.
 G21 G90 G17
 G66 P100 A2. B5. (HOLES)
 G0 X10. Y10.
