@@ -38,10 +38,10 @@ TEST(ToldTogether, OfFanucAreStateAndWordsAndCalls) {
 
 // What else is wrong in a program of another dialect is wrong in this one alone.
 TEST(ToldTogether, OfAnotherDialectIsThatAlone) {
-  const std::string all =
-      told("BEGIN PGM A MM\nTOOL CALL 1 Z S1000\nL Z+50 R0 FMAX\nAPPR LCT X+5 Y+5 R5 RL F300\n"
-           "RND R10\nCT X+40 Y+5\nEND PGM A MM\n",
-           DialectName::isg);
+  const std::string all = told(
+      "BEGIN PGM A MM\nTOOL CALL 1 Z S1000\nL Z+50 R0 FMAX\nAPPR LCT X+5 Y+5 R5 RL F300\n"
+      "RND R10\nCT X+40 Y+5\nEND PGM A MM\n",
+      DialectName::isg);
   EXPECT_NE(all.find("900016 1 "), std::string::npos) << all;
   EXPECT_EQ(all.find("900003"), std::string::npos) << all;
 }
