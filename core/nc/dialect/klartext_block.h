@@ -154,7 +154,6 @@ struct KlartextBlock {
   // The axes whose place is a parameter, and whether something else is one.
   std::array<bool, 3> by_parameter{};
   bool other_parameter = false;
-  bool feed_per_minute = false;
   std::optional<bool> masks{};                  // M120
   std::optional<FeedAdaptation> adapts_feed{};  // M109 M110 M111
   AxisBits leaves_on = 0;                       // an arc across the plane, which moves these
