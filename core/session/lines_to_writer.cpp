@@ -67,7 +67,8 @@ void LinesToWriter::advance() {
   else
     path_.advance_before(next_item_, path_out());
   writer_.release_lines([this](LinePointer line) { reader_.recycle(std::move(line)); });
-  if (!writes_text() && output_->blocks().size() >= Compensator::portion) output_->portion();
+  if (!writes_text() && output_->blocks().size() >= Compensator::blocks_per_portion)
+    output_->portion();
   output_->hand_on();
 }
 

@@ -34,7 +34,7 @@ bool Compensator::Passes::step(Input input, std::vector<CompensatedBlock>& out) 
 bool Compensator::Passes::go_on(std::vector<CompensatedBlock>& out) {
   while (loop_removal.is_leaving()) {
     if (!release(out)) return false;
-    if (out.size() >= portion) return true;
+    if (out.size() >= blocks_per_portion) return true;
   }
   const Input input = *unfinished;
   unfinished.reset();

@@ -38,7 +38,7 @@ class Compensator {
 
   // Blocks in a portion: the end of a selection under loop removal releases its whole path, which
   // leaves in pieces of about this size.
-  static constexpr std::size_t portion = 1024;
+  static constexpr std::size_t blocks_per_portion = 1024;
   // A portion has come out and more follows: call release() before anything else.
   [[nodiscard]] bool is_releasing() const;
   // Appends until `out` holds a portion, or all is out. Returns false once the stream must

@@ -104,7 +104,7 @@ struct Compensator::Passes {
             transitions, loop_removal, bottlenecks, reporting);
   }
 
-  static constexpr std::size_t some = 32;  // of a portion
+  static constexpr std::size_t blocks_per_step = 32;  // of a portion
 
   CompensatorSetup setup;
   Diagnostics& diagnostics;

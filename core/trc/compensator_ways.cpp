@@ -40,7 +40,8 @@ bool Compensator::Passes::are_idle_for(const PathBlock& block) const {
 bool Compensator::Passes::release(std::vector<CompensatedBlock>& out) {
   checkpoint.pass();
   const bool is_idle = path.blocks.empty() && bottlenecks.is_empty();
-  if (is_idle && ways.short_out && short_release.put_out(out, out.size() + some)) return true;
+  if (is_idle && ways.short_out && short_release.put_out(out, out.size() + blocks_per_step))
+    return true;
   return loop_removal.release_some(path.blocks) && finish_path(Input::more, out);
 }
 

@@ -54,8 +54,8 @@ void LoopRelease::leave_out_rest(const Point& place, PathBlocks& out) {
 
 // Ends before the next block that leaves as it came, unless the caller has just passed that over.
 std::size_t LoopRelease::end_of_portion() const {
-  constexpr std::size_t portion = 32;  // each one reuses the storage of the last
-  const std::size_t end = std::min(walked_.begin() + portion, walked_.end());
+  constexpr std::size_t blocks_per_step = 32;  // each one reuses the storage of the last
+  const std::size_t end = std::min(walked_.begin() + blocks_per_step, walked_.end());
   if (next_stands_for_itself()) return end;
   std::size_t number = std::min(walked_.begin() + 1, end);
   const auto came_so = [&](const WalkedPath::Kept& kept) {

@@ -226,8 +226,8 @@ void LoopRemoval::forget() {
   if (release_.next() >= end_of_path() || closing_.needs_begin()) return;
   const std::size_t number = held_.path.number_of(release_.next());
   // Some more than the window, so that dropping is rare.
-  const std::size_t some = std::min<std::size_t>(window_ / 8, 64);
-  if (number <= held_.path.begin_of_contour() + window_ + 1 + some) return;
+  const std::size_t slack_blocks = std::min<std::size_t>(window_ / 8, 64);
+  if (number <= held_.path.begin_of_contour() + window_ + 1 + slack_blocks) return;
   const std::size_t keep = number - window_ - 1;
   held_.path.forget_before(keep);
   obstacles_.drop_before(keep);
