@@ -11,7 +11,7 @@ namespace trc::cli {
 namespace {
 
 struct Call {
-  ShapeRequest request{.shape = "square"};
+  load::ShapeRequest request{.shape = "square"};
   std::string output;
   std::string language;
 };
@@ -20,7 +20,7 @@ Exit run(const Call& call) {
   Output output(call.output);
   if (!output.open()) return Exit::wrong_call;
   bool written = true;
-  const std::string fault = generate(call.request, [&](std::string_view text) {
+  const std::string fault = load::generate(call.request, [&](std::string_view text) {
     written = output.write(text);
     return written;
   });
@@ -33,7 +33,7 @@ Exit run(const Call& call) {
 
 std::string list_of_shapes() {
   std::string text = "Shapes:\n";
-  for (const ShapeRow& row : shapes())
+  for (const load::ShapeRow& row : load::shapes())
     text += "  " + std::string(row.name) + std::string(10 - row.name.size(), ' ') +
             std::string(row.meaning) + "\n";
   return text;
@@ -48,7 +48,7 @@ void add_generate(CLI::App& app, Action& action) {
       "The same shape, seed, radius and number of blocks give the same text everywhere.");
   auto call = std::make_shared<Call>();
   std::vector<std::string> names;
-  for (const ShapeRow& row : shapes()) names.emplace_back(row.name);
+  for (const load::ShapeRow& row : load::shapes()) names.emplace_back(row.name);
   command->add_option("--shape", call->request.shape, "What is cut")
       ->check(CLI::IsMember(names))
       ->capture_default_str();

@@ -24,7 +24,7 @@ struct Call {
   ServiceOptions service;
   std::string language;
   std::vector<std::string> assignments;
-  ShapeRequest shape{.shape = "random", .blocks = 1000};
+  load::ShapeRequest shape{.shape = "random", .blocks = 1000};
   load::Plan plan;
   load::Layout layout = load::Layout::columns;
   std::uint32_t batch = 256;
@@ -111,7 +111,7 @@ Exit exit_of(const load::Tally& tally) {
 }
 
 Exit run(const Call& call) {
-  if (const std::string fault = fault_of(call.shape); !fault.empty()) {
+  if (const std::string fault = load::fault_of(call.shape); !fault.empty()) {
     complain(fault);
     return Exit::wrong_call;
   }
@@ -200,7 +200,7 @@ void add_load_options(CLI::App& command, Call& call) {
 
 void add_job_options(CLI::App& command, Call& call) {
   std::vector<std::string> names;
-  for (const ShapeRow& row : shapes()) names.emplace_back(row.name);
+  for (const load::ShapeRow& row : load::shapes()) names.emplace_back(row.name);
   command.add_option("--shape", call.shape.shape, "Contour of every stream (trc generate --help)")
       ->check(CLI::IsMember(names))
       ->capture_default_str();

@@ -9,7 +9,7 @@
 #include "client/trc/received.h"
 #include "proto/wire/compensated_block.h"
 
-namespace trc::cli::load {
+namespace trc::load {
 namespace {
 
 template <class Message>
@@ -148,4 +148,4 @@ std::unique_ptr<Conversation> converse(const Job& job, ResultCheck* check) {
   return std::make_unique<PathConversation>(job, check);
 }
 
-}  // namespace trc::cli::load
+}  // namespace trc::load

@@ -9,7 +9,7 @@
 #include "client/load/digest.h"
 #include "client/load/job.h"
 
-namespace trc::cli::load {
+namespace trc::load {
 
 // What one response says.
 struct Response {
@@ -43,4 +43,4 @@ class Conversation {
 // `check` gets the result; none: nothing is compared.
 [[nodiscard]] std::unique_ptr<Conversation> converse(const Job& job, ResultCheck* check);
 
-}  // namespace trc::cli::load
+}  // namespace trc::load

@@ -4,7 +4,7 @@
 #include <bit>
 #include <type_traits>
 
-namespace trc::cli::load {
+namespace trc::load {
 namespace {
 
 // Hands `text` to `add` in pieces that end where a checkpoint is due.
@@ -104,4 +104,4 @@ void ResultCheck::finish() {
              digest_.value() != expected_.digest_.value();
 }
 
-}  // namespace trc::cli::load
+}  // namespace trc::load

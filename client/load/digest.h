@@ -6,7 +6,7 @@
 
 #include "core/trc/result/compensated_block.h"
 
-namespace trc::cli::load {
+namespace trc::load {
 
 // A number that depends on every bit of a result, but not on how it was cut into messages. One
 // changed bit always changes it; several do with a chance of failure of 2^-64.
@@ -71,4 +71,4 @@ class ResultCheck {
   bool differs_ = false;
 };
 
-}  // namespace trc::cli::load
+}  // namespace trc::load

@@ -8,7 +8,7 @@
 #include "client/load/schedule.h"
 #include "client/trc/failure.h"
 
-namespace trc::cli::load {
+namespace trc::load {
 namespace {
 
 // The longest time between two checks of the run's own state.
@@ -229,4 +229,4 @@ void Generator::count_check(const Stream& stream) {
                            " is not what the core gives";
 }
 
-}  // namespace trc::cli::load
+}  // namespace trc::load

@@ -17,7 +17,7 @@ namespace grpc {
 class Channel;
 }
 
-namespace trc::cli::load {
+namespace trc::load {
 
 // Runs the streams of a plan against a server and counts.
 //
@@ -78,4 +78,4 @@ class Generator final : private Stream::Listener {
   Outcome outcome_;
 };
 
-}  // namespace trc::cli::load
+}  // namespace trc::load

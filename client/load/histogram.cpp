@@ -4,7 +4,7 @@
 #include <bit>
 #include <cmath>
 
-namespace trc::cli::load {
+namespace trc::load {
 namespace {
 
 // Each duration below 2^fine_bits ns has its own bucket; above, each doubling has half as many.
@@ -52,4 +52,4 @@ Histogram::Duration Histogram::at(double share) const {
   return max_;
 }
 
-}  // namespace trc::cli::load
+}  // namespace trc::load

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace trc::cli::load {
+namespace trc::load {
 
 // Counts durations in buckets that are as wide as 1/1024 of what they hold, so that a percentile is
 // told to three digits whatever its size, in memory that does not grow. From 1 ns to 18 minutes;
@@ -35,4 +35,4 @@ class Histogram {
   Duration max_{};
 };
 
-}  // namespace trc::cli::load
+}  // namespace trc::load

@@ -9,7 +9,7 @@
 #include "proto/wire/block.h"
 #include "proto/wire/setup.h"
 
-namespace trc::cli::load {
+namespace trc::load {
 namespace {
 
 constexpr double feed = 1000;  // mm/min
@@ -232,4 +232,4 @@ ExpectedResult expected_of(const Job& job, std::string& refused) {
   return job.layout() == Layout::text ? expected_text(job, refused) : expected_path(job, refused);
 }
 
-}  // namespace trc::cli::load
+}  // namespace trc::load

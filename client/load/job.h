@@ -8,7 +8,7 @@
 #include "client/load/sample_program.h"
 #include "trc/v1/trc_service.pb.h"
 
-namespace trc::cli::load {
+namespace trc::load {
 
 enum class Layout {
   columns,  // CompensatePath, both ways in columns
@@ -58,4 +58,4 @@ class Job {
 // The result of the job by the core of this process. `refused`: why there is none, else empty.
 [[nodiscard]] ExpectedResult expected_of(const Job& job, std::string& refused);
 
-}  // namespace trc::cli::load
+}  // namespace trc::load

@@ -9,7 +9,7 @@
 #include "client/load/report_words.h"
 #include "core/base/text_width.h"
 
-namespace trc::cli::load {
+namespace trc::load {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -251,4 +251,4 @@ std::string report_json(const RunDescription& run, const Plan& plan, const Job& 
   return object.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-}  // namespace trc::cli::load
+}  // namespace trc::load

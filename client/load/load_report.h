@@ -7,7 +7,7 @@
 #include "client/load/tally.h"
 #include "core/base/language.h"
 
-namespace trc::cli::load {
+namespace trc::load {
 
 // The description of the run for its report.
 struct RunDescription {
@@ -23,4 +23,4 @@ struct RunDescription {
 [[nodiscard]] std::string report_json(const RunDescription& run, const Plan& plan, const Job& job,
                                       const Outcome& outcome);
 
-}  // namespace trc::cli::load
+}  // namespace trc::load

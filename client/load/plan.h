@@ -3,7 +3,7 @@
 #include <chrono>
 #include <cstdint>
 
-namespace trc::cli::load {
+namespace trc::load {
 
 // The load put on the server.
 struct Plan {
@@ -23,4 +23,4 @@ struct Plan {
   [[nodiscard]] bool open_loop() const { return rate > 0; }
 };
 
-}  // namespace trc::cli::load
+}  // namespace trc::load

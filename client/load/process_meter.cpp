@@ -11,7 +11,7 @@
 #include <system_error>
 #include <vector>
 
-namespace trc::cli::load {
+namespace trc::load {
 namespace {
 
 constexpr std::string_view unix_prefix = "unix:";
@@ -118,4 +118,4 @@ std::optional<pid_t> listening_process(const std::string& address) {
   return std::nullopt;
 }
 
-}  // namespace trc::cli::load
+}  // namespace trc::load

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-namespace trc::cli::load {
+namespace trc::load {
 
 // The resources that a process of this machine has used so far.
 struct ProcessUse {
@@ -23,4 +23,4 @@ struct ProcessUse {
 // namespace, and may be looked at.
 [[nodiscard]] std::optional<pid_t> listening_process(const std::string& address);
 
-}  // namespace trc::cli::load
+}  // namespace trc::load

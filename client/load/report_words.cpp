@@ -4,7 +4,7 @@
 
 #include "core/messages/sentences.h"
 
-namespace trc::cli::load {
+namespace trc::load {
 namespace {
 
 constexpr auto sentences = std::to_array<Sentence>({
@@ -65,4 +65,4 @@ std::string said(std::string_view english, Language language) {
   return language == Language::german ? translated(english, {sentences}) : std::string(english);
 }
 
-}  // namespace trc::cli::load
+}  // namespace trc::load

@@ -9,7 +9,7 @@
 
 #include "core/base/tolerances.h"
 
-namespace trc::cli {
+namespace trc::load {
 namespace {
 
 using std::numbers::pi;
@@ -279,4 +279,4 @@ Point SampleContour::retract_to() const {
   return end + away_ * outward;
 }
 
-}  // namespace trc::cli
+}  // namespace trc::load

@@ -7,7 +7,7 @@
 
 #include "core/geometry/segment.h"
 
-namespace trc::cli {
+namespace trc::load {
 
 struct ShapeRequest {
   std::string shape{};
@@ -63,4 +63,4 @@ class SampleContour {
   std::vector<ContourElement> lap_;
 };
 
-}  // namespace trc::cli
+}  // namespace trc::load

@@ -4,7 +4,7 @@
 
 #include "core/nc/text/number_format.h"
 
-namespace trc::cli {
+namespace trc::load {
 namespace {
 
 constexpr int decimals = 6;
@@ -74,4 +74,4 @@ std::string generate(const ShapeRequest& request, const TextSink& sink) {
   return {};
 }
 
-}  // namespace trc::cli
+}  // namespace trc::load

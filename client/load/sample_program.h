@@ -8,7 +8,7 @@
 
 #include "client/load/sample_contour.h"
 
-namespace trc::cli {
+namespace trc::load {
 
 // A sample contour as an NC program, line by line: selection with G42 and the modes of its head,
 // the contour, deselection.
@@ -37,4 +37,4 @@ using TextSink = std::function<bool(std::string_view)>;
 // empty if nothing.
 [[nodiscard]] std::string generate(const ShapeRequest& request, const TextSink& sink);
 
-}  // namespace trc::cli
+}  // namespace trc::load

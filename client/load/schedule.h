@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace trc::cli::load {
+namespace trc::load {
 
 // When streams are meant to begin, fixed before the run: what the server does cannot move it. The
 // rate grows from nothing to its full height during the ramp.
@@ -40,4 +40,4 @@ class Schedule {
   return std::ceil((number + 1) * share) > std::ceil(number * share);
 }
 
-}  // namespace trc::cli::load
+}  // namespace trc::load

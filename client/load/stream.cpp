@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
-namespace trc::cli::load {
+namespace trc::load {
 namespace {
 
 constexpr std::chrono::milliseconds pause_of_slow_reader{50};
@@ -124,4 +124,4 @@ void Stream::OnDone(const grpc::Status& status) {
   listener_.ended(*this, status);
 }
 
-}  // namespace trc::cli::load
+}  // namespace trc::load

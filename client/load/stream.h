@@ -16,7 +16,7 @@
 #include "client/load/conversation.h"
 #include "client/load/tally.h"
 
-namespace trc::cli::load {
+namespace trc::load {
 
 using GenericStub = grpc::TemplatedGenericStub<grpc::ByteBuffer, grpc::ByteBuffer>;
 
@@ -96,4 +96,4 @@ class Stream final : private grpc::ClientBidiReactor<grpc::ByteBuffer, grpc::Byt
   bool unreadable_ = false;
 };
 
-}  // namespace trc::cli::load
+}  // namespace trc::load

@@ -9,7 +9,7 @@
 #include "client/load/histogram.h"
 #include "client/load/process_meter.h"
 
-namespace trc::cli::load {
+namespace trc::load {
 
 using Clock = std::chrono::steady_clock;
 
@@ -64,4 +64,4 @@ struct Outcome {
   std::optional<Server> server{};
 };
 
-}  // namespace trc::cli::load
+}  // namespace trc::load

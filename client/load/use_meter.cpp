@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
-namespace trc::cli::load {
+namespace trc::load {
 namespace {
 
 constexpr std::chrono::milliseconds between_looks{100};
@@ -57,4 +57,4 @@ void UseMeter::finish(Outcome& outcome) {
                     .resident_mib_last = resident_mib};
 }
 
-}  // namespace trc::cli::load
+}  // namespace trc::load

@@ -5,7 +5,7 @@
 #include "client/load/process_meter.h"
 #include "client/load/tally.h"
 
-namespace trc::cli::load {
+namespace trc::load {
 
 // Follows the resources of this process and the server while the run is measured.
 class UseMeter {
@@ -35,4 +35,4 @@ class UseMeter {
   double least_mib_ = 0;
 };
 
-}  // namespace trc::cli::load
+}  // namespace trc::load

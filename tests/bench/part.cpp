@@ -12,7 +12,7 @@ namespace {
 std::string sample_program() {
   std::string text;
   const std::string fault =
-      cli::generate({.shape = "random", .blocks = 2 * Part::blocks_per_lap}, [&](auto piece) {
+      load::generate({.shape = "random", .blocks = 2 * Part::blocks_per_lap}, [&](auto piece) {
         text += piece;
         return true;
       });

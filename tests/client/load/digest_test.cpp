@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace trc::cli::load {
+namespace trc::load {
 namespace {
 
 std::vector<CompensatedBlock> path() {
@@ -104,4 +104,4 @@ TEST(ResultCheck, DoesNotMindHowTextIsCut) {
 }
 
 }  // namespace
-}  // namespace trc::cli::load
+}  // namespace trc::load

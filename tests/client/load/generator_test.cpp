@@ -5,7 +5,7 @@
 
 #include "tests/client/load/meddling_server.h"
 
-namespace trc::cli::load {
+namespace trc::load {
 namespace {
 
 using std::chrono::milliseconds;
@@ -120,4 +120,4 @@ TEST(Load, BeginsWithTheRampAndMeasuresAfterIt) {
 }
 
 }  // namespace
-}  // namespace trc::cli::load
+}  // namespace trc::load

@@ -8,7 +8,7 @@
 
 #include "tests/support/random.h"
 
-namespace trc::cli::load {
+namespace trc::load {
 namespace {
 
 using Duration = Histogram::Duration;
@@ -85,4 +85,4 @@ TEST(Histogram, HasNothingToTellWhenEmpty) {
 }
 
 }  // namespace
-}  // namespace trc::cli::load
+}  // namespace trc::load

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <thread>
 
-namespace trc::cli::load {
+namespace trc::load {
 
 MeddlingServer::MeddlingServer(const Meddling& meddling)
     : meddling_(meddling), stub_(v1::TrcService::NewStub(real_.channel())) {
@@ -74,4 +74,4 @@ grpc::Status MeddlingServer::GetServerInfo(grpc::ServerContext* /*context*/,
   return stub_->GetServerInfo(&context, *request, response);
 }
 
-}  // namespace trc::cli::load
+}  // namespace trc::load

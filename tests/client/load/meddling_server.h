@@ -10,7 +10,7 @@
 #include "server/in_process.h"
 #include "trc/v1/trc_service.grpc.pb.h"
 
-namespace trc::cli::load {
+namespace trc::load {
 
 // The service at a port of its own, with somebody in between who changes or holds up answers.
 class MeddlingServer final : public v1::TrcService::Service {
@@ -54,4 +54,4 @@ class MeddlingServer final : public v1::TrcService::Service {
   std::unique_ptr<grpc::Server> server_;
 };
 
-}  // namespace trc::cli::load
+}  // namespace trc::load

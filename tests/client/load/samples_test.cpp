@@ -5,7 +5,7 @@
 #include "core/session/program_session.h"
 #include "core/verify/clearance.h"
 
-namespace trc::cli {
+namespace trc::load {
 namespace {
 
 std::string program_of(const ShapeRequest& request) {
@@ -69,4 +69,4 @@ TEST(Shapes, RefuseWhatTheyDoNotKnowOrCannotHold) {
 }
 
 }  // namespace
-}  // namespace trc::cli
+}  // namespace trc::load

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace trc::cli::load {
+namespace trc::load {
 namespace {
 
 using std::chrono::milliseconds;
@@ -56,4 +56,4 @@ TEST(Sampling, TakesAllOrNone) {
 }
 
 }  // namespace
-}  // namespace trc::cli::load
+}  // namespace trc::load
