@@ -309,11 +309,11 @@ std::string text_of(const RelatedPlace& related, Language language) {
 namespace {
 
 // Blocks of Klartext have numbers without N: "line 7 (block 6)".
-std::string with_block_numbers(std::string text, bool german) {
+std::string with_block_numbers(std::string text, Language language) {
+  const std::string_view word = language == Language::german ? "Satz " : "block ";
   for (std::size_t at = text.find("(N"); at != std::string::npos; at = text.find("(N", at + 1)) {
     const std::size_t end = text.find_first_not_of("0123456789", at + 2);
-    if (end != std::string::npos && end > at + 2 && text[end] == ')')
-      text.replace(at + 1, 1, german ? "Satz " : "block ");
+    if (end != std::string::npos && end > at + 2 && text[end] == ')') text.replace(at + 1, 1, word);
   }
   return text;
 }
@@ -354,7 +354,7 @@ std::string message_of(const Diagnostic& diagnostic, Language language) {
   }
   if (separator[0] == ',') text.append(")");
   if (!diagnostic.calls.empty()) text.append(", ").append(text_of(diagnostic.calls, language));
-  return diagnostic.words == ControlWords::klartext ? with_block_numbers(std::move(text), german)
+  return diagnostic.words == ControlWords::klartext ? with_block_numbers(std::move(text), language)
                                                     : text;
 }
 
@@ -384,7 +384,8 @@ std::string text_of(const std::vector<CallPlace>& calls, Language language) {
 namespace {
 
 // If G138 or G139 begins in an inside corner, a smaller tool does not fit either.
-std::string help_in_corner(ControlWords words, bool german) {
+std::string help_in_corner(ControlWords words, Language language) {
+  const bool german = language == Language::german;
   std::string text(german ? "So nicht fertigen. Die Kontur an einer anderen Stelle beginnen"
                           : "Do not machine it so. Begin the contour in another place");
   if (words == ControlWords::isg)
@@ -403,7 +404,8 @@ bool begins_in_corner(const Diagnostic& diagnostic) {
 
 // An arc that is given by its radius has no centre to correct. In Klartext, a single word that is
 // refused often belongs to another control.
-std::string_view help_about_values(const Diagnostic& diagnostic, bool german) {
+std::string_view help_about_values(const Diagnostic& diagnostic, Language language) {
+  const bool german = language == Language::german;
   if (diagnostic.code == Code::circle_center_misfit &&
       value_named(diagnostic, "smallest_radius").has_value())
     return german ? "Den Radius oder den Endpunkt berichtigen: der Radius muss wenigstens den "
@@ -456,7 +458,7 @@ std::string_view help_about_values(const Diagnostic& diagnostic, bool german) {
 }
 
 // How to declare the program after "TRANS, …, as in sinumerik". Empty if no dialect is named.
-std::string help_to_declare(const Diagnostic& diagnostic, bool german) {
+std::string help_to_declare(const Diagnostic& diagnostic, Language language) {
   struct Family {
     std::string_view dialect;
     std::string_view english;
@@ -474,7 +476,7 @@ std::string help_to_declare(const Diagnostic& diagnostic, bool german) {
   if (family == families.end()) return {};
   const std::string name(family->dialect);
   const bool is_of_isg = diagnostic.words == ControlWords::isg;
-  if (german)
+  if (language == Language::german)
     return "Ist dies ein Programm " + std::string(family->german) +
            ", dann dies angeben: --dialect " + name + ", `dialect` im Setup. " +
            (is_of_isg ? "Ist es eines für ISG, das" : "Sonst das") + " Wort streichen." +
@@ -500,10 +502,10 @@ DiagnosticTexts texts_of(const Diagnostic& diagnostic) {
 
 std::string help_of(const Diagnostic& diagnostic, Language language) {
   const bool german = language == Language::german;
-  if (begins_in_corner(diagnostic)) return help_in_corner(diagnostic.words, german);
+  if (begins_in_corner(diagnostic)) return help_in_corner(diagnostic.words, language);
   const auto* const slip = std::ranges::find(slip_helps, diagnostic.slip.kind, &SlipHelp::kind);
   if (slip == slip_helps.end()) {
-    if (std::string declared = help_to_declare(diagnostic, german); !declared.empty())
+    if (std::string declared = help_to_declare(diagnostic, language); !declared.empty())
       return declared;
     std::string_view help = help_in(diagnostic.words, diagnostic.code, language);
     constexpr std::array of_words{
@@ -535,7 +537,7 @@ std::string help_of(const Diagnostic& diagnostic, Language language) {
         : has_own_reason || std::ranges::find(of_words, diagnostic.code) != of_words.end()
             ? help_by_reason(diagnostic.detail, language)
             : std::string_view();
-    if (const std::string_view of_values = help_about_values(diagnostic, german);
+    if (const std::string_view of_values = help_about_values(diagnostic, language);
         !of_values.empty())
       help = of_values;
     if (!by_reason.empty()) help = by_reason;

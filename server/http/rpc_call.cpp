@@ -27,13 +27,13 @@ std::shared_ptr<RpcCall> RpcCall::start(const std::shared_ptr<grpc::Channel>& ch
   return call;
 }
 
-void RpcCall::write(const grpc::ByteBuffer& message, bool last, Written then) {
+void RpcCall::write(const grpc::ByteBuffer& message, Sequel sequel, Written then) {
   {
     const std::lock_guard lock(mutex_);
     if (!over_) {
       outgoing_ = message;
       written_ = std::move(then);
-      if (last)
+      if (sequel == Sequel::none)
         StartWriteLast(&outgoing_, grpc::WriteOptions());
       else
         StartWrite(&outgoing_);

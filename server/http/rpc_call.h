@@ -5,6 +5,7 @@
 #include <grpcpp/grpcpp.h>
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -37,7 +38,9 @@ class RpcCall final : public grpc::ClientBidiReactor<grpc::ByteBuffer, grpc::Byt
   static std::shared_ptr<RpcCall> start(const std::shared_ptr<grpc::Channel>& channel,
                                         const Options& options, Done done);
 
-  void write(const grpc::ByteBuffer& message, bool last, Written then);
+  enum class Sequel : std::uint8_t { more, none };  // of requests, after a message
+
+  void write(const grpc::ByteBuffer& message, Sequel sequel, Written then);
   // After a read that was not ok `done` follows, and nothing more may be read.
   void read(Read then);
   void cancel() { context_.TryCancel(); }

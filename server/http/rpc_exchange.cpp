@@ -37,7 +37,8 @@ RpcExchange::RpcExchange(Api& api, ExchangePointer exchange, std::unique_ptr<Que
 void RpcExchange::ask() {
   bool last = false;
   const grpc::ByteBuffer message = questions_->next(last);
-  call_->write(message, last, [self = shared_from_this(), last](bool ok) {
+  const auto sequel = last ? RpcCall::Sequel::none : RpcCall::Sequel::more;
+  call_->write(message, sequel, [self = shared_from_this(), last](bool ok) {
     if (ok && !last) self->exchange_->post([self] { self->ask(); });
   });
 }

@@ -14,10 +14,12 @@ std::size_t behind_digits(std::string_view line, std::size_t at) {
 }
 
 // N10; in Klartext the number alone.
-std::size_t behind_number(std::string_view line, std::size_t at, bool klartext) {
+std::size_t behind_number(std::string_view line, std::size_t at, DialectName dialect) {
   const std::size_t digits = at < line.size() && upper(line[at]) == 'N' ? at + 1 : at;
   const std::size_t end = behind_digits(line, digits);
-  return end > digits && (digits > at || klartext) ? behind_blanks(line, end) : at;
+  return end > digits && (digits > at || dialect == DialectName::heidenhain)
+             ? behind_blanks(line, end)
+             : at;
 }
 
 // Stops, spindle and coolant.
@@ -27,7 +29,7 @@ constexpr std::array<double, 12> functions_beside_the_path{0, 1, 3, 4, 5, 7, 8, 
 
 SkipSign skip_sign_of(std::string_view line, DialectName dialect) {
   const bool klartext = dialect == DialectName::heidenhain;
-  const std::size_t begin = behind_number(line, behind_blanks(line, 0), klartext);
+  const std::size_t begin = behind_number(line, behind_blanks(line, 0), dialect);
   if (begin >= line.size() || line[begin] != '/') return {};
   // In Klartext the digits are the block number.
   const std::size_t number = klartext ? begin + 1 : behind_digits(line, begin + 1);
@@ -46,7 +48,7 @@ SkipSign skip_sign_within(std::string_view line, DialectName dialect) {
 
 bool is_beside_the_path(std::string_view line, const SkipSign& sign, DialectName dialect) {
   const bool klartext = dialect == DialectName::heidenhain;
-  std::size_t at = behind_number(line, sign.end, klartext);
+  std::size_t at = behind_number(line, sign.end, dialect);
   if (klartext && at < line.size() && upper(line[at]) == 'L' && blank_at_start(line.substr(at + 1)))
     at = behind_blanks(line, at + 1);
   while (at < line.size() && line[at] != '(' && line[at] != ';') {

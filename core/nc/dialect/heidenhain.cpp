@@ -144,7 +144,8 @@ bool read_statement(Reading& reading, ProgramLine& line, KlartextBlock& block, s
   line.sum_up_roles();
   const bool readable = has_words && check_klartext(reading, line, block) &&
                         (block.unfollowed || check_words_together(reading, line, block));
-  return take_klartext(reading, line, block, readable);
+  return take_klartext(reading, line, block,
+                       readable ? KlartextCheck::passed : KlartextCheck::failed);
 }
 
 }  // namespace
@@ -197,14 +198,14 @@ bool read_klartext(Reading& reading, ProgramLine& line) {
   return goes_on;
 }
 
-bool take_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block, bool readable) {
+bool take_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block, KlartextCheck check) {
   if (!reading.faults.empty()) {
     if (block.side) reading.scanned_trc = *block.side != Side::off;
     if (block.is(KlartextStatement::departure)) reading.scanned_trc = false;
     // Labels after the end are not searched for further faults, unless calls of them are followed.
     reading.ended |= line.ends_program && !reading.reads_flat;
   }
-  if (!readable || !reading.faults.empty()) return false;
+  if (check == KlartextCheck::failed || !reading.faults.empty()) return false;
   line.has_words = true;
   ++reading.blocks_read;
   const bool goes_on = apply_klartext(reading, line, block);

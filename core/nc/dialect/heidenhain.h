@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 #include "core/nc/dialect/klartext_block.h"
@@ -20,7 +21,10 @@ bool refuse_klartext(Reading& reading, const ProgramLine& line, std::size_t begi
 // A block that is not plain (klartext_plain.h).
 bool read_klartext(Reading& reading, ProgramLine& line);
 
-// Applies the words of the block, unless it is not `readable`.
-bool take_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block, bool readable);
+// Whether the words of a block were read and may stand together.
+enum class KlartextCheck : std::uint8_t { passed, failed };
+
+// Applies the words of the block, unless the check failed.
+bool take_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block, KlartextCheck check);
 
 }  // namespace trc

@@ -194,7 +194,9 @@ bool read_plain_klartext(const Reading& reading, ProgramLine& line, KlartextBloc
 std::optional<bool> take_plain_klartext(Reading& reading, ProgramLine& line) {
   KlartextBlock block;
   if (!read_plain_klartext(reading, line, block)) return {};
-  return take_klartext(reading, line, block, check_klartext(reading, line, block));
+  const bool readable = check_klartext(reading, line, block);
+  return take_klartext(reading, line, block,
+                       readable ? KlartextCheck::passed : KlartextCheck::failed);
 }
 
 }  // namespace trc

@@ -21,7 +21,7 @@ std::optional<double> in_other_base(double number, std::int64_t from, std::int64
 }
 
 // Trigonometric functions and their inverses.
-std::optional<double> of_angles(Function function, double argument, bool fanuc) {
+std::optional<double> of_angles(Function function, double argument, DialectName dialect) {
   switch (function) {
     case Function::sine:
       return std::sin(argument * degree);
@@ -35,7 +35,7 @@ std::optional<double> of_angles(Function function, double argument, bool fanuc) 
     case Function::arc_sine: {
       if (std::abs(argument) > 1) return std::nullopt;
       const double angle = std::asin(argument) / degree;
-      return fanuc && angle < 0 ? angle + 360 : angle;  // D-48
+      return dialect == DialectName::fanuc && angle < 0 ? angle + 360 : angle;  // D-48
     }
     case Function::arc_cosine:
       if (std::abs(argument) > 1) return std::nullopt;
@@ -69,7 +69,8 @@ std::optional<double> of_powers(Function function, double argument) {
   }
 }
 
-std::optional<double> of_whole_part(Function function, double argument, bool fanuc) {
+std::optional<double> of_whole_part(Function function, double argument, DialectName dialect) {
+  const bool fanuc = dialect == DialectName::fanuc;
   // FANUC takes a number as whole if only the last digits of its computation differ.
   const double nearest = std::round(argument);
   const bool is_whole = fanuc && is_near(argument, nearest);
@@ -107,7 +108,6 @@ bool is_relatively_near(double left, double right) {
 
 std::optional<double> applied(Function function, double argument, DialectName dialect,
                               int decimals) {
-  const bool fanuc = dialect == DialectName::fanuc;
   switch (function) {
     case Function::absolute:
       return std::abs(argument);
@@ -130,9 +130,9 @@ std::optional<double> applied(Function function, double argument, DialectName di
     case Function::up:
     case Function::to_binary:
     case Function::to_decimal:
-      return of_whole_part(function, argument, fanuc);
+      return of_whole_part(function, argument, dialect);
     default:
-      return of_angles(function, argument, fanuc);
+      return of_angles(function, argument, dialect);
   }
 }
 

@@ -30,11 +30,14 @@ bool comes_too_near(const Line& line, const Segment& wall, double reach,
 
 }  // namespace
 
-bool ProgramState::moves_in_plane_alone(const MoveRequest& request, const Position& end,
-                                        const TrackingTravel& tracking) const {
+ProgramState::CutCorners ProgramState::cut_corners_at(const MoveRequest& request,
+                                                      const Position& end,
+                                                      const TrackingTravel& tracking) const {
   const std::size_t third = axes_of(mode_.plane).third;
-  return request.kind != MotionKind::rapid && end[third] == position_[third] &&
-         std::ranges::none_of(tracking, &AxisTravel::moves);
+  const bool in_plane_alone =
+      end[third] == position_[third] && std::ranges::none_of(tracking, &AxisTravel::moves);
+  return request.kind != MotionKind::rapid && in_plane_alone ? CutCorners::possible
+                                                             : CutCorners::impossible;
 }
 
 bool ProgramState::refuse_corner(const Source& source) {
@@ -52,9 +55,9 @@ bool ProgramState::refuse_open_lead() {
 }
 
 // A corner needs two motions of the contour itself, without motion of other axes (D-124).
-bool ProgramState::check_corner(const MoveRequest& request, bool alone) {
-  return !request.corner || request.corner->modal || (alone && is_in_contour()) ||
-         refuse_corner(request.source);
+bool ProgramState::check_corner(const MoveRequest& request, CutCorners corners) {
+  return !request.corner || request.corner->modal ||
+         (corners == CutCorners::possible && is_in_contour()) || refuse_corner(request.source);
 }
 
 // Whether blocks between the motions of the corner separate them: a motion across the plane or of a
@@ -71,7 +74,8 @@ bool ProgramState::is_corner_interrupted() const {
 }
 
 // Shortens the end of the held block and the beginning of `path`.
-bool ProgramState::cut_corner_before(const MoveRequest& request, Segment& path, bool alone) {
+bool ProgramState::cut_corner_before(const MoveRequest& request, Segment& path,
+                                     CutCorners corners) {
   if (!corner_.waits()) return true;
   if (corner_.is_open()) {
     corner_.release(blocks_);
@@ -87,7 +91,8 @@ bool ProgramState::cut_corner_before(const MoveRequest& request, Segment& path, 
   const bool no_corner =
       may_be_none && std::abs(turn_between(tangent_at_end(before.path), tangent_at_start(path))) <=
                          tolerances_.tangent;
-  const bool between_motions = alone && in_contour && !is_corner_interrupted();
+  const bool between_motions =
+      corners == CutCorners::possible && in_contour && !is_corner_interrupted();
   if (no_corner || (cut.modal && !between_motions)) {
     corner_.release(blocks_);
     return true;

@@ -316,9 +316,9 @@ bool ProgramState::append_between_corners(const MoveRequest& request, const Shap
     append_motion(request, shape, end, std::move(tracking), blocks_);
     return true;
   }
-  const bool alone = moves_in_plane_alone(request, end, tracking);
+  const CutCorners corners = cut_corners_at(request, end, tracking);
   Segment path = shape;
-  if (!check_corner(request, alone) || !cut_corner_before(request, path, alone)) return false;
+  if (!check_corner(request, corners) || !cut_corner_before(request, path, corners)) return false;
   if (lead_ && !approach_contour(path)) return false;
   // An arc that rounds a corner may have replaced the motion. In Klartext the next line has the
   // corner after the motion.

@@ -307,12 +307,13 @@ class ProgramState {
   // Refuses the corner that waits for the motion after it, at the place of the corner.
   bool refuse_held_corner();
   bool refuse_open_lead();
-  // Whether the motion to `end` may have a corner that is cut: at feed, in the plane alone.
-  [[nodiscard]] bool moves_in_plane_alone(const MoveRequest& request, const Position& end,
+  // Whether a motion may have a corner that is cut: at feed, in the plane alone.
+  enum class CutCorners : std::uint8_t { possible, impossible };
+  [[nodiscard]] CutCorners cut_corners_at(const MoveRequest& request, const Position& end,
                                           const TrackingTravel& tracking) const;
-  bool check_corner(const MoveRequest& request, bool alone);
+  bool check_corner(const MoveRequest& request, CutCorners corners);
   [[nodiscard]] bool is_corner_interrupted() const;
-  bool cut_corner_before(const MoveRequest& request, Segment& path, bool alone);
+  bool cut_corner_before(const MoveRequest& request, Segment& path, CutCorners corners);
   [[nodiscard]] bool is_point(const Segment& path) const;
   void hold_for_corner(const MoveRequest& request);
   bool approach_contour(const Segment& contour);

@@ -9,8 +9,11 @@
 namespace trc {
 namespace {
 
-Segment leg(const OffsetCurve& curve, const Point& start, const Point& end, double by, bool bends) {
-  if (!bends) return Line{.start = start, .end = end};
+enum class LegShape { line, as_curve };
+
+Segment leg(const OffsetCurve& curve, const Point& start, const Point& end, double by,
+            LegShape shape) {
+  if (shape == LegShape::line || !curve.circular) return Line{.start = start, .end = end};
   return Arc{.start = start,
              .end = end,
              .center = curve.circle.center,
@@ -97,12 +100,10 @@ LinearTransitions::Replacement LinearTransitions::replacement(const Corner& corn
       inserted.empty() || joint.cut_before != 0 ? joint.end : end_of(*inserted.front());
   const Point end =
       inserted.empty() || joint.cut_after != 0 ? joint.start : start_of(*inserted.back());
-  const bool bends = inserted.empty();
-  return {.leg_before = leg(corner.before, corner.before.anchor, start, -joint.cut_before,
-                            bends && corner.before.circular),
+  const LegShape shape = inserted.empty() ? LegShape::as_curve : LegShape::line;
+  return {.leg_before = leg(corner.before, corner.before.anchor, start, -joint.cut_before, shape),
           .across = {.start = start, .end = end},
-          .leg_after = leg(corner.after, end, corner.after.anchor, -joint.cut_after,
-                           bends && corner.after.circular)};
+          .leg_after = leg(corner.after, end, corner.after.anchor, -joint.cut_after, shape)};
 }
 
 // The leg after the arc belongs to the next block, whose window reaches farther.
