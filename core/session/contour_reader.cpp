@@ -10,7 +10,7 @@ ContourReader::ContourReader(const SessionSetup& session)
       reader_({}, state_, diagnostics_, interrupt_) {}
 
 void ContourReader::read(std::string_view text, const Taker& take) {
-  constexpr std::size_t bytes_per_piece = 16U << 10U;
+  constexpr std::size_t bytes_per_piece = ProgramReader::bytes_between_questions;
   for (std::size_t at = 0; at < text.size(); at += bytes_per_piece) {
     if (interrupt_) interrupt_();
     feed(text.substr(at, bytes_per_piece));

@@ -11,9 +11,9 @@
 namespace trc {
 namespace {
 
-// Text is read in pieces of this size, so that lines and blocks on their way
-// stay few however long a chunk is.
-constexpr std::size_t bytes_per_piece = 8 * 1024;
+// Lines and blocks of this much text at most are on their way through the session: they stay few
+// however long a chunk is.
+constexpr std::size_t bytes_on_their_way = 8 * 1024;
 
 }  // namespace
 
@@ -70,7 +70,7 @@ bool ProgramSession::feed(std::string_view text, Answers& out) {
   parts.lines.answer_to(out);
   if (parts.stopped()) parts.lines.advance();
   while (!text.empty() && !parts.stopped() && out.wanted()) {
-    const std::string_view piece = text.substr(0, bytes_per_piece);
+    const std::string_view piece = text.substr(0, bytes_on_their_way);
     text.remove_prefix(piece.size());
     parts.reading([&] { return parts.reader.feed(piece, parts.lines.read()); });
     parts.lines.advance();

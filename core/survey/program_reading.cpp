@@ -13,8 +13,7 @@ namespace trc::survey {
 Reader text_reader(std::string_view text, const ReaderLimits& limits,
                    Checkpoint::Interrupt interrupt) {
   return [text, limits, interrupt = std::move(interrupt)](ProgramState& state, Diagnostics& log) {
-    // Between the pieces `interrupt` asks whether anybody still waits.
-    constexpr std::size_t bytes_per_piece = 16 * 1024;
+    constexpr std::size_t bytes_per_piece = ProgramReader::bytes_between_questions;
     ProgramReader program(limits, state, log, interrupt);
     std::vector<LinePointer> lines;
     const auto recycle = [&] {

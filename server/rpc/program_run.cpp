@@ -1,12 +1,12 @@
 #include "server/rpc/program_run.h"
 
 #include "core/nc/program/flow.h"
+#include "core/nc/program/program_reader.h"
 
 namespace trc::server {
 namespace {
 
-// After each piece the run checks that the client is still there.
-constexpr std::size_t bytes_per_piece = 16U << 10U;
+constexpr std::size_t bytes_per_piece = ProgramReader::bytes_between_questions;
 // A few lines or blocks.
 constexpr std::size_t few_bytes = 16U << 10U;
 // This much output leaves before the run takes more input.

@@ -27,6 +27,9 @@ namespace trc {
 // computes, the whole text is collected, and the main program is looked for in it.
 class ProgramReader {
  public:
+  // Whoever feeds a long text asks after this much of it whether anybody still waits for the
+  // result: reading it takes less than a millisecond.
+  static constexpr std::size_t bytes_between_questions = 16U * 1024U;
   static constexpr std::size_t most_text_before = 64U * 1024U;
   // 900311 beyond.
   static constexpr std::size_t most_computing_text = 16U * 1024U * 1024U;

@@ -10,6 +10,7 @@
 #include <span>
 #include <utility>
 
+#include "core/nc/program/program_reader.h"
 #include "core/session/contour_reader.h"
 #include "core/session/program_session.h"
 #include "core/trc/result/compensated_block.h"
@@ -147,7 +148,7 @@ bool View::lacks_output() const {
 }
 
 std::string View::compensated_text(Verify verify, const Making& making) {
-  constexpr std::size_t bytes_per_piece = 16U << 10U;
+  constexpr std::size_t bytes_per_piece = ProgramReader::bytes_between_questions;
   SessionSetup session_setup = parts_.settings.path.session;
   session_setup.compensator.interrupt = making.pass;
   session_setup.verify = verify;
@@ -191,11 +192,11 @@ std::shared_ptr<const Lines> View::compensated_lines(const Making& making) {
     text = compensated_text(Verify::off, making);
   }
 
-  constexpr std::size_t bytes_per_piece = 16U << 10U;
+  constexpr std::size_t bytes_per_search = 16U << 10U;  // far less than a millisecond
   const std::size_t bytes = text.size();
   auto lines = std::make_shared<Lines>(std::make_shared<const std::string>(std::move(text)));
-  for (std::size_t at = 0; at < bytes; at += bytes_per_piece) {
-    lines->find_to(std::min(at + bytes_per_piece, bytes));
+  for (std::size_t at = 0; at < bytes; at += bytes_per_search) {
+    lines->find_to(std::min(at + bytes_per_search, bytes));
     making.pass();
   }
   making.turn.check(lines->count() * sizeof(std::uint32_t));

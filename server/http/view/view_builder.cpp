@@ -72,10 +72,10 @@ void ViewBuilder::lose_memory() {
 
 bool ViewBuilder::find_lines(std::uint64_t count) {
   // Far less than a millisecond, even of empty lines.
-  constexpr std::size_t bytes_per_piece = 16U << 10U;
+  constexpr std::size_t bytes_per_search = 16U << 10U;
   const std::size_t bytes = program_.text().size();
   if (program_.count() >= count || found_bytes_ >= bytes) return false;
-  found_bytes_ = std::min(found_bytes_ + bytes_per_piece, bytes);
+  found_bytes_ = std::min(found_bytes_ + bytes_per_search, bytes);
   program_.find_to(found_bytes_);
   return true;
 }
