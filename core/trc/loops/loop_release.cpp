@@ -352,7 +352,9 @@ bool LoopRelease::check_left_out() {
   consider(visit_left_out(walked_.end(), consider), {end_of_path(), 0});
   if (longest.length == 0) return true;
   longest.of_walls = of_walls();
-  is_most_left_out_ = left_out_in_all > 0.5 * longest.of_walls;
+  // Each note is a warning then, whatever share the caller permits (D-99).
+  constexpr double half_of_walls = 0.5;
+  is_most_left_out_ = left_out_in_all > half_of_walls * longest.of_walls;
   // The walls of several contours linked by rapid motion are unknown, and so is the share of a
   // stretch in them.
   const bool is_parted =
