@@ -109,8 +109,14 @@ TEST(SlipOfTyping, NeverReadsBeyondALine) {
   const std::string signs = "GXOl0,.-= (\"\u2212\uFF11\xE2";
   for (std::size_t first = 0; first < signs.size(); ++first)
     for (std::size_t last = first; last <= signs.size(); ++last)
-      for (std::size_t at = 0; at < last - first; ++at)
-        static_cast<void>(slip_at(std::string(signs, first, last - first), at));
+      for (std::size_t at = 0; at < last - first; ++at) {
+        const std::string line(signs, first, last - first);
+        const auto found = slip_at(line, at);
+        if (!found) continue;
+        EXPECT_LE(found->begin, at) << line;
+        EXPECT_EQ(line.compare(found->begin, found->word.size(), found->word), 0) << line;
+        EXPECT_NE(found->slip.instead, found->word) << line;
+      }
 }
 
 TEST(ForeignWord, IsNamedWhole) {
