@@ -165,9 +165,9 @@ struct Slip {
 
 // The texts of a diagnostic.
 struct DiagnosticTexts {
-  std::string message{};  // in English, as are
-  std::string remedy{};
-  std::string reason{};  // UPPER_SNAKE
+  std::string message{};  // English
+  std::string remedy{};   // English
+  std::string reason{};   // UPPER_SNAKE
   // In the language that was asked for.
   std::string title{};
   std::string text{};
@@ -199,7 +199,7 @@ struct Diagnostic {
 };
 
 // One row of the public table: everything that is known about a code before it
-// is raised. The README's table, GetServerInfo and the messages come from here.
+// is raised. The table of proto/README.md, GetServerInfo and the messages come from here.
 struct CodeRow {
   Code code{};
   Severity severity = Severity::error;

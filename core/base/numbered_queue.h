@@ -217,7 +217,7 @@ class NumberedQueue {
   std::vector<T*> chunks_;    // of the runs
   std::optional<Run> spare_;  // the next chunk, where one has been emptied
   std::size_t first_chunk_ = 0;
-  // From the begins of these.
+  // How many at the start of runs_ and of chunks_ are used no more and still have to be erased.
   std::size_t dropped_runs_ = 0;
   std::size_t dropped_chunks_ = 0;
   std::size_t begin_;

@@ -392,7 +392,7 @@ class StreamReactor
 
   Backend& backend_;
   grpc::CallbackServerContext& context_;
-  // Goes after all that follows: the server may end once no stream holds one.
+  // Destroyed last: the server may end once no stream holds one.
   OpenStreams::Ticket ticket_;
   const std::shared_ptr<Peer> peer_;
   Peer::Place place_;

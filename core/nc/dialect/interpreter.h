@@ -64,7 +64,7 @@ class Interpreter {
     std::uint32_t number = 0;        // of the line it comes from, 1-based
     bool is_as_written = true;       // that line itself: columns say where in it
     bool sets_variables = false;     // for a call of the machine: copied as it stands
-    bool calls_the_machine = false;  // what only the machine has: passes as ISG's calls do
+    bool calls_the_machine = false;  // of what only the machine has: copied as it stands
     bool machine_follows = false;    // a macro of the machine, after the motion of the line
     std::optional<KlartextEffects> call_leaves{};  // after the label that it calls
   };

@@ -122,7 +122,7 @@ class Obstacles {
     return block >= few_.first && block < few_.end && few_.near.empty() ? few_.end : block;
   }
 
-  // After the path.
+  // To be called after the path has been loaded: the boxes are made anew from it.
   template <class Archive>
   void serialize(Archive& archive) {
     archive(certificate_, walls_, all_are_walls_);

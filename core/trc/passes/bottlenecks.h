@@ -17,14 +17,13 @@
 
 namespace trc {
 
-// Looks for bottlenecks: path blocks that come closer to any wall of their selection
-// than the tool radius, however far apart on the contour, also across a change of side, but for
-// the blocks at the change itself (D-38, D-42). Under
-// G141 each is a warning (rule 5.1: loops that still violate stay); with
-// P-CHAN-00219 the first one stops, also under G140 (D-34).
+// Looks for bottlenecks: path blocks that come closer to any wall of their selection than the tool
+// radius, however far apart on the contour, also across a change of side, but for the blocks at the
+// change itself (D-38, D-42). Under G141 each is a warning (rule 5.1: loops that still violate
+// stay); with P-CHAN-00219 the first one stops, also under G140 (D-34).
 //
-// Holds such a selection as a whole, or looks a window of contour blocks ahead and
-// back (D-10); all else passes through at once.
+// Holds such a selection as a whole, or looks a window of contour blocks ahead and back (D-10); all
+// else passes through at once.
 class Bottlenecks {
  public:
   Bottlenecks(const CompensatorSetup& setup, Diagnostics& diagnostics, Checkpoint& checkpoint)
