@@ -283,7 +283,7 @@ const std::vector<std::size_t>& Obstacles::at(std::size_t block, const Point& pl
 // goes on along the beginning of the contour, which is a lead, not a whole round later.
 void Obstacles::put_first_visits_in_front(std::size_t block, const Point& place,
                                           double limit) const {
-  if (walls_.blocks_of_round == 0) return;
+  if (walls_.blocks_per_lap == 0) return;
   const std::size_t own = path_.number_of(block);
   if (own >= walls_.head.end) return;
   const std::size_t known = numbers_.size();

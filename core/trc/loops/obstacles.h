@@ -62,9 +62,9 @@ class Obstacles {
   }
   // For a block at the end of the contour: the block at its start that it goes over again.
   [[nodiscard]] std::optional<std::size_t> first_visit_of(std::size_t number) const {
-    const bool goes_over = walls_.blocks_of_round > 0 && number >= walls_.blocks_of_round &&
-                           number - walls_.blocks_of_round < walls_.head.end;
-    return goes_over ? std::optional(number - walls_.blocks_of_round) : std::nullopt;
+    const bool goes_over = walls_.blocks_per_lap > 0 && number >= walls_.blocks_per_lap &&
+                           number - walls_.blocks_per_lap < walls_.head.end;
+    return goes_over ? std::optional(number - walls_.blocks_per_lap) : std::nullopt;
   }
   // The part of a contour block that is a wall.
   [[nodiscard]] Segment wall(std::size_t number) const;

@@ -252,7 +252,7 @@ void reach_along_leads(const ContourView& contour, const Closing& closing, doubl
     while (walls.head.end < walls.tail.first &&
            note_wall_beside(end_of(contour.segment(walls.head.end - 2)), contour.segment(out)))
       ++walls.head.end;
-  walls.blocks_beside_lead = walls.head.end - (closing.first.number + 2);
+  walls.start_blocks_passed = walls.head.end - (closing.first.number + 2);
   const std::size_t in =
       closing.first.number + (closing.first.along > contour.tolerances.same_place ? 1 : 0);
   if (in > 0)
@@ -329,9 +329,9 @@ Walls find_walls(const ContourView& contour, const LeadSettings& settings, doubl
       add_leads_of_last_lap(contour, laps, tolerance, tool_radius, leads);
     }
     if (closing->overrun) {
-      walls.blocks_of_overrun = closing->first.number - closing->overrun->first.number;
-      walls.blocks_of_round = block_from(contour, closing->overrun->second) -
-                              block_from(contour, closing->overrun->first);
+      walls.overrun_blocks = closing->first.number - closing->overrun->first.number;
+      walls.blocks_per_lap = block_from(contour, closing->overrun->second) -
+                             block_from(contour, closing->overrun->first);
     }
     if (!walls.rings.empty())
       walls.touch_of_rings = std::min(contour.tolerances.on_top, settings.closing_tolerance);

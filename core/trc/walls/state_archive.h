@@ -21,10 +21,10 @@ void serialize(Archive& archive, Walls::Part& part) {
 
 template <class Archive>
 void serialize(Archive& archive, Walls& walls) {
-  auto& [leads, parts, rings, head, tail, touch, touch_of_rings, blocks_beside_lead,
-         blocks_of_overrun, blocks_of_round, turns_in, turns_out, touch_of_turns] = walls;
-  archive(leads, parts, rings, head, tail, touch, touch_of_rings, blocks_beside_lead,
-          blocks_of_overrun, blocks_of_round, turns_in, turns_out, touch_of_turns);
+  auto& [leads, parts, rings, head, tail, touch, touch_of_rings, start_blocks_passed,
+         overrun_blocks, blocks_per_lap, turns_in, turns_out, touch_of_turns] = walls;
+  archive(leads, parts, rings, head, tail, touch, touch_of_rings, start_blocks_passed,
+          overrun_blocks, blocks_per_lap, turns_in, turns_out, touch_of_turns);
 }
 
 template <class Archive>

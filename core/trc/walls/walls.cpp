@@ -26,7 +26,7 @@ bool Walls::goes_round(std::size_t from, std::size_t to) const {
   if (to <= from || tail.first == tail.end) return false;
   const std::size_t begin = head.end - std::min<std::size_t>(head.end, 2);
   if (rings.empty()) {
-    const std::size_t lap = blocks_of_round > 0 ? blocks_of_round : tail.first + 1 - begin;
+    const std::size_t lap = blocks_per_lap > 0 ? blocks_per_lap : tail.first + 1 - begin;
     return from < head.end && to >= tail.first && to - from + 1 >= lap;
   }
   // The last lap has as many blocks as the lap before it; rings that link laps do not count.
@@ -59,14 +59,14 @@ double Walls::touch_between(std::size_t number, std::size_t path) const {
   const auto begin_of = [&](std::size_t ring) {
     if (ring == 0) return head;
     const std::size_t first = rings[ring - 1];
-    return Range{first, first + 2 + blocks_of_overrun + blocks_beside_lead};
+    return Range{first, first + 2 + overrun_blocks + start_blocks_passed};
   };
   if (meet(begin_of(rings.size()), tail) || meet(tail, tail)) most = std::max(most, touch);
   const std::size_t ring = ring_of(path);
   const std::size_t of_wall = ring_of(number);
   // Each earlier lap ends on its beginning too, by its own overrun.
   const auto end_of = [&](std::size_t lap) {
-    return Range{rings[lap] - std::min(rings[lap], 3 + blocks_of_overrun), rings[lap]};
+    return Range{rings[lap] - std::min(rings[lap], 3 + overrun_blocks), rings[lap]};
   };
   if (is_of_turns && (begin_of(of_wall).holds(number) ||
                       (of_wall < rings.size() && end_of(of_wall).holds(number))))

@@ -37,22 +37,23 @@ struct Walls {
   // Where the contour goes over the same way again: the first block of each ring except the first
   // one, in order. A block divided by the visit belongs to the later ring.
   std::vector<std::size_t> rings{};
-  // The path of the blocks of either may come nearer by `touch`, mm, to the walls of the other;
-  // where there are rings, that of `tail` also to the walls of `tail` and of the start of the last
-  // ring. The end of the contour lies on its start only as exactly as it was programmed.
+  // The blocks at the start and at the end of the contour, where it closes. The path of either may
+  // come nearer by `touch`, mm, to the walls of the other; where there are rings, that of `tail`
+  // also to the walls of `tail` and of the start of the last ring. The end of the contour lies on
+  // its start only as exactly as it was programmed.
   Range head{};
   Range tail{};
   double touch = 0;
   // How much nearer, mm, the path of a ring may come to the walls of later rings, which lie on top
   // of it, and the end of each ring to its start.
   double touch_of_rings = 0;
-  // How many blocks beyond its first two the lead-out passes at the start of the contour.
-  std::size_t blocks_beside_lead = 0;
-  // The number of blocks that an overrun goes over before the one that it ends on.
-  std::size_t blocks_of_overrun = 0;
-  // How many blocks after the start of the contour its overrun goes along it again; 0: no
+  // Blocks at the start of the contour, after its first two, that the lead-out passes beside.
+  std::size_t start_blocks_passed = 0;
+  // Blocks that the overrun repeats, the one in which it ends not counted; 0 also without overrun.
+  std::size_t overrun_blocks = 0;
+  // Blocks from one at the start of the contour to the block of the overrun that repeats it; 0: no
   // overrun.
-  std::size_t blocks_of_round = 0;
+  std::size_t blocks_per_lap = 0;
 
   // Where whole turns lead in or out, the blocks of that lead: each turn may touch the walls where
   // the contour closes, within the accuracy of programmed circles (D-106).
