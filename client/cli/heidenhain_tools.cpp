@@ -44,7 +44,7 @@ std::string HeidenhainTools::read_columns(std::string_view line) {
 }
 
 std::string HeidenhainTools::read(std::string_view line) {
-  if (trimmed(line).find('\t') != std::string_view::npos)
+  if (without_quotes(line).find('\t') != std::string_view::npos)
     return "it has tabs, and columns are found by their place: replace each with blanks, or make "
            "it a CSV";
   if (columns_.empty()) return read_columns(line);
@@ -105,7 +105,7 @@ std::string_view HeidenhainTools::cell(std::string_view line, std::string_view n
   const std::size_t end = *column + 1 < columns_.size()
                               ? byte_of_character(line, columns_[*column + 1].second)
                               : line.size();
-  return trimmed(line.substr(begin, end - begin));
+  return without_quotes(line.substr(begin, end - begin));
 }
 
 }  // namespace trc::cli

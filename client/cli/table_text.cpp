@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/ascii.h"
 #include "core/nc/text/characters.h"
 
 namespace trc::cli {
@@ -20,17 +21,13 @@ std::size_t end_of_value(std::string_view line, std::size_t at) {
 
 }  // namespace
 
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r\"");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r\"") - first + 1);
-}
+std::string_view without_quotes(std::string_view text) { return trimmed(text, " \t\r\""); }
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
   for (;;) {
     const auto end = text.find(separator);
-    parts.push_back(trimmed(text.substr(0, end)));
+    parts.push_back(without_quotes(text.substr(0, end)));
     if (end == std::string_view::npos) return parts;
     text.remove_prefix(end + 1);
   }

@@ -9,9 +9,9 @@
 namespace trc::cli {
 
 // Without blanks and quotation marks at both ends.
-[[nodiscard]] std::string_view trimmed(std::string_view text);
+[[nodiscard]] std::string_view without_quotes(std::string_view text);
 
-// The cells of a row, trimmed; at least one.
+// The cells of a row, without those; at least one.
 [[nodiscard]] std::vector<std::string_view> split(std::string_view text, char separator);
 
 // Empty unless all of the text is one finite number.

@@ -35,7 +35,7 @@ class ToolFile {
     while (!text.empty() && !is_no_table_) {
       const auto end = text.find('\n');
       const std::string_view as_written = text.substr(0, end);
-      const std::string_view line = trimmed(as_written);
+      const std::string_view line = without_quotes(as_written);
       text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
       ++line_number;
       if (line.empty() || line.front() == '#' || line.front() == ';') continue;
@@ -161,9 +161,10 @@ class ToolFile {
   // Reads $TC_DP6[1,1]=5 of Sinumerik.
   std::string data_of_edge(std::string_view line) {
     sinumerik_ = true;
-    line = trimmed(line.substr(line.find('$'), line.find(';', line.find('=')) - line.find('$')));
+    line = without_quotes(
+        line.substr(line.find('$'), line.find(';', line.find('=')) - line.find('$')));
     const std::size_t open = std::min(line.find('['), line.size());
-    const std::string name = in_upper_case(trimmed(line.substr(0, open)));
+    const std::string name = in_upper_case(without_quotes(line.substr(0, open)));
     const bool radius = name == "$TC_DP6";
     const bool wear = name == "$TC_DP15";
     const bool names = name == "$TC_TP2";
@@ -174,16 +175,16 @@ class ToolFile {
     const std::size_t equals = std::min(line.find('=', close), line.size());
     const auto tool = tool_number(number_from(places[0]));
     if (names && tool && equals < line.size()) {
-      table_.name(*tool, in_capitals_as_utf8(trimmed(line.substr(equals + 1))));
+      table_.name(*tool, in_capitals_as_utf8(without_quotes(line.substr(equals + 1))));
       return {};
     }
     const auto edge = places.size() == 2 ? tool_number(number_from(places[1])) : std::nullopt;
     if (!tool || !edge || equals == line.size())
       return "\"" + std::string(line) + "\" names no tool and edge, as in " + name + "[1,1]";
-    const std::string_view given = trimmed(line.substr(equals + 1));
+    const std::string_view given = without_quotes(line.substr(equals + 1));
     const auto value = number_from(given);
     if (!value)
-      return std::string(trimmed(line.substr(0, equals))) + " is \"" + std::string(given) +
+      return std::string(without_quotes(line.substr(0, equals))) + " is \"" + std::string(given) +
              "\", which is no number";
     constexpr double first_turning_type = 500;
     constexpr double last_turning_type = 599;
@@ -263,7 +264,7 @@ bool says_inch(std::string_view program, v1::Dialect dialect, v1::LengthUnit giv
   bool says_mm = false;
   while (!program.empty()) {
     const auto end = program.find('\n');
-    const std::string line = in_upper_case(trimmed(program.substr(0, end)));
+    const std::string line = in_upper_case(without_quotes(program.substr(0, end)));
     program.remove_prefix(end == std::string_view::npos ? program.size() : end + 1);
     if (dialect == v1::DIALECT_HEIDENHAIN) {
       if (line.find("BEGIN PGM") != std::string::npos) return line.ends_with(" INCH");

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -13,6 +12,7 @@
 #include <vector>
 
 #include "client/cli/speech.h"
+#include "core/base/ascii.h"
 #include "core/base/likely_meant.h"
 #include "proto/wire/settings.h"
 
@@ -122,8 +122,8 @@ std::string with_meant_choice(std::string fault) {
   const auto colon = fault.find(": ");
   const auto between = fault.find(" not in {");
   if (colon == std::string::npos || between == std::string::npos || colon > between) return fault;
-  std::string word = fault.substr(colon + 2, between - colon - 2);
-  std::ranges::transform(word, word.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string word =
+      in_lower_case(std::string_view(fault).substr(colon + 2, between - colon - 2));
   std::istringstream list(fault.substr(between + 9, fault.find('}', between) - between - 9));
   std::vector<std::string> choices;
   for (std::string one; std::getline(list, one, ',');) choices.push_back(std::move(one));

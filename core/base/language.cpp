@@ -1,18 +1,13 @@
 #include "core/base/language.h"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <string>
 
+#include "core/base/ascii.h"
+
 namespace trc {
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-  while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
-  return text;
-}
 
 // 1 if no weight is given; 0 if it is not a valid number, so that the language is never chosen.
 double weight_of(std::string_view parameters) {
@@ -27,9 +22,7 @@ double weight_of(std::string_view parameters) {
 }  // namespace
 
 std::optional<Language> language_of_tag(std::string_view tag) {
-  std::string first(tag.substr(0, tag.find_first_of("-_.@")));
-  std::transform(first.begin(), first.end(), first.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string first = in_lower_case(tag.substr(0, tag.find_first_of("-_.@")));
   if (first == "de") return Language::german;
   if (first == "en" || first == "c" || first == "posix") return Language::english;
   return std::nullopt;

@@ -12,6 +12,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/ascii.h"
 #include "core/base/likely_meant.h"
 #include "core/base/number_text.h"
 
@@ -51,19 +52,11 @@ constexpr std::array<FunctionWord, 21> function_words{{
     {"1", "KERF_METHOD_CIRCULAR"},
 }};
 
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    if (c == '-') c = '_';
-  }
+// `stretch_factor` for `Stretch-Factor`.
+std::string in_snake_case(std::string_view text) {
+  std::string result = in_lower_case(text);
+  std::ranges::replace(result, '-', '_');
   return result;
-}
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
@@ -149,7 +142,7 @@ std::string words_of(const EnumDescriptor& type) {
   for (int i = 1; i < type.value_count(); ++i) {
     const std::string& name = type.value(i)->name();
     if (!words.empty()) words += ", ";
-    words += lower(std::string_view(name).substr(prefix.size()));
+    words += in_snake_case(std::string_view(name).substr(prefix.size()));
     for (const FunctionWord& word : function_words)
       if (word.value == name) words += " (" + std::string(word.function) + ")";
   }
@@ -190,14 +183,14 @@ std::optional<double> finite_from(std::string_view text) {
 }
 
 std::optional<bool> switch_from(std::string_view text) {
-  const std::string word = lower(text);
+  const std::string word = in_snake_case(text);
   if (word == "1" || word == "true" || word == "on") return true;
   if (word == "0" || word == "false" || word == "off") return false;
   return {};
 }
 
 std::optional<int> enum_from(const EnumDescriptor& type, std::string_view text) {
-  const std::string word = lower(text);
+  const std::string word = in_snake_case(text);
   // This setting also accepts the words of a switch.
   if (&type == v1::Verification_descriptor())
     if (const auto on = switch_from(text))
@@ -205,10 +198,11 @@ std::optional<int> enum_from(const EnumDescriptor& type, std::string_view text) 
   const std::string prefix = prefix_of(type);
   for (int i = 1; i < type.value_count(); ++i) {
     const std::string& name = type.value(i)->name();
-    if (word == lower(name) || word == lower(std::string_view(name).substr(prefix.size())))
+    if (word == in_snake_case(name) ||
+        word == in_snake_case(std::string_view(name).substr(prefix.size())))
       return type.value(i)->number();
     for (const FunctionWord& function : function_words)
-      if (function.value == name && word == lower(function.function))
+      if (function.value == name && word == in_snake_case(function.function))
         return type.value(i)->number();
   }
   return {};
@@ -293,7 +287,7 @@ std::string value_of(const Message& owner, const FieldDescriptor& field) {
   if (is_leads(field)) {
     const auto& leads = dynamic_cast<const v1::Leads&>(reflection.GetMessage(owner, &field));
     const auto& word = *v1::Leads::Find_descriptor()->FindValueByNumber(leads.find());
-    text = lower(std::string_view(word.name()).substr(prefix_of(*word.type()).size()));
+    text = in_snake_case(std::string_view(word.name()).substr(prefix_of(*word.type()).size()));
     if (leads.find() == v1::Leads::FIND_BLOCKS)
       text += ":" + std::to_string(leads.blocks_in()) + "," + std::to_string(leads.blocks_out());
     return text;
@@ -322,7 +316,7 @@ std::string value_of(const Message& owner, const FieldDescriptor& field) {
       return std::to_string(reflection.GetUInt64(owner, &field));
     case FieldDescriptor::CPPTYPE_ENUM: {
       const std::string& name = reflection.GetEnum(owner, &field)->name();
-      return lower(std::string_view(name).substr(prefix_of(*field.enum_type()).size()));
+      return in_snake_case(std::string_view(name).substr(prefix_of(*field.enum_type()).size()));
     }
     default:
       return reflection.GetString(owner, &field);
@@ -455,7 +449,7 @@ std::string unknown_key(const std::string& given) {
 }  // namespace
 
 std::string whole_key(std::string_view key) {
-  const std::string name = lower(trimmed(key));
+  const std::string name = in_snake_case(trimmed(key));
   const std::vector<const Route*> found = routes_named(name);
   return found.size() == 1 ? key_of(*found.front()) : name;
 }
@@ -476,7 +470,7 @@ std::string apply_setting(std::string_view assignment, v1::ProgramSetup& setup) 
   const auto equals = assignment.find('=');
   if (equals == std::string_view::npos)
     return "\"" + std::string(assignment) + "\" is no setting; write key=value";
-  const std::string key = lower(trimmed(assignment.substr(0, equals)));
+  const std::string key = in_snake_case(trimmed(assignment.substr(0, equals)));
   const std::string_view value = trimmed(assignment.substr(equals + 1));
   if (key == "tools") return set_tools(value, setup);
   if (key == "variables") return set_variables(value, setup);

@@ -3,20 +3,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/ascii.h"
 #include "server/resources/peers.h"
 
 namespace trc::server::http {
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-  return text;
-}
-
 // "text/plain" for "Text/plain; charset=utf-8".
 std::string without_parameters(std::string_view type) {
-  return lower(trimmed(type.substr(0, type.find(';'))));
+  return in_lower_case(trimmed(type.substr(0, type.find(';')), " "));
 }
 
 std::string parameter_of(std::string_view type, std::string_view name) {
@@ -24,11 +19,12 @@ std::string parameter_of(std::string_view type, std::string_view name) {
     type.remove_prefix(type.find(';') + 1);
     const std::string_view one = type.substr(0, type.find(';'));
     const std::size_t equals = std::min(one.find('='), one.size());
-    if (lower(trimmed(one.substr(0, equals))) != name || equals == one.size()) continue;
-    std::string_view value = trimmed(one.substr(equals + 1));
+    if (in_lower_case(trimmed(one.substr(0, equals), " ")) != name || equals == one.size())
+      continue;
+    std::string_view value = trimmed(one.substr(equals + 1), " ");
     if (value.size() >= 2 && value.front() == '"' && value.back() == '"')
       value = value.substr(1, value.size() - 2);
-    return lower(value);
+    return in_lower_case(value);
   }
   return {};
 }
@@ -37,13 +33,6 @@ std::string parameter_of(std::string_view type, std::string_view name) {
 
 std::string client_of(const std::string& peer) {
   return peer_of_address((peer.starts_with('[') ? "ipv6:" : "ipv4:") + peer);
-}
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return result;
 }
 
 std::string_view Request::header(std::string_view name) const {

@@ -16,9 +16,6 @@ namespace trc::server::http {
 // Names and values in the order they came or go.
 using Pairs = std::vector<std::pair<std::string, std::string>>;
 
-// Of ASCII letters.
-[[nodiscard]] std::string lower(std::string_view text);
-
 // What a client asks, read as a whole.
 struct Request {
   std::string method;

@@ -11,6 +11,7 @@
 #include <sstream>
 #include <utility>
 
+#include "core/base/ascii.h"
 #include "server/http/problem.h"
 #include "server/http/uri.h"
 
@@ -29,7 +30,7 @@ Request request_of(const RequestHead& head, std::string peer) {
   const auto method = head.method_string();
   request.method = std::string(method.data(), method.size());
   for (const auto& field : head)
-    request.headers.emplace_back(lower(std_view(field.name_string())),
+    request.headers.emplace_back(in_lower_case(std_view(field.name_string())),
                                  std::string(field.value().data(), field.value().size()));
   return request;
 }
@@ -50,11 +51,11 @@ std::optional<v1::Problem> fault_of(const Request& request) {
                    "Content-Length must be one whole number");
   const auto coding =
       std::ranges::find(request.headers, "transfer-encoding", &Pairs::value_type::first);
-  if (coding != request.headers.end() && lower(coding->second) != "chunked")
+  if (coding != request.headers.end() && in_lower_case(coding->second) != "chunked")
     return problem(501, "TRANSFER_ENCODING", "The transfer encoding is not known",
                    "a body comes with Content-Length or with Transfer-Encoding: chunked");
   const std::string_view expected = request.header("expect");
-  if (!expected.empty() && lower(expected) != "100-continue")
+  if (!expected.empty() && in_lower_case(expected) != "100-continue")
     return problem(417, "EXPECTATION_FAILED", "The expectation is not known",
                    "only 100-continue is met");
   return std::nullopt;
@@ -81,7 +82,7 @@ std::optional<v1::Problem> take_target(std::string_view target, std::string_view
 }
 
 bool expects_continue(const RequestHead& head) {
-  return lower(std_view(head[bhttp::field::expect])) == "100-continue";
+  return in_lower_case(std_view(head[bhttp::field::expect])) == "100-continue";
 }
 
 std::string bytes_of(const Head& head, std::optional<std::size_t> length, bool keep_alive) {

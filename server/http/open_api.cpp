@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/ascii.h"
 #include "core/base/version.h"
 #include "proto/wire/json.h"
 #include "proto/wire/setting_meanings.h"
@@ -306,7 +307,7 @@ void add_answers(const Route& route, Struct& operation, Schemas& known) {
 
 void add_routes(Struct& paths, Schemas& known) {
   for (const Route& route : routes()) {
-    Struct& operation = object(object(paths, std::string(route.path)), lower(route.method));
+    Struct& operation = object(object(paths, std::string(route.path)), in_lower_case(route.method));
     text(operation, "operationId", operation_of(route).id);
     text(operation, "summary", route.meaning);
     add_parameters_in_path(route.path, operation);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/ascii.h"
+
 namespace trc::server::http {
 namespace {
 
@@ -41,7 +43,7 @@ bool take_origin(std::string_view& target, Target& read) {
   const std::string_view rest = target.substr(end + mark.size());
   const std::size_t path = std::min(rest.find_first_of("/?"), rest.size());
   if (!is_authority(rest.substr(0, path))) return false;
-  read.scheme = lower(target.substr(0, end));
+  read.scheme = in_lower_case(target.substr(0, end));
   read.host = rest.substr(0, path);
   target = rest.substr(path);
   return true;
