@@ -89,7 +89,7 @@ Surveyed Survey::run(double radius) {
   } else if (auto wear = too_much_wear(reading, radius)) {
     found.refusal = std::move(wear);
   } else {
-    compensate(reading, Loops::as_programmed, found);
+    compensate(reading, LoopHandling::as_programmed, found);
   }
   found.reaches_all = found.accepted() && found.clearance.gouging == 0 && found.limits.empty();
   if (!found.reaches_all && found.limits.empty()) found.limits = limits_of(reading, found);
@@ -101,13 +101,13 @@ Surveyed Survey::run(double radius) {
   return found;
 }
 
-void Survey::compensate(const ProgramReading& reading, Loops loops, Surveyed& found) {
+void Survey::compensate(const ProgramReading& reading, LoopHandling loops, Surveyed& found) {
   // This many blocks still fit into the caches.
   constexpr std::size_t portion = 256;
   CompensatorSetup compensator = setup_.session.compensator;
   compensator.start = setup_.session.program.start;
   compensator.inverse_path = false;
-  const bool removes_loops = loops == Loops::removed;
+  const bool removes_loops = loops == LoopHandling::removed;
   if (removes_loops) compensator.largest_masked_share = 1;
   verify::UncutSink uncut;
   if (setup_.uncut)
@@ -158,7 +158,7 @@ void Survey::compensate(const ProgramReading& reading, Loops loops, Surveyed& fo
 // Verification has not measured a path that was refused before its end.
 void Survey::look_for_uncut(const ProgramReading& reading, Surveyed& found) {
   Surveyed other{.radius = found.radius};
-  compensate(reading, Loops::removed, other);
+  compensate(reading, LoopHandling::removed, other);
   found.uncut_known = other.accepted();
   found.uncut_by_removal = other.accepted();
   if (!other.accepted()) return;

@@ -90,8 +90,8 @@ class Survey {
 
   // The radius as the state holds it: in wear mode a difference.
   [[nodiscard]] double term_of(double radius) const;
-  enum class Loops : std::uint8_t { as_programmed, removed };
-  void compensate(const ProgramReading& reading, Loops loops, Surveyed& found);
+  enum class LoopHandling : std::uint8_t { as_programmed, removed };
+  void compensate(const ProgramReading& reading, LoopHandling loops, Surveyed& found);
   void look_for_uncut(const ProgramReading& reading, Surveyed& found);
   [[nodiscard]] std::optional<Diagnostic> too_much_wear(const ProgramReading& reading,
                                                         double radius) const;

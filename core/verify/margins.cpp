@@ -2,7 +2,7 @@
 
 namespace trc::verify {
 
-void Margins::note(const PathPiece& path, const Near& near) {
+void Margins::note(const MeasuredPiece& path, const Near& near) {
   const double margin = near.distance - near.required;
   if (margin + near.touch < -allowed_) {
     gouges_ = true;
@@ -20,7 +20,7 @@ void Margins::note(const PathPiece& path, const Near& near) {
   worst_ = clearance_of(path, near);
 }
 
-Clearance Margins::clearance_of(const PathPiece& path, const Near& near) const {
+Clearance Margins::clearance_of(const MeasuredPiece& path, const Near& near) const {
   const ProgrammedPiece& own = held_.programmed()[path.programmed];
   const Rule& rule = held_.rule_of(own);
   return {.distance = near.distance,

@@ -41,13 +41,13 @@ class Margins {
   [[nodiscard]] double widest_of_interest() const {
     return std::max(least_ - half_resolution, -allowed_);
   }
-  void note(const PathPiece& path, const Near& near);
+  void note(const MeasuredPiece& path, const Near& near);
 
   [[nodiscard]] const std::optional<Clearance>& worst() const { return worst_; }
   [[nodiscard]] const std::optional<Clearance>& gouge() const { return gouge_; }
 
  private:
-  [[nodiscard]] Clearance clearance_of(const PathPiece& path, const Near& near) const;
+  [[nodiscard]] Clearance clearance_of(const MeasuredPiece& path, const Near& near) const;
 
   const MeasuredPath& held_;
   double allowed_;

@@ -93,7 +93,7 @@ class Selection {
     const Point& start = held_.path()[first].piece.start;
     const std::size_t last = std::min(first + NearWalls::most_of_group, held_.path().end());
     for (; group_.behind < last; ++group_.behind) {
-      const PathPiece& path = pieces.next();
+      const MeasuredPiece& path = pieces.next();
       if (path.programmed >= end_) break;
       group_.required = std::max(group_.required, required_of(path));
       const double most = reach_of_group * group_.required;
@@ -103,7 +103,7 @@ class Selection {
     }
   }
 
-  void measure(std::size_t number, const PathPiece& path) {
+  void measure(std::size_t number, const MeasuredPiece& path) {
     if (walls_.count() == 0) return;
     const ProgrammedPiece& own = held_.programmed()[path.programmed];
     // SUPPRESS_TRC: a path without compensation says nothing about the tool that cuts.
@@ -128,10 +128,10 @@ class Selection {
   }
 
   // Whether the same piece was clear in an earlier lap, with at least the same required clearance.
-  [[nodiscard]] bool was_clear(const PathPiece& path) {
+  [[nodiscard]] bool was_clear(const MeasuredPiece& path) {
     const auto known = clear_before_.find(path.piece);
     if (!known) return false;
-    const PathPiece& other = held_.path()[*known];
+    const MeasuredPiece& other = held_.path()[*known];
     return other.programmed <= path.programmed && other.piece == path.piece &&
            required_of(other) >= required_;
   }
@@ -152,7 +152,7 @@ class Selection {
     return number == begin_ ? own
                             : std::min(own, held_.rule_of(held_.programmed()[number - 1]).required);
   }
-  [[nodiscard]] double required_of(const PathPiece& path) const {
+  [[nodiscard]] double required_of(const MeasuredPiece& path) const {
     if (has_one_rule_) return required_by_rule_;
     const double own = required_at(path.programmed);
     const bool has_next = path.inserted && path.programmed + 1 < end_;
@@ -161,7 +161,8 @@ class Selection {
 
   // A path meets the next wall at the radius of that wall, where it is the smaller one (D-159).
   // Blocks with SUPPRESS_TRC ask for nothing.
-  [[nodiscard]] double required_beside(const ProgrammedPiece& wall, const PathPiece& path) const {
+  [[nodiscard]] double required_beside(const ProgrammedPiece& wall,
+                                       const MeasuredPiece& path) const {
     if (has_one_rule_) return required_;
     const double of_wall = held_.rule_of(wall).required;
     const std::size_t own = held_.programmed()[path.programmed].number;
@@ -178,7 +179,7 @@ class Selection {
   }
 
   // `margin`: the largest margin of interest.
-  void search(std::size_t number, const PathPiece& path, const ProgrammedPiece& own,
+  void search(std::size_t number, const MeasuredPiece& path, const ProgrammedPiece& own,
               double margin) {
     is_near_ = false;
     // Before anything has been found, all walls are near.
@@ -201,7 +202,7 @@ class Selection {
     report_.steps += near_.leaves();
   }
 
-  void search_near(const PathPiece& path, std::size_t number) {
+  void search_near(const MeasuredPiece& path, std::size_t number) {
     near_.for_each_near(
         number, path, [this] { return required_ + margins_.of_interest() + slack; },
         [&](const ProgrammedPiece& block, const Piece& wall, std::size_t first) {
@@ -209,13 +210,13 @@ class Selection {
         });
   }
 
-  void search_all(const PathPiece& path) {
+  void search_all(const MeasuredPiece& path) {
     const auto parts =
         static_cast<int>(std::max(1.0, std::ceil(std::abs(path.piece.sweep) / longest_probe)));
     for (int part = 0; part < parts; ++part) search_all(path, part_of(path.piece, part, parts));
   }
 
-  void search_all(const PathPiece& path, const Piece& part) {
+  void search_all(const MeasuredPiece& path, const Piece& part) {
     const Disk disk = disk_of(part);
     const Compared compared(path.piece);
     tree_.for_each_near(
@@ -233,7 +234,7 @@ class Selection {
   }
 
   // `first`: the first of the contour blocks that equal this one.
-  void compare(const PathPiece& path, const ProgrammedPiece& block, const Piece& wall,
+  void compare(const MeasuredPiece& path, const ProgrammedPiece& block, const Piece& wall,
                std::size_t first) {
     ++report_.steps;
     checkpoint_.pass();
@@ -273,7 +274,7 @@ class Selection {
   }
 
   // Whether the middle of the path lies on the side of its own block that the program asks for.
-  void check_side(const PathPiece& path, const ProgrammedPiece& own) {
+  void check_side(const MeasuredPiece& path, const ProgrammedPiece& own) {
     const Rule& rule = held_.rule_of(own);
     if (!rule.follows || fine_steps_.is_hardly_there(own.piece, required_)) return;
     const auto wrong = on_wrong_side(path.piece, own.piece, rule.side);

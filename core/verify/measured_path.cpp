@@ -132,11 +132,11 @@ void MeasuredPath::add(const CompensatedBlock& block) {
   const bool inserted = block.origin == Origin::transition || block.origin == Origin::radius_change;
   if (inserted && stems_from->crosses_behind) return;
   path_.push_made([&] {
-    return PathPiece{.piece = piece_of(block.path),
-                     .height = block.normal.to,
-                     .programmed = last_,
-                     .inserted = inserted,
-                     .on_contour = block.origin == Origin::programmed};
+    return MeasuredPiece{.piece = piece_of(block.path),
+                         .height = block.normal.to,
+                         .programmed = last_,
+                         .inserted = inserted,
+                         .on_contour = block.origin == Origin::programmed};
   });
 }
 
@@ -180,7 +180,7 @@ void MeasuredPath::forget_before(std::size_t number) {
 }
 
 std::size_t MeasuredPath::bytes() const {
-  return programmed_.size() * sizeof(ProgrammedPiece) + path_.size() * sizeof(PathPiece) +
+  return programmed_.size() * sizeof(ProgrammedPiece) + path_.size() * sizeof(MeasuredPiece) +
          ways_.capacity() * sizeof(Way) + rules_.capacity() * sizeof(Rule) +
          WallTree::bytes_for(programmed_.size()) + programmed_.size() * sizeof(std::size_t);
 }

@@ -46,7 +46,7 @@ struct ProgrammedPiece {
   return one.index != other.index ? one.index < other.index : one.part < other.part;
 }
 
-struct PathPiece {
+struct MeasuredPiece {
   Piece piece{};
   double height = 0;           // of its end across the plane, mm
   std::size_t programmed = 0;  // the number of the piece it stems from
@@ -73,7 +73,7 @@ class MeasuredPath {
   void add(const CompensatedBlock& block);
 
   [[nodiscard]] const NumberedQueue<ProgrammedPiece>& programmed() const { return programmed_; }
-  [[nodiscard]] const NumberedQueue<PathPiece>& path() const { return path_; }
+  [[nodiscard]] const NumberedQueue<MeasuredPiece>& path() const { return path_; }
   [[nodiscard]] const std::vector<Way>& ways() const { return ways_; }
   [[nodiscard]] const Rule& rule_of(const ProgrammedPiece& piece) const {
     return rules_[piece.rule];
@@ -102,7 +102,7 @@ class MeasuredPath {
   const ProgrammedPiece* find(const Source& source);
 
   NumberedQueue<ProgrammedPiece> programmed_;
-  NumberedQueue<PathPiece> path_;
+  NumberedQueue<MeasuredPiece> path_;
   std::vector<Way> ways_;
   std::vector<Rule> rules_;
   std::shared_ptr<const TrcMode> last_mode_;  // that gave the last rule; none: not known

@@ -40,7 +40,7 @@ class NearWalls {
   // than `reach()` to a piece of the group, in their order. What `reach` says may shrink on the
   // way.
   template <class Reach, class Visit>
-  void for_each_near(std::size_t number, const PathPiece& path, const Reach& reach,
+  void for_each_near(std::size_t number, const MeasuredPiece& path, const Reach& reach,
                      const Visit& visit) const {
     const std::size_t place = number - first_;
     const Compared piece(path.piece);

@@ -32,7 +32,7 @@ void serialize(Archive& archive, ProgrammedPiece& programmed) {
 }
 
 template <class Archive>
-void serialize(Archive& archive, PathPiece& path) {
+void serialize(Archive& archive, MeasuredPiece& path) {
   auto& [piece, height, programmed, inserted, on_contour] = path;
   archive(piece, height, programmed, inserted, on_contour);
 }

@@ -199,7 +199,7 @@ void WallTree::build_fours(Checkpoint& checkpoint) {
 
 // The box around a whole group hardly ever separates two neighbouring leaves: they are found
 // together.
-void WallTree::add_near(const Stretch& both, const Box& box, double reach,
+void WallTree::add_near(const NodePlace& both, const Box& box, double reach,
                         std::vector<std::size_t>& found) const {
   if (least_gap(node_at(both).box, box, reach) >= reach) return;
   const std::size_t left = 2 * both.index;
@@ -211,7 +211,7 @@ bool WallTree::find_near(const Box& box, double reach, std::vector<std::size_t>&
   found.clear();
   const FourWalls::Surroundings around(capsule_of(box), origin_, reach);
   // On every other level, up to three nodes wait for the one before them.
-  std::array<Stretch, 2 * most_levels> open;
+  std::array<NodePlace, 2 * most_levels> open;
   std::size_t count = 0;
   const std::size_t top = (levels_.size() - 1) / 2 * 2;
   for (std::size_t index = levels_[top].size; index-- > 0;)
@@ -249,12 +249,12 @@ bool WallTree::find_near(const Box& box, const Ring& about_middle, double reach,
            (is_winding(own, ring) || least_gap(own, box, reach) < reach);
   };
   // On each level, one node waits for its sibling.
-  std::array<Stretch, most_levels> open;
+  std::array<NodePlace, most_levels> open;
   std::size_t count = 0;
   open[count++] = whole();
   for (std::size_t looked_at = 0; count > 0; ++looked_at) {
     if (looked_at > most_nodes) return false;
-    const Stretch stretch = open[--count];
+    const NodePlace stretch = open[--count];
     const std::size_t place = place_of(stretch);
     if (nodes_[place].required < 0 || !is_near(place)) continue;
     if (stretch.level == 0) {
@@ -295,7 +295,7 @@ void WallTree::gather(const std::vector<std::size_t>& found, const Point& origin
   }
 }
 
-double WallTree::gap_of(const Probe& probe, const Stretch& stretch, double reach) const {
+double WallTree::gap_of(const Probe& probe, const NodePlace& stretch, double reach) const {
   const Node& node = node_at(stretch);
   double gap = least_gap(node.box, probe.box, reach);
   if (gap >= reach || own_rings_.empty()) return gap;

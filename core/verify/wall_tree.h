@@ -53,8 +53,8 @@ class WallTree {
   void make_rings(Checkpoint& checkpoint) const;
   void make_own_rings(Checkpoint& checkpoint) const;
 
-  // A stretch of the contour.
-  struct Stretch {
+  // The place in the tree of a stretch of the contour.
+  struct NodePlace {
     std::size_t level = 0;
     std::size_t index = 0;
   };
@@ -86,7 +86,7 @@ class WallTree {
     };
     // Of each level one node waits for its sibling.
     std::array<Open, 2 * most_levels> open;
-    const auto see = [&](const Stretch& stretch) {
+    const auto see = [&](const NodePlace& stretch) {
       return Open{.level = stretch.level,
                   .index = stretch.index,
                   .gap = gap_of(probe, stretch, reach(node_at(stretch).required))};
@@ -180,15 +180,15 @@ class WallTree {
     std::size_t first_four = 0;  // of every other level, from the third on
   };
 
-  [[nodiscard]] Stretch whole() const { return {.level = levels_.size() - 1}; }
-  [[nodiscard]] std::size_t place_of(const Stretch& stretch) const {
+  [[nodiscard]] NodePlace whole() const { return {.level = levels_.size() - 1}; }
+  [[nodiscard]] std::size_t place_of(const NodePlace& stretch) const {
     return levels_[stretch.level].first + stretch.index;
   }
-  [[nodiscard]] const Node& node_at(const Stretch& stretch) const {
+  [[nodiscard]] const Node& node_at(const NodePlace& stretch) const {
     return nodes_[place_of(stretch)];
   }
   // Only whether it is below `reach` need be right.
-  [[nodiscard]] double gap_of(const Probe& probe, const Stretch& stretch, double reach) const;
+  [[nodiscard]] double gap_of(const Probe& probe, const NodePlace& stretch, double reach) const;
   template <class Visit>
   void visit_bucket(std::size_t index, const Visit& visit) const {
     const std::size_t first = begin_ + index * bucket_size;
@@ -218,7 +218,7 @@ class WallTree {
     if (nodes_[index].required >= 0) found.push_back(index);
   }
   // Of two leaves beside each other, where they are as near to the box as that.
-  void add_near(const Stretch& both, const Box& box, double reach,
+  void add_near(const NodePlace& both, const Box& box, double reach,
                 std::vector<std::size_t>& found) const;
   [[nodiscard]] Ring ring_of_bucket(std::size_t index, FourRings& leaf,
                                     Checkpoint& checkpoint) const;

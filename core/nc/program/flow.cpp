@@ -97,7 +97,7 @@ bool Flow::enter(Frame callee) {
 }
 
 void Flow::forget_values() {
-  for (Stretch& stretch : ahead_) stretch.knows_values = false;
+  for (LinesAhead& lines : ahead_) lines.knows_values = false;
 }
 
 Flow::Step Flow::step(std::string& flat) {

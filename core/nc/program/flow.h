@@ -195,7 +195,7 @@ class Flow {
 
  private:
   // Lines to be examined: from the next line of the innermost frame to its end.
-  struct Stretch {
+  struct LinesAhead {
     std::vector<Frame> frames{};
     bool knows_values = false;  // the frames of the refusal, whose variables are known
   };
@@ -215,7 +215,7 @@ class Flow {
   std::vector<std::vector<bool>> seen_{};  // by text: lines that were executed or looked at
   bool has_entered_ = false;               // the line executed last has entered a call
   bool looks_ahead_ = false;
-  std::deque<Stretch> ahead_{};
+  std::deque<LinesAhead> ahead_{};
   bool supposes_ = false;        // the line that is looked at has a variable
   bool misread_ = false;         // a statement that may begin or end something
   std::size_t passed_over_ = 0;  // line after it; 0: nothing is

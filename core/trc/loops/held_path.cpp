@@ -148,7 +148,7 @@ PathBlockPtr HeldPath::restored(std::size_t number) {
         block.cut_at_end = cuts.at_end;
       };
       visit_programmed(kept.number, overloaded{give, [&](const Line& line) { give(line, {}); }});
-      programmed.role = contour_[kept.number].role;
+      programmed.role = contour_[kept.number].contour_role;
       give_offsets(block);
     }
   }

@@ -45,7 +45,7 @@ class HeldPath {
     Segment programmed{};
     Source source{};
     Number block = 0;  // its path
-    ContourRole role = ContourRole::unspecified;
+    ContourRole contour_role = ContourRole::unspecified;
   };
   // Moves the passive blocks out of the block.
   void append(PathBlock& block);
@@ -106,12 +106,12 @@ class HeldPath {
   }
   [[nodiscard]] Box box_about(std::size_t block, const Point& start, const Point& end) const;
   // Common data of the blocks from `first` on and before `end`.
-  struct Stretch {
+  struct Bounds {
     Box area{};         // as box_about()
     double radius = 0;  // the largest one of the tool, mm
     bool reachable = true;
   };
-  [[nodiscard]] Stretch stretch(std::size_t first, std::size_t end) const;
+  [[nodiscard]] Bounds bounds_of(std::size_t first, std::size_t end) const;
   [[nodiscard]] std::size_t number_of(std::size_t block) const { return blocks_[block].number; }
   // Whether passive blocks lie after the next block to be restored, or one before it.
   [[nodiscard]] bool has_passive(std::size_t next) const {
@@ -246,7 +246,7 @@ inline HeldPath::Way HeldPath::way_along(std::size_t block, std::size_t most, Po
       .programmed = kept.is_arc ? Segment(arc_of(kept, circles_[kept.circle].arc)) : line_of(kept),
       .source = source_of(number),
       .block = kept.block,
-      .role = kept.role};
+      .contour_role = kept.contour_role};
 }
 
 inline Box HeldPath::box_about(std::size_t block, const Point& start, const Point& end) const {
@@ -264,7 +264,7 @@ inline Box HeldPath::about_arc(const Box& ends, const KeptBlock& kept, const Kep
   return {ends.min() - Vector(rise, rise), ends.max() + Vector(rise, rise)};
 }
 
-inline HeldPath::Stretch HeldPath::stretch(std::size_t first, std::size_t end) const {
+inline HeldPath::Bounds HeldPath::bounds_of(std::size_t first, std::size_t end) const {
   const KeptBlock& first_kept = blocks_[first];
   Number setting = first_kept.setting;
   Box area;

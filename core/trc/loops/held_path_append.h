@@ -42,7 +42,7 @@ template <class Programmed>
                        .block = static_cast<Number>(blocks_.end()),
                        .circle = static_cast<Number>(circles_.end()),
                        .is_arc = std::is_same_v<Programmed, Arc>,
-                       .role = block.role,
+                       .contour_role = block.role,
                        .part = block.source.part};
   });
   if constexpr (std::is_same_v<Programmed, Arc>)

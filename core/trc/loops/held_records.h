@@ -92,12 +92,12 @@ struct KeptContour {
   Number block = 0;
   Number circle = 0;  // its own, or the next one
   bool is_arc = false;
-  ContourRole role = ContourRole::unspecified;
+  ContourRole contour_role = ContourRole::unspecified;
   std::uint8_t part = 0;
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(start, end, index, n_word, line, block, circle, is_arc, role, part);
+    archive(start, end, index, n_word, line, block, circle, is_arc, contour_role, part);
   }
 };
 

@@ -67,7 +67,7 @@ std::optional<LoopExit> LoopExits::first_here(const PathPiece& piece,
   return first;
 }
 
-LoopExits::Stretch LoopExits::stretch_about(std::size_t obstacle, std::size_t at) const {
+LoopExits::BlocksAtObstacle LoopExits::blocks_at(std::size_t obstacle, std::size_t at) const {
   const std::size_t begin =
       obstacle > path_.begin_of_contour() ? contour(obstacle - 1).block : path_.begin();
   // Leads are never in the way: the path may leave the obstacle by any of them (D-38, D-137).
@@ -79,7 +79,7 @@ LoopExits::Stretch LoopExits::stretch_about(std::size_t obstacle, std::size_t at
 
 std::optional<LoopExit> LoopExits::exit_here(const PathPiece& piece, std::size_t obstacle,
                                              Kind kind, Nearness nearness) const {
-  if (!has_near(stretch_about(obstacle, piece.block))) return std::nullopt;
+  if (!has_near(blocks_at(obstacle, piece.block))) return std::nullopt;
   if (kind != Kind::beside)
     if (auto exit = crossing_in(piece, walked_.end(), obstacle, {})) return exit;
   if (kind == Kind::crossing) return std::nullopt;
@@ -99,7 +99,7 @@ std::optional<LoopExit> LoopExits::exit_here(const PathPiece& piece, std::size_t
 }
 
 std::optional<LoopExit> LoopExits::exit_behind(const PathPiece& at, const Onset& onset) const {
-  return last_of_walked(onset, stretch_about(onset.obstacle, at.block), {});
+  return last_of_walked(onset, blocks_at(onset.obstacle, at.block), {});
 }
 
 std::optional<LoopExit> LoopExits::exit_behind_into_rest(const PathPiece& at,
@@ -122,11 +122,11 @@ std::optional<LoopExit> LoopExits::exit_by_lead_out(const PathPiece& piece,
   if (walls_between(obstacles_.walls().head.first, onset.obstacle, near) > near ||
       walls_between(number + 1, lead_out, near) > near)
     return std::nullopt;
-  const Stretch stretch{contour(lead_out).block, path_.end(), true};
+  const BlocksAtObstacle blocks{contour(lead_out).block, path_.end(), true};
   ask_about(piece);
-  if (has_near(stretch))
+  if (has_near(blocks))
     if (auto exit = crossing_in(piece, walked_.end(), onset.obstacle, {})) return exit;
-  return last_of_walked(onset, stretch, {});
+  return last_of_walked(onset, blocks, {});
 }
 
 double LoopExits::walls_between(std::size_t first, std::size_t end, double most) const {
@@ -135,17 +135,18 @@ double LoopExits::walls_between(std::size_t first, std::size_t end, double most)
   return length;
 }
 
-std::optional<LoopExit> LoopExits::last_of_walked(const Onset& onset, const Stretch& stretch,
+std::optional<LoopExit> LoopExits::last_of_walked(const Onset& onset,
+                                                  const BlocksAtObstacle& blocks,
                                                   const PathPlace& least) const {
   const HeldPath::ContourBlock obstacle = contour(onset.obstacle);
   // A lead may come back to the path anywhere nearby.
-  double rest = stretch.holds_leads ? 8 * path_.largest_radius(obstacle) : 0;
+  double rest = blocks.holds_leads ? 8 * path_.largest_radius(obstacle) : 0;
   for (std::size_t number = walked_.end(); number-- > walked_.begin();) {
     const PathPiece walked = walked_[number];
     if (reaches_out(obstacle, walked.end) && rest <= 0) break;
     rest -= walked.to - walked.from;
     ask_about(walked);
-    if (has_near(stretch))
+    if (has_near(blocks))
       if (auto exit = crossing_in(walked, number, onset.obstacle, least)) return exit;
   }
   return std::nullopt;
@@ -161,9 +162,9 @@ void LoopExits::ask_about(const PathPiece& piece) const {
            tolerances_.passable * std::max(path_.radius_of_tool(piece.block), 1.0);
 }
 
-bool LoopExits::has_near(const Stretch& stretch) const {
+bool LoopExits::has_near(const BlocksAtObstacle& blocks) const {
   near_.clear();
-  for (std::size_t block = stretch.first; block < stretch.end; ++block)
+  for (std::size_t block = blocks.first; block < blocks.end; ++block)
     if (squared_distance(area_, path_.box_about(block)) <= reach_ * reach_) near_.push_back(block);
   return !near_.empty();
 }

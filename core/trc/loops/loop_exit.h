@@ -49,7 +49,7 @@ class LoopExits {
  private:
   // The blocks ahead that can lie at an obstacle: its own equidistant or, about one of its ends,
   // the transitions there and the equidistant of its neighbour.
-  struct Stretch {
+  struct BlocksAtObstacle {
     std::size_t first = 0;
     std::size_t end = 0;
     bool holds_leads = false;
@@ -72,8 +72,8 @@ class LoopExits {
     goes_round_ = goes_round_ || goes_round;
     return goes_round;
   }
-  // The stretch about an obstacle, after the block `at`.
-  [[nodiscard]] Stretch stretch_about(std::size_t obstacle, std::size_t at) const;
+  // Those at an obstacle, after the block `at`.
+  [[nodiscard]] BlocksAtObstacle blocks_at(std::size_t obstacle, std::size_t at) const;
   // How the path meets the part where it goes on.
   enum class Kind { any, crossing, beside };
   // An exit on the piece that ends with the onset.
@@ -94,14 +94,15 @@ class LoopExits {
                                                          const Onset& onset) const;
   // Length of the walls in these blocks, mm; counting stops somewhat above `most`.
   [[nodiscard]] double walls_between(std::size_t first, std::size_t end, double most) const;
-  // The last crossing of the walked path with the stretch, as in crossing_in().
-  [[nodiscard]] std::optional<LoopExit> last_of_walked(const Onset& onset, const Stretch& stretch,
+  // The last crossing of the walked path with these blocks, as in crossing_in().
+  [[nodiscard]] std::optional<LoopExit> last_of_walked(const Onset& onset,
+                                                       const BlocksAtObstacle& blocks,
                                                        const PathPlace& least) const;
   // Asks about this piece from now on.
   void ask_about(const PathPiece& piece) const;
-  // Puts into near_ the blocks of the stretch that are near enough to the piece asked about to have
+  // Puts into near_ the blocks of `blocks` that are near enough to the piece asked about to have
   // a point in common. Returns whether there is one.
-  [[nodiscard]] bool has_near(const Stretch& stretch) const;
+  [[nodiscard]] bool has_near(const BlocksAtObstacle& blocks) const;
   // The last crossing of that piece, which has this number, with one of near_, no farther from the
   // obstacle than the radius. `least`: the least way along those.
   [[nodiscard]] std::optional<LoopExit> crossing_in(const PathPiece& piece, std::size_t number,

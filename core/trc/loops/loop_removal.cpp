@@ -123,7 +123,7 @@ ContourView LoopRemoval::contour_from(std::size_t first) const {
       .tolerances = tolerances_,
       .checkpoint = &checkpoint_};
   if (held_.path.has_roles())
-    view.role = [this, first](std::size_t number) { return contour(first + number).role; };
+    view.role = [this, first](std::size_t number) { return contour(first + number).contour_role; };
   if (held_.has_short) view.shift = held_.path.setting_of(end_of_path() - 1).at_end.shift;
   return view;
 }
@@ -253,7 +253,7 @@ RefusedWay LoopRemoval::refused_way() const {
                               .path = block.programmed,
                               .normal = setting.normal,
                               .feed = setting.feed,
-                              .role = block.role,
+                              .role = block.contour_role,
                               .mode = setting.mode});
   }
   return refused;

@@ -318,11 +318,11 @@ void Obstacles::query_group(std::size_t first) {
   asked_for_ = 0;
   group_query_.first = first;
   group_query_.end = std::min(first + group_, path_.end());
-  const HeldPath::Stretch stretch = path_.stretch(first, group_query_.end);
-  group_query_.area = stretch.area;
-  group_query_.radius = stretch.radius;
+  const HeldPath::Bounds bounds = path_.bounds_of(first, group_query_.end);
+  group_query_.area = bounds.area;
+  group_query_.radius = bounds.radius;
   group_query_.skipped =
-      stretch.reachable ? certified_for_all(first, group_query_.end) : BoxTree::Range{};
+      bounds.reachable ? certified_for_all(first, group_query_.end) : BoxTree::Range{};
   group_query_.near.clear();
   boxes_.for_each_four_near(group_query_.area, group_query_.radius + tolerances_.same_point,
                             group_query_.skipped,
@@ -335,10 +335,10 @@ void Obstacles::look_closer() {
   few_.first = few_.end;
   few_.end = std::min(few_.first + a_few, group_query_.end);
   few_.near.clear();
-  const HeldPath::Stretch stretch = path_.stretch(few_.first, few_.end);
+  const HeldPath::Bounds bounds = path_.bounds_of(few_.first, few_.end);
   const BoxTree::Range skipped =
-      stretch.reachable ? certified_for_all(few_.first, few_.end) : BoxTree::Range{};
-  const FourBoxes::Surroundings surroundings(stretch.area, stretch.radius + tolerances_.same_point);
+      bounds.reachable ? certified_for_all(few_.first, few_.end) : BoxTree::Range{};
+  const FourBoxes::Surroundings surroundings(bounds.area, bounds.radius + tolerances_.same_point);
   for (const NearFour& four : group_query_.near) {
     NearFour near = four.only(four.boxes->near(surroundings));
     near.drop(skipped.first, skipped.last + 1);

@@ -25,12 +25,12 @@ ContourView up_to(const ContourView& contour, std::size_t number) {
 
 }  // namespace
 
-void ClosingWatch::Stretch::add(const Segment& block) {
+void ClosingWatch::BlockRun::add(const Segment& block) {
   ++blocks;
   length += length_of(block);
 }
 
-bool ClosingWatch::Stretch::is_beyond_leads(double tool_radius) const {
+bool ClosingWatch::BlockRun::is_beyond_leads(double tool_radius) const {
   return blocks >= blocks_at_ends && length >= reach_of_ends * tool_radius;
 }
 

@@ -64,7 +64,7 @@ class ClosingWatch {
     over,  // no window shows both its start and the next block
   };
   // Blocks that follow each other.
-  struct Stretch {
+  struct BlockRun {
     std::size_t blocks = 0;
     double length = 0;  // mm
 
@@ -101,10 +101,10 @@ class ClosingWatch {
   double tool_radius_ = 0;  // the largest one so far, mm
 
   Phase phase_ = Phase::over;
-  Stretch head_{};  // the first blocks, among which a closing is looked for
+  BlockRun head_{};  // the first blocks, among which a closing is looked for
   bool head_is_complete_ = false;
-  Stretch behind_head_{};     // after the last block that may be seen with the head
-  Stretch behind_closing_{};  // after the candidate, or the start of the last lap
+  BlockRun behind_head_{};     // after the last block that may be seen with the head
+  BlockRun behind_closing_{};  // after the candidate, or the start of the last lap
   Candidate candidate_{};
   std::size_t scanned_ = 0;
   int tries_ = 0;
