@@ -138,7 +138,7 @@ std::string columns_of(const Elements& elements) {
                       static_cast<std::uint32_t>(element.origin) << 16U |
                       static_cast<std::uint32_t>(element.plane) << server::http::plane_shift |
                       (element.rapid ? server::http::rapid_flag : 0U) |
-                      (element.unsaid ? server::http::unsaid_flag : 0U));
+                      (element.from_unknown ? server::http::from_unknown_flag : 0U));
     const Segment shape = elements.shape_of(element);
     const auto* arc = std::get_if<Arc>(&shape);
     append(words, arc == nullptr ? 0U : static_cast<std::uint32_t>(element.arc + 1));

@@ -1,5 +1,5 @@
 import {axesOf, inPlane, planeNames, positionOf} from './planes.js';
-import {asideFlag, pathFlag, rapidFlag, segmentSize, unsaidFlag} from './styles.js';
+import {asideFlag, fromUnknownFlag, pathFlag, rapidFlag, segmentSize} from './styles.js';
 
 // A program that lies in this file itself, as `trc plot -o part.html` writes it: it is asked as the
 // server is.
@@ -44,7 +44,7 @@ class Elements {
   line(i) { return this.words[3 * i]; }
   style(i) { return this.words[3 * i + 1] & styleBits; }
   isRapid(i) { return (this.words[3 * i + 1] & rapidFlag) !== 0; }
-  isUnsaid(i) { return (this.words[3 * i + 1] & unsaidFlag) !== 0; }
+  isFromUnknown(i) { return (this.words[3 * i + 1] & fromUnknownFlag) !== 0; }
   isSpecial(i) { return this.style(i) === contourMasked || this.style(i) === transition; }
   arc(i) {
     const k = 3 * (this.words[3 * i + 2] - 1);
@@ -159,7 +159,7 @@ class Drawing {
         continue;
       }
       elements.boxOf(i, box);
-      if (elements.isUnsaid(i) || !this.sees(box, 0)) { lift(); continue; }
+      if (elements.isFromUnknown(i) || !this.sees(box, 0)) { lift(); continue; }
       const [ax, ay, bx, by] = elements.ends.subarray(4 * i, 4 * i + 4);
       const word = elements.style(i) | flags | (elements.isRapid(i) ? rapidFlag : 0) |
         (elements.planeOf(i) === elements.plane ? 0 : asideFlag);

@@ -10,7 +10,7 @@ export const rapidFlag = 0x100;
 export const pathFlag = 0x200;
 export const asideFlag = 0x400;
 // A rapid from where nobody has said: not drawn.
-export const unsaidFlag = 0x800;
+export const fromUnknownFlag = 0x800;
 
 const light = ['#1a1d21', '#d55e00', '#0072b2', '#1c9be0', '#007a5a', '#7a7a7a'];
 const dark = ['#f0f2f4', '#ff8a3c', '#4db5f0', '#9bdcff', '#3fd0a4', '#9a9a9a'];

@@ -16,7 +16,7 @@
 #include "core/geometry/along.h"
 #include "core/session/not_travelled.h"
 #include "core/session/projection.h"
-#include "core/trc/result/first_motions.h"
+#include "core/session/unknown_starts.h"
 #include "core/trc/result/listing.h"
 
 namespace trc::plot {
@@ -114,14 +114,14 @@ class Composer {
     changed_ = changed_contour(contents_.programmed, contents_.path);
     const LeadBlocks leads(contents_);
     Position position{};
-    FirstMotions first(contents_.start);
+    UnknownStarts first(contents_.start);
     for (const Block& block : contents_.programmed)
       std::visit(overloaded{[&](const MotionBlock& motion) {
                               if (!motion.mode) return;
-                              const bool unsaid = first.begins_unsaid(
+                              const bool from_unknown = first.begins_at_unknown_place(
                                   motion.mode->plane, motion.path, motion.normal, motion.rapid);
                               const bool lost = masked.contains(motion.source.index);
-                              if (!unsaid || draws_first_) show(motion, lost, leads);
+                              if (!from_unknown || draws_first_) show(motion, lost, leads);
                               const PlaneAxes axes = axes_of(motion.mode->plane);
                               const Place end = place_at(motion.path, 1);
                               position[axes.first] = end.point.x();
@@ -132,10 +132,10 @@ class Composer {
                               if (!passive.moves || !passive.mode) return;
                               const PlaneAxes axes = axes_of(passive.mode->plane);
                               const Point here = to_plane(passive.mode->plane, position);
-                              const bool unsaid = first.begins_unsaid(
+                              const bool from_unknown = first.begins_at_unknown_place(
                                   passive.mode->plane, Line{.start = here, .end = here},
                                   passive.normal, passive.rapid);
-                              if (!unsaid || draws_first_) show(passive, here);
+                              if (!from_unknown || draws_first_) show(passive, here);
                               position[axes.third] = passive.normal.to;
                             }},
                  block);
@@ -207,12 +207,13 @@ class Composer {
   }
 
   void add_path() {
-    FirstMotions first(contents_.start);
+    UnknownStarts first(contents_.start);
     for (std::size_t at = 0; at < contents_.path.size(); ++at) {
       const CompensatedBlock& block = contents_.path[at];
       if (block.origin == Origin::passthrough) continue;
-      const bool unsaid = first.begins_unsaid(block.plane, block.path, block.normal, block.rapid);
-      if (unsaid && !draws_first_) continue;
+      const bool from_unknown =
+          first.begins_at_unknown_place(block.plane, block.path, block.normal, block.rapid);
+      if (from_unknown && !draws_first_) continue;
       add({.layer = is_inserted(at) ? Layer::transition : layer_of(block.origin),
            .rapid = block.rapid,
            .segments = project(block.plane, block.path, block.normal, picture_.plane),
@@ -314,7 +315,7 @@ class Composer {
   const Words& words_;
   Picture picture_;
   bool single_ = true;
-  bool draws_first_ = false;  // FirstMotions: true if there is nothing else to draw
+  bool draws_first_ = false;  // UnknownStarts: true if there is nothing else to draw
   std::map<std::uint64_t, Segment> changed_{};
   std::array<Stroke, layer_count> joined_{};
 };

@@ -16,7 +16,7 @@ void Elements::add(Element element, const Segment& shape) {
   if (size_ % piece_size == 0) pieces_.emplace_back().reserve(piece_size);
   if (size_ % group_size == 0) groups_.push_back({.length = length_});
   Group& group = groups_.back();
-  if (element.unsaid)
+  if (element.from_unknown)
     group.box.add(element.end);
   else
     group.box.add(shape);

@@ -23,8 +23,8 @@ enum class Style : std::uint8_t {
 };
 inline constexpr std::uint32_t rapid_flag = 1U << 8U;
 inline constexpr std::uint32_t path_flag = 1U << 9U;
-// Not drawn: FirstMotions.
-inline constexpr std::uint32_t unsaid_flag = 1U << 11U;
+// Not drawn: UnknownStarts.
+inline constexpr std::uint32_t from_unknown_flag = 1U << 11U;
 // A plane other than the shown one is in force there: the tool is seen from the side.
 inline constexpr std::uint32_t aside_flag = 1U << 10U;
 inline constexpr std::uint32_t plane_shift = 12;
@@ -42,9 +42,9 @@ struct Element {
   Style style = Style::path;
   std::uint8_t origin = 0;  // of v1::CompensatedBlock; 0 on the contour
   bool rapid = false;
-  bool unsaid = false;      // a rapid from an unknown place: measured, but not drawn
-  Plane plane = Plane::xy;  // that holds in its block
-  bool ends_block = true;   // a block of another plane may be seen as several elements
+  bool from_unknown = false;  // a rapid from an unknown place: measured, but not drawn
+  Plane plane = Plane::xy;    // that holds in its block
+  bool ends_block = true;     // a block of another plane may be seen as several elements
 
   // Must be seen at any scale.
   [[nodiscard]] bool is_special() const {

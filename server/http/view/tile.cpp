@@ -195,7 +195,7 @@ Drawing::Pen Drawing::pen_of(const Elements& elements, std::size_t index,
 
 void Drawing::draw_element(const Elements& elements, std::size_t index, std::uint32_t flags) {
   const Element& element = elements[index];
-  if (element.unsaid) return lift();
+  if (element.from_unknown) return lift();
   const Segment shape = elements.shape_of(element);
   verify::Bounds box;
   box.add(shape);

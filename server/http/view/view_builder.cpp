@@ -121,14 +121,14 @@ void ViewBuilder::add_to_path(std::span<const CompensatedBlock> blocks) {
     if (block.origin == Origin::passthrough) continue;
     if (block.origin == Origin::kerf || block.origin == Origin::converted_circle)
       replaced_.push_back(static_cast<std::uint32_t>(block.source.index));
-    const Element element{
-        .feed = block.rapid ? 0 : static_cast<float>(block.feed),
-        .line = block.source.line,
-        .tool_radius = tool_radius_of(block),
-        .style = style_of(block.origin),
-        .origin = static_cast<std::uint8_t>(wire::to_proto(block.origin)),
-        .rapid = block.rapid,
-        .unsaid = first_on_path_.begins_unsaid(block.plane, block.path, block.normal, block.rapid)};
+    const Element element{.feed = block.rapid ? 0 : static_cast<float>(block.feed),
+                          .line = block.source.line,
+                          .tool_radius = tool_radius_of(block),
+                          .style = style_of(block.origin),
+                          .origin = static_cast<std::uint8_t>(wire::to_proto(block.origin)),
+                          .rapid = block.rapid,
+                          .from_unknown = first_on_path_.begins_at_unknown_place(
+                              block.plane, block.path, block.normal, block.rapid)};
     add_seen(path_, element, {.plane = block.plane, .shape = block.path, .normal = block.normal},
              plane_);
   }

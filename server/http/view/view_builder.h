@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "core/geometry/plane.h"
+#include "core/session/unknown_starts.h"
 #include "core/trc/result/compensated_block.h"
-#include "core/trc/result/first_motions.h"
 #include "proto/wire/setup.h"
 #include "server/http/view/elements.h"
 #include "server/http/view/lines.h"
@@ -82,7 +82,7 @@ class ViewBuilder {
   // that kerf masking has filled.
   std::vector<std::uint32_t> replaced_;
 
-  FirstMotions first_on_path_;
+  UnknownStarts first_on_path_;
   std::size_t found_bytes_ = 0;  // of the text: its lines are found
   const FirstLook look_;
   const Plane plane_;  // that is shown

@@ -104,7 +104,8 @@ void ViewContour::add(const Block& block) {
       .tool_radius = active ? static_cast<float>(motion.mode->cutting_radius()) : 0,
       .style = is_contour ? Style::contour : Style::plain,
       .rapid = motion.rapid,
-      .unsaid = first_.begins_unsaid(motion.mode->plane, motion.path, motion.normal, motion.rapid)};
+      .from_unknown = first_.begins_at_unknown_place(motion.mode->plane, motion.path, motion.normal,
+                                                     motion.rapid)};
   add_seen(whole_.elements, element,
            {.plane = motion.mode->plane, .shape = motion.path, .normal = motion.normal}, shown_);
   const std::uint64_t index = motion.source.index;

@@ -9,7 +9,7 @@
 #include "core/geometry/plane.h"
 #include "core/nc/state/block.h"
 #include "core/session/path_session.h"
-#include "core/trc/result/first_motions.h"
+#include "core/session/unknown_starts.h"
 #include "server/http/view/elements.h"
 
 namespace trc::server::http {
@@ -53,7 +53,7 @@ class ViewContour {
 
   const LeadSettings leads_;
   const Plane shown_;
-  FirstMotions first_;
+  UnknownStarts first_;
   Side side_ = Side::off;  // of the motion before
   Whole whole_;
   std::vector<float> radius_of_block_;
