@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "core/base/tolerances.h"
 #include "core/geometry/four_boxes.h"
 #include "core/geometry/segment.h"
 #include "core/geometry/track.h"
@@ -11,6 +12,13 @@
 namespace trc {
 
 // Places on a bounded segment, given by the way from its start, mm.
+
+// Places this close count as one: two digits below what makes two points one, and two above what a
+// double resolves at the largest coordinate.
+[[nodiscard]] inline double slack_of_places(const Tolerances& tolerances) {
+  constexpr double share_of_point = 0.01;
+  return share_of_point * tolerances.same_point;
+}
 
 [[nodiscard]] Point point_along(const Segment& segment, double way);
 // The unit vector of travel at that place; defined for a segment without length too.

@@ -17,8 +17,7 @@ std::optional<BowTie> bow_tie_of(const Segment& before, const Segment& between,
   const double of_begin = distance(begin, after);
   const double of_end = distance(end, before);
   if (std::min(of_begin, of_end) > largest) return std::nullopt;
-  // Places along a block count as one within this distance, mm.
-  const double slack = 0.01 * tolerances.same_point;
+  const double slack = slack_of_places(tolerances);
   for (const Crossing& crossing : crossings(Track(before), Track(after), slack)) {
     const Vector to_begin = begin - crossing.point;
     const Vector to_end = end - crossing.point;

@@ -30,8 +30,14 @@ class Seam {
   // Whether these contour blocks, with `rest` mm more of one, have room for the tool between them:
   // a room whose neck is at the seam.
   [[nodiscard]] bool encloses_room(std::size_t first, std::size_t end, double rest) const;
-  // Largest distance from the first and the last point of the path, mm and blocks.
-  [[nodiscard]] double reach() const { return 0.01 * std::max(path_.radius_of_tool(0), 0.1); }
+  // Largest distance from the first and the last point of the path, mm and blocks. A kink of 0.02,
+  // as rounding makes it between blocks of 0.15 mm, cuts R·tan(0.01) of both; tools below 0.1 mm
+  // have the resolution of programs.
+  [[nodiscard]] double reach() const {
+    constexpr double share_of_radius = 0.01;
+    constexpr double least_radius = 0.1;
+    return share_of_radius * std::max(path_.radius_of_tool(0), least_radius);
+  }
   static constexpr std::size_t most_blocks = 64;
 
   const HeldPath& path_;

@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "core/base/numbered_queue.h"
-#include "core/base/tolerances.h"
+#include "core/geometry/along.h"
 #include "core/geometry/box_tree.h"
 #include "core/trc/loops/held_path.h"
 
@@ -22,11 +22,6 @@ struct PathPlace {
     archive(block, along);
   }
 };
-
-// Places along a block that are this close count as one, mm.
-[[nodiscard]] inline double slack_of_places(const Tolerances& tolerances) {
-  return 0.01 * tolerances.same_point;
-}
 
 // The travelled part of a block; its ends are shared with its neighbours.
 struct PathPiece {

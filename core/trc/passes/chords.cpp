@@ -127,13 +127,15 @@ ChordCourse course_of(const Segment& path, double shift) {
     const auto [direction, length] = directed(line.end - line.start);
     return {.at_start = direction, .at_end = direction, .room = length};
   }
-  // Where the tool does not fit next to nothing is left.
+  // Where the tool does not fit next to nothing is left. This share of what is bent away keeps the
+  // bend finite: beside a line, such an arc gives a sixteenth of its half to the corner.
+  constexpr double least_room = 1e-3;
   const double bent = shift * arc->sweep;
   const double room = length_of(*arc) - bent;
   return {.at_start = tangent_at(arc->start, *arc),
           .at_end = tangent_at(arc->end, *arc),
           .room = room,
-          .bend = -bent / (4 * std::max(room, 1e-3 * std::abs(bent)))};
+          .bend = -bent / (4 * std::max(room, least_room * std::abs(bent)))};
 }
 
 ChordCut cut_between(const ChordCourse& before, const ChordCourse& after, double shift) {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "core/geometry/along.h"
 #include "core/geometry/parallel.h"
 #include "core/trc/passes/joints.h"
 #include "core/trc/passes/offset.h"
@@ -179,7 +180,7 @@ void KerfMasking::raise_notch(const PathBlock* next) {
       low = height;
   }
   if (high == 0) return;
-  while (high - low > 0.01 * tolerances_.same_point) {
+  while (high - low > slack_of_places(tolerances_)) {
     const double middle = 0.5 * (low + high);
     const bool entered = notch.with_bottom(bottom + middle * up, tolerances_.on_contour)
                              .can_be_entered(0, tolerances_);

@@ -18,9 +18,10 @@ double resolution_for(const TrcMode& mode, double input_resolution) {
 }
 
 // How far a corner may lie beside the line between its neighbours, mm: a coordinate is off by up to
-// half of the resolution, two of them by its diagonal.
+// half of the resolution, two of them by its diagonal, and so are those of the neighbours.
 double most_aside(const TrcMode& mode, double input_resolution) {
-  return 1.5 * resolution_for(mode, input_resolution);
+  constexpr double resolutions = 1.5;  // 2 · 0.5 · 1.41, rounded up
+  return resolutions * resolution_for(mode, input_resolution);
 }
 
 Vector vector_of(const Line& line) { return line.end - line.start; }
@@ -46,7 +47,8 @@ double squared_length_of_short(const TrcMode& mode, double input_resolution) {
     const double most = most_aside(mode, input_resolution);
     return most * most;
   }
-  return 5 * std::abs(mode.tool_radius) * resolution_for(mode, input_resolution);
+  constexpr double factor = 5;  // 1.41 / 0.28
+  return factor * std::abs(mode.tool_radius) * resolution_for(mode, input_resolution);
 }
 
 // The share of joined lines that corners may take: each of the joined blocks keeps something.
@@ -136,7 +138,9 @@ ChordCourse RoundedInput::course_of(const Chord& chord) const {
 }
 
 bool RoundedInput::is_in_the_way(const Line& before, const Line& after) const {
-  constexpr double cosine_of_slight_turn = 0.995;  // 5.7 degrees
+  // cos(0.1 rad). A line that turns less goes on as its neighbour does: its end lies beside that by
+  // a tenth of its length, less than rounding moves a point by.
+  constexpr double cosine_of_slight_turn = 0.995;
   const double shortest = std::min(length_of(before), length_of(after));
   return shortest <= most_aside(held_.back()->mode(), input_resolution_) &&
          tangent_of(before).dot(tangent_of(after)) < cosine_of_slight_turn;
@@ -150,8 +154,11 @@ ChordCut RoundedInput::cut_at_start(std::size_t chord) const {
 }
 
 double RoundedInput::room_of(const Chord& chord, const ChordCourse& course) const {
-  // Short lines that have been joined are longer.
-  const double longest = 8 * squared_length_of_short(held_.back()->mode(), input_resolution_);
+  // Short lines that have been joined are longer. Of a line with 8 times the square, rounding takes
+  // an eighth of what a curve leaves.
+  constexpr double times_square = 8;
+  const double longest =
+      times_square * squared_length_of_short(held_.back()->mode(), input_resolution_);
   if (vector_of(line_of(chord)).squaredNorm() > longest) return INFINITY;
   return chord.count > 1 ? most_of_joined * course.room : room_of_single(course.room, tolerances_);
 }
@@ -243,6 +250,9 @@ bool RoundedInput::has_arcs() const {
 
 // Joins as little as possible. `behind`: what the last chord has to leave something beside.
 bool RoundedInput::divide_anew(const std::optional<ChordCourse>& behind) {
+  // An arc rather stays than it becomes a line, and rather does than two are joined, which costs 4.
+  constexpr double cost_of_block = 1;
+  constexpr double cost_of_straight_arc = 1.5;
   std::vector<ChordChoice> choices;
   const auto offer = [&](const Chord& chord, double cost) {
     ChordCourse course = course_of(chord);
@@ -251,9 +261,8 @@ bool RoundedInput::divide_anew(const std::optional<ChordCourse>& behind) {
   };
   for (std::size_t end = 1; end <= held_.size(); ++end) {
     const bool is_an_arc = is_arc(held_[end - 1]->programmed.path);
-    offer({.first = end - 1}, 1);
-    // An arc rather stays than it becomes a line, and rather does than two are joined.
-    if (is_an_arc) offer({.first = end - 1, .straight = true}, 1.5);
+    offer({.first = end - 1}, cost_of_block);
+    if (is_an_arc) offer({.first = end - 1, .straight = true}, cost_of_straight_arc);
     for (std::size_t count = 2; count <= std::min(most_joined_blocks, end); ++count) {
       const Chord chord{.first = end - count, .count = count};
       if (may_be_one(chord)) offer(chord, static_cast<double>(count * count));

@@ -10,7 +10,9 @@ namespace {
 
 // Whether two blocks go on from each other without a corner.
 bool is_smooth(const Segment& before, const Segment& behind) {
-  constexpr double slight = 0.02;  // sine of the turn at which a corner begins
+  // Sine of the turn at which a corner begins: three decimals turn blocks of 0.15 mm against each
+  // other by 2 · 1.41 µm / 0.15 mm, which is less.
+  constexpr double slight = 0.02;
   const Vector in = tangent_at_end(before);
   const Vector out = tangent_at_start(behind);
   return in.dot(out) > 0 && std::abs(cross(in, out)) < slight;
@@ -55,7 +57,9 @@ bool is_behind_a_step(const ContourView& contour, const EndsMeeting& meeting, do
 
 bool is_lead_across_walls(const ContourView& contour, const EndsMeeting& meeting, double tolerance,
                           double tool_radius) {
-  constexpr double slight = 0.03;  // sine below which both run along each other, but for rounding
+  // Sine below which both run along each other, but for rounding: three decimals turn blocks of
+  // 0.1 mm against each other by 2 · 1.41 µm / 0.1 mm, which is less.
+  constexpr double slight = 0.03;
   constexpr std::size_t most_blocks = 2;
   const auto& [in, along_in] = meeting.first;
   const auto& [out, along_out] = meeting.second;

@@ -146,8 +146,10 @@ class InwardSearch {
                            behind_by(overrun_.front().second, way), on, 2 * tolerance_);
     }
     const double later = next.before - best_->before;
-    // Share of the way, if both part in an acute angle and an overrun ends on the beginning.
-    const double share = is_crossing(*best_) || !is_block_end(next.second) ? 0 : 0.02;
+    // If both part in an acute angle and an overrun ends on the beginning. Ways that part by 2.3
+    // degrees and meet again are this share of the way apart half-way.
+    constexpr double share_of_way = 0.02;
+    const double share = is_crossing(*best_) || !is_block_end(next.second) ? 0 : share_of_way;
     const double most = most_on_top() + share * later;
     return stay_together(best_->first, later, best_->second, on, most);
   }
