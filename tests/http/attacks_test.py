@@ -625,7 +625,7 @@ class Tls(unittest.TestCase):
              client + ".key"], capture_output=True, timeout=60, check=False)
         return over_http, info.returncode == 0
 
-    def test_what_vouches_for_clients_is_trusted_as_it_stands(self):
+    def test_what_vouches_for_clients_is_trusted_as_it_stands(self):  # D-165
         with tempfile.TemporaryDirectory() as folder:
             root = self.made(folder, "root", "CA:TRUE")
             between = self.made(folder, "between", "CA:TRUE", root)

@@ -428,7 +428,7 @@ TEST(OffsetsOfFanuc, GoWithTheSelectionThatTheyBelongTo) {
 }
 
 // Lines that are inserted have numbers too, and the first one stays.
-TEST(BlocksNumberedAnew, CountFromTheFirstNumberOn) {
+TEST(BlocksNumberedAnew, CountFromTheFirstNumberOn) {  // D-60
   const auto written = [](DialectName dialect, const std::string& text) {
     ProgramSessionSetup setup;
     setup.session.program.dialect = dialect;
@@ -582,7 +582,7 @@ TEST(TheGuard, LeavesProgramsOfIsgAlone) {
 // SINUMERIK ONE, programming manual 2.10.4: as the tool came up to DISCL= over the contour, with
 // FAD= from there down under G341, or along the lead under G340; back with the feed of the contour,
 // and from the clearance on as the block says.
-TEST(SoftLeads, TravelAcrossThePlaneInTheirStepsAndFeeds) {
+TEST(SoftLeads, TravelAcrossThePlaneInTheirStepsAndFeeds) {  // D-130
   const auto text_of_program = [](const std::string& steps) {
     ProgramSessionSetup setup;
     ProgramSetup& program = setup.session.program;
@@ -646,7 +646,7 @@ std::vector<Point> ends_of(const std::string& text, DialectName name) {
 }
 
 // A corner that a word cuts is the contour with the cut written out: 10 x 10 at 90 degrees.
-TEST(Corners, AreCutAsTheirWordsSay) {
+TEST(Corners, AreCutAsTheirWordsSay) {  // D-124
   const std::string head = "G90 G17\nG0 X-9 Y-9\nG41 D1 G1 X0 Y0 F100\n";
   const std::string tail = "\nY-4\nG40 X-9 Y-9\nM30\n";
   const double leg = 2 / std::sqrt(2.0);  // of a chamfer 2 mm long
@@ -687,7 +687,7 @@ TEST(Corners, AreCutAsTheirWordsSay) {
 
 // Counter-clockwise arcs with the tool inside, then outside: a contact point at 10 mm with the
 // centre at 6 mm, and at 14 mm.
-TEST(FeedAtInsideArcs, IsThatOfTheContactPointThereAlone) {
+TEST(FeedAtInsideArcs, IsThatOfTheContactPointThereAlone) {  // D-125
   const std::string contour =
       "X50\nG3 X60 Y10 CR=10\nG1 Y30\nG2 X70 Y40 CR=10\nG1 X90\nG40 X99 Y60\n";
   for (const auto& [word, inside, outside] :
@@ -795,7 +795,7 @@ TEST(Corners, AreRoundedBesideArcs) {
     EXPECT_LT((tangent_at_end(arcs[k]) - tangent_at_start(arcs[k + 1])).norm(), 1e-6) << k;
 }
 
-TEST(Corners, ThatHaveNoPlaceAreRefused) {
+TEST(Corners, ThatHaveNoPlaceAreRefused) {  // D-124
   ProgramSessionSetup setup;
   setup.session.program.dialect = DialectName::fanuc;
   setup.session.program.mode.tool_radius = 2;
@@ -919,7 +919,7 @@ TEST(Klartext, ATableOfCorrectionsHoldsUpToTheNextTool) {
 }
 
 // What it writes into the table of tools is not known to the table that is given here.
-TEST(Klartext, AProgramThatWritesTheRadiusOfAToolIsNotCompensated) {
+TEST(Klartext, AProgramThatWritesTheRadiusOfAToolIsNotCompensated) {  // D-72
   ProgramSessionSetup setup;
   setup.session.program.dialect = DialectName::heidenhain;
   setup.session.program.tools[1] = 4;
@@ -947,7 +947,7 @@ TEST(Klartext, HelpsWithinAContourWithoutEndingIt) {
   }
 }
 
-TEST(Klartext, ACalledProgramFindsTheFeed) {
+TEST(Klartext, ACalledProgramFindsTheFeed) {  // D-70
   ProgramSessionSetup setup;
   setup.session.program.dialect = DialectName::heidenhain;
   setup.session.program.tools[1] = 4;
@@ -961,7 +961,7 @@ TEST(Klartext, ACalledProgramFindsTheFeed) {
 }
 
 // The feed that CFC has made of the last arc is not that of what is copied after it.
-TEST(Sinumerik, WhatIsCopiedMovesAtTheFeedOfTheProgram) {
+TEST(Sinumerik, WhatIsCopiedMovesAtTheFeedOfTheProgram) {  // D-70
   ProgramSessionSetup setup;
   setup.session.program.dialect = DialectName::sinumerik;
   setup.session.program.mode.tool_radius = 5;
@@ -994,7 +994,7 @@ TEST(Sinumerik, HasSettableFramesUpToG599) {
   EXPECT_EQ(dialect.function(504), nullptr);
 }
 
-TEST(Sinumerik, SplinesAndTrcInSpaceAreNoContours) {
+TEST(Sinumerik, SplinesAndTrcInSpaceAreNoContours) {  // D-73
   ProgramSessionSetup setup;
   setup.session.program.dialect = DialectName::sinumerik;
   setup.session.program.mode.tool_radius = 5;
@@ -1015,7 +1015,7 @@ TEST(Sinumerik, SplinesAndTrcInSpaceAreNoContours) {
   EXPECT_FALSE(flat.stopped) << flat.report();
 }
 
-TEST(Linuxcnc, AToolOffsetInThePlaneMovesTheCoordinates) {
+TEST(Linuxcnc, AToolOffsetInThePlaneMovesTheCoordinates) {  // D-71
   ProgramSessionSetup setup;
   setup.session.program.dialect = DialectName::linuxcnc;
   setup.session.program.mode.tool_radius = 5;
@@ -1177,7 +1177,7 @@ TEST(Klartext, CountsFeedsOfAnInchInTenths) {
 
 // An arc of the output has its centre in a CC of its own. What the program counts on its pole for
 // gets it back.
-TEST(Klartext, GivesBackThePoleThatArcsOfTheOutputHaveMoved) {
+TEST(Klartext, GivesBackThePoleThatArcsOfTheOutputHaveMoved) {  // D-131
   ProgramSessionSetup setup;
   setup.session.program.dialect = DialectName::heidenhain;
   setup.session.program.mode.tool_radius = 2;
@@ -1244,7 +1244,7 @@ TEST(Klartext, LeavesTheSideOfATextAndOfAComment) {
 
 // After G40 alone the tool still stands beside the contour: to go where the contour ends in the
 // program is a motion, 4 mm here.
-TEST(ABareG40, LetsTheToolGoBackToWhereItEndedInTheProgram) {
+TEST(ABareG40, LetsTheToolGoBackToWhereItEndedInTheProgram) {  // D-123
   ProgramSessionSetup setup;
   setup.session.program.dialect = DialectName::linuxcnc;
   setup.session.program.mode.tool_radius = 4;
@@ -1261,7 +1261,7 @@ TEST(ABareG40, LetsTheToolGoBackToWhereItEndedInTheProgram) {
 
 // FANUC keeps the offset over blocks without a distance in the plane: the next one that has one
 // leads back.
-TEST(ABareG40, OfFanucWaitsForAMotionThatHasALength) {
+TEST(ABareG40, OfFanucWaitsForAMotionThatHasALength) {  // D-123
   ProgramSessionSetup setup;
   setup.session.program.dialect = DialectName::fanuc;
   setup.session.program.mode.tool_radius = 4;
@@ -1286,7 +1286,7 @@ TEST(ABareG40, OfFanucWaitsForAMotionThatHasALength) {
 
 // Above the contour the tool goes to the programmed point; so it does where only the control knows
 // where it stands.
-TEST(ABareG40, OfFanucIsFollowedByARapidMotionAboveTheEndOfTheContour) {
+TEST(ABareG40, OfFanucIsFollowedByARapidMotionAboveTheEndOfTheContour) {  // D-123
   ProgramSessionSetup setup;
   setup.session.program.dialect = DialectName::fanuc;
   setup.session.program.mode.tool_radius = 4;

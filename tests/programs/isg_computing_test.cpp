@@ -75,7 +75,7 @@ TEST(IsgExpressions, KnowTheirFunctions) {
   EXPECT_EQ(value_of("MIN[P1, P2]"), "-2");
 }
 
-TEST(IsgExpressions, AskForBracketsWhereTheOrderIsNotSaid) {
+TEST(IsgExpressions, AskForBracketsWhereTheOrderIsNotSaid) {  // D-67
   EXPECT_EQ(refusal("P1=1\n$IF P1 == 1 || P1 == 2 && P1 == 3\nX1\n$ENDIF\n").first, 900308);
   EXPECT_EQ(refusal("P1=2\nXP1\nP2=-P1**2\n").first, 900308);
   EXPECT_EQ(refusal("P1=2**3**2\nXP1\n").first, 900308);
@@ -94,7 +94,7 @@ TEST(IsgExpressions, DecideAsTheManualSays) {
   EXPECT_TRUE(holds("TRUE"));
 }
 
-TEST(IsgExpressions, ComparisonsDoNotHangOnTheLastDigit) {
+TEST(IsgExpressions, ComparisonsDoNotHangOnTheLastDigit) {  // D-54
   EXPECT_EQ(refusal("P1=0.1+0.2\n$IF P1 == 0.3\nX1\n$ENDIF\n").first, 900309);
 }
 
@@ -110,7 +110,7 @@ TEST(IsgWords, HaveTheirValues) {
   EXPECT_EQ(refusal("P1=7\n#TRC [KERF_MASKING=P1]\nX1\n"), std::pair(900005, 2U));
 }
 
-TEST(IsgWords, AreNotReadBesideTheirAssignment) {
+TEST(IsgWords, AreNotReadBesideTheirAssignment) {  // D-67
   EXPECT_EQ(refusal("P1=1\nG01 XP1 P2=3 F100\nP1=2 G01 XP1\n"), std::pair(900309, 3U));
   EXPECT_EQ(flat("P1=20 P2=P1+1\nXP2\n"), "X21\n");
 }
@@ -163,7 +163,7 @@ TEST(IsgVariables, SayTheRadiiOfTools) {
             "D5\nX3.5\n");
 }
 
-TEST(IsgVariables, ThatOutlastTheProgramComeOut) {
+TEST(IsgVariables, ThatOutlastTheProgramComeOut) {  // D-67
   EXPECT_EQ(flat("P1=4\nV.S.COUNT = P1*2\nV.E.OUT = P1\nXV.S.COUNT\n"),
             "V.S.COUNT = 8\nV.E.OUT = 4\nX8\n");
   EXPECT_EQ(flat("V.P.DEEP = 5\nG0 X0\nZ-V.P.DEEP\n"), "V.P.DEEP = 5\nG0 X0\nZ-5\n");

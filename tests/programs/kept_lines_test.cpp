@@ -19,7 +19,7 @@ std::string text_of(const std::string& text, const ProgramSessionSetup& setup) {
 }
 
 // Compensation changes only the lines of G41 and G40.
-TEST(KeptLines, OfAContourWithoutARadius) {
+TEST(KeptLines, OfAContourWithoutARadius) {  // D-119
   const std::string before = "G21 G90 G17\nG0 X-20. Y-20. Z5\nG1 Z-2. F100\n";
   const std::string contour = " y30.0\nN7 X20 (flat)\nG2 X30. Y20 I0 J-10.\nG1 Y0 F200 M8\nX0\n";
   EXPECT_EQ(text_of(before + "G41 D0 G1 X0. Y0. F300\n" + contour + "G40 X-20. Y-20.\nM30\n",
@@ -74,7 +74,7 @@ TEST(KeptLines, AreNoneBesideCornersOfAContourWithoutARadius) {
   EXPECT_FALSE(has(turns, "G3 I5 J0 P2")) << turns;
 }
 
-TEST(KeptLines, WithAxesThatHaveNamesOfTheirOwn) {
+TEST(KeptLines, WithAxesThatHaveNamesOfTheirOwn) {  // D-119
   ProgramSessionSetup setup = computing_setup(isg, 5);
   setup.session.program.tracking_axes = {"X1", "C2", "B"};
   const std::string head = "G90 G17 G162\nG00 X-20 Y0 X1=5 C2=3 B2\nG01 X1=7 F100\n";

@@ -213,7 +213,7 @@ TEST(KlartextLabels, FarBeforeTheirCallCountToo) {
   }
 }
 
-TEST(KlartextLabels, RepeatedWithinACalledOneAreWrittenOut) {
+TEST(KlartextLabels, RepeatedWithinACalledOneAreWrittenOut) {  // D-82
   const std::string depths = "LBL 2\nL IZ-1 R0 F100\n" + contour + "CALL LBL 2 REP 2\n";
   const std::string text =
       program_of("CALL LBL 1\nM30\n" + section("1", "L Z+0 R0 FMAX\n" + depths));

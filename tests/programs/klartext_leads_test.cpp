@@ -57,7 +57,7 @@ TEST(KlartextLeads, AcrossTheWallAreRefused) {
 }
 
 // The contour of the arc begins in the centre of the bore, its path a radius beside it.
-TEST(KlartextLeads, BeginWhereTheToolStands) {
+TEST(KlartextLeads, BeginWhereTheToolStands) {  // D-129
   const ProgramRun ran =
       run("CC X+0 Y+0\nL X+0 Y+0 R0 FMAX\nAPPR CT X+30 Y+0 CCA180 R10 RL F300\nCP IPA+360 DR+\n"
           "DEP CT CCA180 R10\n");

@@ -49,7 +49,7 @@ TEST(KlartextOff, NoContourStandsBesideAJump) {
             900106);
 }
 
-TEST(KlartextOff, LinesAlongOneAxis) {
+TEST(KlartextOff, LinesAlongOneAxis) {  // D-115
   EXPECT_EQ(code_of("X-20 R0 FMAX\nY-20 R0 FMAX M3\nZ-5 R0 F100\n" + contour), 0);
   EXPECT_EQ(code_of("L X-20 Y-20 R0 FMAX\nZ-5\nIX+1\nC+90 R0 FMAX\n" + contour), 0);
   EXPECT_EQ(code_of("L X-20 Y-20 R0 FMAX\nX+5 R+\n" + contour), 900003);
@@ -131,7 +131,7 @@ TEST(KlartextOff, HolesOfACircleAreCopied) {
 }
 
 // The contour has left a pole of its own in the output.
-TEST(KlartextOff, WhatIsCopiedAfterAContourHasItsPoleAgain) {
+TEST(KlartextOff, WhatIsCopiedAfterAContourHasItsPoleAgain) {  // D-131
   const std::string rounded =
       "L X-20 Y-20 R0 FMAX\nL X+0 Y-10 RL F200\nL Y+40\nL X+40\nL X+60 R0\n";
   for (const std::string copied :
@@ -148,7 +148,7 @@ TEST(KlartextOff, ALoneMOfOlderControlsIsNoFunction) {
   EXPECT_EQ(code_of("L X-20 Y-20 R0 M FMAX\n"), 900003);
 }
 
-TEST(KlartextOff, CyclesThatMoveAtOnce) {
+TEST(KlartextOff, CyclesThatMoveAtOnce) {  // D-115
   for (const std::string moving :
        {"TCH PROBE 0.0 REF. PLANE Q5 X-\nTCH PROBE 0.1 X+5 Y+0 Z-5\n",
         "TCH PROBE 413 DATUM OUTSIDE CIRCLE ~\n  Q321=+50 ;CENTRE ~\n  Q322=+50 ;CENTRE\n",

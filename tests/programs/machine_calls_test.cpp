@@ -135,7 +135,7 @@ TEST(MachineCalls, DoNotPassWithinAContour) {
 
 // G66 has its macro after each line that moves: such a line is read as any other, but where it
 // leads to only the machine knows.
-TEST(MachineCalls, ModalOnesLetNoContourBegin) {
+TEST(MachineCalls, ModalOnesLetNoContourBegin) {  // D-68
   const std::string modal = "G21 G90 G17\nG0 X-20. Y0 Z1.\nG66 P9001\n";
   EXPECT_EQ(refused(modal + contour, fanuc), std::pair(900003, 4U));
   EXPECT_EQ(refused(modal + "G41 D1\nG1 X0 Y0 F300.\nY40.\nG40 X-20.\nM30\n", fanuc),
@@ -186,7 +186,7 @@ TEST(MachineCalls, OfSinumerikPass) {
             std::pair(900003, 6U));
 }
 
-TEST(MachineCalls, OfLinuxcncPassWhereTheyAreDeclared) {
+TEST(MachineCalls, OfLinuxcncPassWhereTheyAreDeclared) {  // D-77
   ProgramSessionSetup setup = computing_setup(DialectName::linuxcnc);
   const std::string call = "#1=2 #40=7 #<_depth>=3\no<Probe> call [#1+1] [4] (corner)\n";
   EXPECT_EQ(refusal_of(call + "M2\n", setup), std::pair(900306, 2U));
@@ -231,7 +231,7 @@ std::string written(const std::string& text, DialectName dialect, double radius)
 
 // A subprogram of the machine may hold a contour: it finds the modes of TRC that the program has
 // set, although nothing of them comes out elsewhere.
-TEST(MachineCalls, FindTheModesOfTrc) {
+TEST(MachineCalls, FindTheModesOfTrc) {  // D-69
   const std::string head = "N10 G90 G17 G26 G138\n#TRC [REMOVE_MASKED_BLOCKS=1]\nN20 G00 X0 Y0\n";
   EXPECT_EQ(written(head + "N25 G25\nV.G.WZ_AKT.R=5\nL CONTOUR.SUB\nL CONTOUR.SUB\nM30\n",
                     DialectName::isg, 5),

@@ -61,7 +61,7 @@ TEST(ReadOver, APointAfterAnExpressionIsThatOfItsNumber) {
             "M03 S500 F501.\nG1 X500.\nM30\n");
 }
 
-TEST(ReadOver, AToolOfTheSpindleIsItsTool) {
+TEST(ReadOver, AToolOfTheSpindleIsItsTool) {  // D-92
   ProgramSessionSetup setup = setup_of(sinumerik);
   setup.session.program.tool_names["FR6"] = row_of_edge(2, 1);
   for (const char* const change :
@@ -81,7 +81,7 @@ TEST(ReadOver, AToolOfTheSpindleIsItsTool) {
 }
 
 // A number says where a turning axis stops, not which way it goes there.
-TEST(ReadOver, TheWayRoundIsKeptOrRefused) {
+TEST(ReadOver, TheWayRoundIsKeptOrRefused) {  // D-92
   const ProgramSessionSetup setup = setup_of(sinumerik);
   const auto in_contour = [](const std::string& word) {
     return "G71 G90 G17\nT1 D1\nG0 X-30 Y-30 C0\nG41 G1 X0 Y-10 F100\nY40 " + word +
@@ -101,7 +101,7 @@ TEST(ReadOver, TheWayRoundIsKeptOrRefused) {
   }
 }
 
-TEST(ReadOver, WhatGoesOnFromAMotionOfTheContourIsRefused) {
+TEST(ReadOver, WhatGoesOnFromAMotionOfTheContourIsRefused) {  // D-92
   const auto behind = [](const std::string& lines) {
     return "G71 G90 G17\nT1 D1\nG0 X0 Y0 Z5\nG41 G1 X10 Y10 F100\nY90\nX90\n" + lines + "\nM30\n";
   };
@@ -114,7 +114,7 @@ TEST(ReadOver, WhatGoesOnFromAMotionOfTheContourIsRefused) {
 }
 
 // The tool goes to the contour on another line than the one that is rounded into.
-TEST(ReadOver, ARoundingIntoTheApproachIsRefused) {
+TEST(ReadOver, ARoundingIntoTheApproachIsRefused) {  // D-92
   const std::string fanuc_contour = "G41 D1 G1 X10. Y10.\nY40.\nX40.\nG40 Y60.\nM30\n";
   const auto fanuc_told = [&](const std::string& lines) {
     return told("G21 G90 G17\nT1 M6\nG0 X0. Y0.\n" + lines + fanuc_contour, setup_of(fanuc));
@@ -132,7 +132,7 @@ TEST(ReadOver, ARoundingIntoTheApproachIsRefused) {
             "900003 5 RND or CHF before the motion that selects TRC\n");
 }
 
-TEST(ReadOver, EveryWordOfKlartextCounts) {
+TEST(ReadOver, EveryWordOfKlartextCounts) {  // D-90
   const auto in_contour = [](const std::string& line) {
     return "BEGIN PGM A MM\nTOOL CALL 1 Z S1000\nCC X+0 Y+0\nL X-30 Y-30 Z-5 R0 FMAX M3\n"
            "L X+0 Y-10 RL F100\nL Y+40\n" +
@@ -157,7 +157,7 @@ TEST(ReadOver, EveryWordOfKlartextCounts) {
     EXPECT_EQ(told(in_contour(line), setup), "") << line;
 }
 
-TEST(ReadOver, EveryWordOfALeadOfKlartextCounts) {
+TEST(ReadOver, EveryWordOfALeadOfKlartextCounts) {  // D-90
   const auto with = [](const std::string& approach, const std::string& departure) {
     return "BEGIN PGM A MM\nTOOL CALL 1 Z S1000\nCC X+0 Y+0\nL X-60 Y-60 Z-5 R0 FMAX M3\n" +
            approach + "\nL Y+40\nL X+60\n" + departure + "\nL Z+50 FMAX\nEND PGM A MM\n";
@@ -180,7 +180,7 @@ TEST(ReadOver, EveryWordOfALeadOfKlartextCounts) {
 }
 
 // As CAM systems lead a tool into and out of its depth. Only what counts on the place is refused.
-TEST(ReadOver, ArcsAcrossThePlaneAreCopied) {
+TEST(ReadOver, ArcsAcrossThePlaneAreCopied) {  // D-91
   const ProgramSessionSetup setup = setup_of(heidenhain);
   const auto with = [](const std::string& lead, const std::string& place) {
     return "BEGIN PGM A MM\nTOOL CALL 1 Z S3000\nL X-20 Y-20 R0 FMAX\nL Z-14 F402\n" + lead +
@@ -207,7 +207,7 @@ TEST(ReadOver, ArcsAcrossThePlaneAreCopied) {
         << line;
 }
 
-TEST(ReadOver, SwitchesOfTheMachinePass) {
+TEST(ReadOver, SwitchesOfTheMachinePass) {  // D-93
   const std::string text =
       "G21 G90 G17\nT1 M6\n#3003=1\nG0 X-30. Y-30.\n#3001=0 (clock)\nG41 D1 G1 X0 Y-10. F100\n"
       "#3004=7\nY40.\nX40.\nG40 Y-30.\n#3003=0\nM30\n";
@@ -229,7 +229,7 @@ TEST(ReadOver, APoleInPolarFormLeavesThePlaceKnown) {
 }
 
 // `/` within a line leaves out what stands after it.
-TEST(ReadOver, ASwitchWithinALineHoldsForWhatStandsAfterIt) {
+TEST(ReadOver, ASwitchWithinALineHoldsForWhatStandsAfterIt) {  // D-93
   const auto with = [](const std::string& line) {
     return "G21 G90 G17\nT1 M6\nG0 X-30. Y-30.\nG41 D1 G1 X0 Y-10. F100\nY40.\n" + line +
            "\nY-10.\nG40 Y-30.\nM30\n";

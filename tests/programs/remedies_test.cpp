@@ -112,6 +112,7 @@ INSTANTIATE_TEST_SUITE_P(
         Told{sinumerik, "G71 G90\nG0 X1=5\nM30\n", "2:4 900011", "X1=5", "X for X1"},
         Told{linuxcnc, "G21 G90\nM72\nM2\n", "2:1 900003", "M72, modes as they were at M70",
              "Program the functions that held before once more"},
+        // D-113
         Told{linuxcnc, "G21 G90\nM70 G91\nM2\n", "2:1 900003", "M70 beside other words",
              "Write it into a line of its own"},
         Told{isg, "G90 G162\nG01 X10 Y0 F100\nG02 X20 Y0 I5 J0 R5\nM30\n", "3:12 21024", "",

@@ -20,7 +20,7 @@ const std::string contour = "G41 G1 X0 Y0 F500\nX20\nY20\nG40 X40\n";
 const std::string sub = "%_N_KONT_A_SPF\n" + contour + "M17\n";
 const std::string main_program = "%_N_TEIL_MPF\nG17 G90 G54\nT1 D1 M6\nG0 X-20 Y-20\nKONT_A\nM30\n";
 
-TEST(SinumerikArchives, KeepProgramsThatNobodyCalls) {
+TEST(SinumerikArchives, KeepProgramsThatNobodyCalls) {  // D-157
   const std::string other = "%_N_B_MPF\nR5=1\nG0 X=R5\nM30\n%_N_SUB_C_SPF\nG0 X5\nM17\n";
   EXPECT_EQ(flat("%_N_A_MPF\nR1=20\nG0 X=R1\nM30\n" + other), "%_N_A_MPF\nG0 X=20\nM30\n" + other);
   EXPECT_EQ(flat("%_N_A_MPF\nG0 X=10+10\nM30\n" + other), "%_N_A_MPF\nG0 X=20\nM30\n" + other);
@@ -35,7 +35,7 @@ TEST(SinumerikArchives, LoseNoContourAfterTheirEnd) {
   EXPECT_EQ(told("%_N_A_MPF\nR1=20\nG0 X=R1\n%_N_C_SPF\nG0 X5\nM17\n"), std::pair(900310, 3U));
 }
 
-TEST(SinumerikArchives, HaveTheirMainProgramBeforeItsSubprograms) {
+TEST(SinumerikArchives, HaveTheirMainProgramBeforeItsSubprograms) {  // D-157
   EXPECT_EQ(told(main_program + sub), std::pair(0, 0U));
   EXPECT_EQ(told(sub + main_program), std::pair(900003, 7U));
   EXPECT_EQ(told("%_N_KONT_A_SPF\nR1=5\n" + contour + "M17\n" + main_program),

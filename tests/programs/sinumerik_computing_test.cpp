@@ -80,7 +80,7 @@ TEST(SinumerikExpressions, KnowTheFunctions) {
 }
 
 // Relative equality, as the control has it.
-TEST(SinumerikExpressions, CompareWithinTheLastDigits) {
+TEST(SinumerikExpressions, CompareWithinTheLastDigits) {  // D-54
   EXPECT_TRUE(holds("0.1+0.2==0.3"));
   EXPECT_FALSE(holds("0.1+0.2>0.3"));
   EXPECT_TRUE(holds("0.1+0.2<=0.3"));
@@ -143,7 +143,7 @@ TEST(SinumerikWords, AreDroppedWithWhatIsOnlyComputed) {
             "N10 ; the radius\nN30 X=5\nM30\n");
 }
 
-TEST(SinumerikWords, PassAVariableOfTheMachine) {
+TEST(SinumerikWords, PassAVariableOfTheMachine) {  // D-55
   const std::string text = "G0 Z=_HOME\nN20 X=_HOME Y=R5\nM30\n";
   EXPECT_EQ(flat(text), text);
   EXPECT_EQ(flat("R1=2\nG0 Z=_HOME\nM30\n"), "G0 Z=_HOME\nM30\n");

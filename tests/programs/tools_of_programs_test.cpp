@@ -61,7 +61,7 @@ double distance(const std::string& text, const ProgramSessionSetup& setup) {
 
 // L13 of G10: the wear of the register, with the radius of the table, of the program or of the
 // setup. Another one than the setup says is none to choose from.
-TEST(ToolsOfPrograms, HaveTheWearThatFanucWrites) {
+TEST(ToolsOfPrograms, HaveTheWearThatFanucWrites) {  // D-118
   const std::string wall = contour_of(fanuc, "G41 D1") + "M30\n";
   const std::string head = "G21 G17 G90\n";
   ProgramSessionSetup table = setup_of(fanuc);
@@ -295,7 +295,7 @@ TEST(ToolsOfPrograms, OfCyclesStayWithTheMachine) {  // D-66, D-102
   EXPECT_EQ(distance(head + "D1\n" + pocket + contour_of(fanuc, "G41") + "M30\n", setup), 3);
 }
 
-TEST(ToolsOfPrograms, MayHaveBeenChangedByACall) {
+TEST(ToolsOfPrograms, MayHaveBeenChangedByACall) {  // D-78
   const auto twice = [](DialectName dialect, const std::string& between, const std::string& side) {
     const std::string end = dialect == heidenhain ? "END PGM A MM\n" : "M30\n";
     return contour_of(dialect, side) + between + contour_of(dialect, side) + end;
@@ -323,7 +323,7 @@ TEST(ToolsOfPrograms, MayHaveBeenChangedByACall) {
             "900225 8 CALL PGM CHANGE in line 6\n");
 }
 
-TEST(ToolsOfPrograms, OfIsgMayBeOthersUnderOneRadius) {
+TEST(ToolsOfPrograms, OfIsgMayBeOthersUnderOneRadius) {  // D-78
   const auto program = [](const std::string& between) {
     return "G17 G71 G90\nT1\nL TOOL\n" + contour_of(isg, "G41") + between + contour_of(isg, "G41") +
            "M30\n";
@@ -340,7 +340,7 @@ TEST(ToolsOfPrograms, OfIsgMayBeOthersUnderOneRadius) {
 
 // What a call may leave in force is told: the radius that the program has written is that of the
 // tool before it, the rest is taken as it was.
-TEST(ToolsOfPrograms, OfIsgAreTheirsBeforeACall) {
+TEST(ToolsOfPrograms, OfIsgAreTheirsBeforeACall) {  // D-81
   const auto program = [](const std::string& head) {
     return "G17 G71 G90\n" + head + contour_of(isg, "G41") + "M30\n";
   };
@@ -389,7 +389,7 @@ TEST(ToolsOfPrograms, StandWhereTheyWereAfterADeclaredFile) {
 }
 
 // The control executes such a cycle after each motion of the contour.
-TEST(ToolsOfPrograms, CutNoContourUnderAModalCycleOfIsg) {
+TEST(ToolsOfPrograms, CutNoContourUnderAModalCycleOfIsg) {  // D-81
   const auto program = [](const std::string& between) {
     return "G17 G71 G90\nL CYCLE [NAME=DRILL.cyc MODAL_MOVE @P1=2]\n" + between +
            "G90 G00 X-20 Y0\nG01 G41 X0 Y0 F300\nY40\nG40 X-20\nM30\n";
@@ -412,7 +412,7 @@ TEST(ToolsOfPrograms, HaveTheRadiusThatIsgWrites) {
 }
 
 // The builder's own word for a change of tools, beside its T: G90 holds after it as after M06.
-TEST(ToolsOfPrograms, ChangedBesideTheirNumberLeaveG90InForce) {
+TEST(ToolsOfPrograms, ChangedBesideTheirNumberLeaveG90InForce) {  // D-76
   const std::string wall = "G00 X-20 Y0\nG41 G01 X0 F300\nY40\nG40 X-20\nM30\n";
   EXPECT_EQ(told("G17 G71 G90\nT202 LM06\n" + wall, setup_of(isg)), "");
   EXPECT_EQ(told("G17 G71 G90\nLM06\n" + wall, setup_of(isg)),
@@ -467,7 +467,7 @@ TEST(ToolsOfPrograms, AreChangedByLabelsOfKlartext) {
   EXPECT_EQ(told("CALL LBL 8\nTOOL CALL 1 Z\n" + wall + behind, setup), "");
 }
 
-TEST(ToolsOfPrograms, NamesOfDigitsAreNumbers) {
+TEST(ToolsOfPrograms, NamesOfDigitsAreNumbers) {  // D-116
   for (const DialectName dialect : {sinumerik, heidenhain}) {
     const bool klartext = dialect == heidenhain;
     const std::string wall = contour_of(dialect, klartext ? "RL" : "G41");

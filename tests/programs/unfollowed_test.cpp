@@ -36,7 +36,7 @@ std::pair<int, unsigned> of_contour(DialectName dialect, const std::string& text
   return refusal_of(contour_behind(dialect, text), setup_of(dialect));
 }
 
-TEST(Unfollowed, LastsUpToItsOwnEndInFanuc) {
+TEST(Unfollowed, LastsUpToItsOwnEndInFanuc) {  // D-112
   using Ends = std::vector<std::string>;
   const std::vector<std::pair<std::string, Ends>> modes{
       {"G51 X0 Y0 P2.", {"G50"}},    {"G16", {"G15"}},
@@ -65,7 +65,7 @@ TEST(Unfollowed, LastsUpToItsOwnEndInFanuc) {
   EXPECT_EQ(of_contour(fanuc, "G51 X0 Y0 P2.\nG16\nG50").first, 900003);
 }
 
-TEST(Unfollowed, LastsUpToItsOwnEndInSinumerik) {
+TEST(Unfollowed, LastsUpToItsOwnEndInSinumerik) {  // D-112
   const std::string scaled_offset = "$P_UIFR[1]=CTRANS(X,5):CSCALE(X,2,Y,2)\nG54";
   const std::string scaled_frame = "$P_PFRAME=CSCALE(X,2,Y,2)";
   for (const std::string& mode :
@@ -144,7 +144,7 @@ struct Beside {
 
 // Threads, measuring and axes that move by themselves come out as they stand where TRC is off.
 // Where they end in the plane only the control knows, and no contour has them.
-TEST(Unfollowed, MotionsOfOtherTasksComeOutAsTheyStand) {
+TEST(Unfollowed, MotionsOfOtherTasksComeOutAsTheyStand) {  // D-117
   const std::string begin = "G90 G17\nG0 X-20. Y-20. Z5.\n";
   const std::string contour = "G41 D1 G1 X0. Y0. F500.\nY40.\n";
   for (const Beside& each : {
@@ -177,7 +177,7 @@ TEST(Unfollowed, MotionsOfOtherTasksComeOutAsTheyStand) {
 }
 
 // A contour without G01 after a thread would be cut in step with the spindle.
-TEST(Unfollowed, ThreadsAndProbingLastUpToTheNextMotionFunction) {
+TEST(Unfollowed, ThreadsAndProbingLastUpToTheNextMotionFunction) {  // D-117
   const std::string begin = "G90 G17\nG0 X-20. Y-20. Z5.\n";
   const std::string end = "Y40.\nG40 X-20. Y-20.\nM30\n";
   using Motions = std::vector<std::pair<DialectName, std::string>>;

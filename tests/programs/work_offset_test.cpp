@@ -22,7 +22,7 @@ std::string behind(const std::string& first, const std::string& second) {
   return "G90\n" + first + "\nG0 X0 Y0\n" + second + "\nG91\nG0 X10.\nG90\nM30\n";
 }
 
-TEST(WorkOffset, SelectedOnceMoreLeavesThePositionKnown) {
+TEST(WorkOffset, SelectedOnceMoreLeavesThePositionKnown) {  // D-111
   using Selections = std::vector<std::pair<DialectName, std::vector<std::string>>>;
   for (const auto& [dialect, offsets] : Selections{
            {isg, {"G54", "G58"}},
@@ -47,7 +47,7 @@ TEST(WorkOffset, StaysAfterBlocksWithoutIt) {
   EXPECT_EQ(code_of(sinumerik, behind("G54", "SUPA G0 X5\nG54")), 900106);
 }
 
-TEST(WorkOffset, IsNotTakenForTheSameAfterWhatMayHaveMovedIt) {
+TEST(WorkOffset, IsNotTakenForTheSameAfterWhatMayHaveMovedIt) {  // D-111
   for (const std::string moved :
        {"G10 L2 P1 X5.", "G10 L2 P1 X5.\nG0 X0 Y0", "#5221=5.\nG0 X0 Y0", "G52 X5.\nG0 X0 Y0",
         "G68 X0 Y0 R90.\nG69\nG0 X0 Y0", "G92 X0 Y0", "G65 P9810 X1.\nG90 G0 X0 Y0",

@@ -115,7 +115,7 @@ void add_unknown(google::protobuf::Message& message) {
   message.GetReflection()->MutableUnknownFields(&message)->AddVarint(4711, 1);
 }
 
-TEST_F(Junk, FieldsThatNobodyKnows) {
+TEST_F(Junk, FieldsThatNobodyKnows) {  // D-164
   const auto expect_unknown = [](const StreamAnswer& answer, const std::string& message,
                                  const std::string& place) {
     EXPECT_EQ(answer.status.error_code(), grpc::INVALID_ARGUMENT) << answer.status.error_message();
@@ -152,7 +152,7 @@ TEST_F(Junk, FieldsThatNobodyKnows) {
 }
 
 // Protobuf drops such a field while it parses, and the variable would be 0.
-TEST_F(Junk, FieldsOfAMapThatNobodyKnows) {
+TEST_F(Junk, FieldsOfAMapThatNobodyKnows) {  // D-164
   v1::ProgramSetup program;
   program.GetReflection()
       ->MutableUnknownFields(&program)

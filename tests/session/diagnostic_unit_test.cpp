@@ -21,7 +21,7 @@ constexpr std::string_view two_units =
     "N120 X2\nN130 Y-1\nN140 X2.3\nN150 Y0\nN160 X5\nN170 G40 Y-1\n"
     "N180 G71\nN190 M30\n";
 
-TEST(DiagnosticUnit, IsThatOfItsLineAlsoWhereTheProgramHasGoneOn) {
+TEST(DiagnosticUnit, IsThatOfItsLineAlsoWhereTheProgramHasGoneOn) {  // D-46
   for (const std::size_t piece : {1U, 30U, 0U}) {
     const std::vector<Diagnostic> found = to_text(two_units, {}, piece).diagnostics;
     ASSERT_FALSE(found.empty());

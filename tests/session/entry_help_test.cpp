@@ -55,7 +55,7 @@ Refused refused(const std::string& program) {
 }
 
 // 5 mm where R is 10, and alpha 163 degrees: the line has to reach R before the corner.
-TEST(EntryHelp, MakesTheSelectionBlockOfG236AsLongAsItMustBe) {
+TEST(EntryHelp, MakesTheSelectionBlockOfG236AsLongAsItMustBe) {  // D-122
   const auto [code, help] =
       refused("G0 X0 Y0 F1000\nV.G.WZ_AKT.R=10\nG236\nG41 G1 X5\nX60 Y10\nG40\nX120 Y30\nM30\n");
   EXPECT_EQ(code, 900201);
@@ -162,7 +162,7 @@ TEST(EntryHelp, FindsAStartOnTheToolSideForG238) {
 }
 
 // From the tool side, where G138 needs a line.
-TEST(EntryHelp, ProposesALineInPlaceOfACircularApproach) {
+TEST(EntryHelp, ProposesALineInPlaceOfACircularApproach) {  // D-122
   const auto [code, help] =
       refused("G0 X0 Y4 F1000\nV.G.WZ_AKT.R=3\nG41 G2 X20 Y0 I10 J-2\nM8\nG1 X40\nG40 X60\nM30\n");
   EXPECT_EQ(code, 90008);
@@ -242,7 +242,7 @@ std::string pocket(const std::string& way_in, const std::string& way_out) {
 }
 
 // The tool of 10 does not fit into a circle of 4: it would begin behind the wall.
-TEST(EntryHelp, ReplacesLeadsTheToolDoesNotFitInto) {
+TEST(EntryHelp, ReplacesLeadsTheToolDoesNotFitInto) {  // D-122
   const std::string small_in = "G0 X0 Y-46\nG41 G1 X-4\nG3 X0 Y-50 I4";
   const std::string small_out = "G3 X4 Y-46 J4\nG40 G1 X0";
   const std::string large_out = "G3 X20 Y-30 J20\nG40 G1 X0";

@@ -30,7 +30,7 @@ std::string begin_of(const Diagnostic& found, Language language = Language::engl
   return text.substr(0, text.find(": "));
 }
 
-TEST(NarrowPlace, OfASlotIsTheDistanceOfItsWalls) {
+TEST(NarrowPlace, OfASlotIsTheDistanceOfItsWalls) {  // D-145
   for (const double rise : {0.0, 3.0, -3.0})
     for (const std::size_t piece : {1U, 0U}) {
       const Diagnostic found = last_told(slot(8, rise), {}, piece);
@@ -41,7 +41,7 @@ TEST(NarrowPlace, OfASlotIsTheDistanceOfItsWalls) {
     }
 }
 
-TEST(NarrowPlace, OfASlotIsSaidInTheUnitOfTheProgram) {
+TEST(NarrowPlace, OfASlotIsSaidInTheUnitOfTheProgram) {  // D-46
   ProgramSessionSetup setup;
   setup.session.program.inch = true;
   std::string program = slot(8, 0);
@@ -63,7 +63,7 @@ TEST(NarrowPlace, IsNoSlotBetweenTheWallsOfACorner) {
 }
 
 // A chamfer between walls that open: what tool leaves it a length.
-TEST(NarrowPlace, BetweenOtherWallsIsTheLargestToolThere) {
+TEST(NarrowPlace, BetweenOtherWallsIsTheLargestToolThere) {  // D-145
   const std::string chamfer =
       "G0 X-30 Y0 F1000\nV.G.WZ_AKT.R=10\nG41 G1 X0\nX50\nX55 Y5\nX55 Y50\nG40 Y80\nM30\n";
   const Diagnostic found = last_told(chamfer);

@@ -281,7 +281,7 @@ TEST(ShortBlocks, VanishWhenTheyHaveNoLengthAfterRounding) {
   EXPECT_EQ(text, "G0 X0 Y0\nG01 X10 Y1 F100\nN30 M8\nG01 X51 Y1\nG01 X50 Y-20\n");
 }
 
-TEST(Refusals, WhatWasCertainIsWrittenAndNothingAfter) {
+TEST(Refusals, WhatWasCertainIsWrittenAndNothingAfter) {  // D-144
   const std::string program = "N10 G0 X0 Y0\nN20 G1 X10 F100\nN30 G1 X20\nN40 QQ\nN50 X30\n";
   for (const std::size_t cut : {0U, 1U, 2U, 5U, 11U}) {
     const ProgramRun run = to_text(program, {}, cut);

@@ -276,7 +276,7 @@ TEST(SideChange, FollowsTheModeItLeavesAndEnters) {
 }
 
 // With the shift 0 the programmed path stays, and so do the roles of its blocks.
-TEST(SuppressTrc, LeavesTheProgrammedPath) {
+TEST(SuppressTrc, LeavesTheProgrammedPath) {  // D-155
   EXPECT_EQ(path_of(program_of("X0 Y0", "#TRC[SUPPRESS_TRC=1]",
                                "G41 G1 X20\nX40\nY-30\nG3 X60 Y-10 I20\nG40 G1 Y50")),
             "- approach line 0.0000 0.0000 0.0000 -> 20.0000 0.0000 0.0000\n"

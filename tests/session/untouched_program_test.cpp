@@ -103,7 +103,7 @@ TEST(ProgramWithoutCompensation, KeepsItsDigitsWithFewDecimals) {
 }
 
 // Lines before, between and after two selections stay as they are written.
-TEST(ProgramWithoutCompensation, ItsLinesStayAlsoBesideASelection) {
+TEST(ProgramWithoutCompensation, ItsLinesStayAlsoBesideASelection) {  // D-140
   const std::string selection = "V.G.WZ_AKT.R=1\nG139 G41 G1 X10 Y0\nX50\nG40 X60 Y5\n";
   const std::string resolved = "G01 X10 Y1\nG01 X50 Y1\nG01 X60 Y5\n";
   const std::string before = "%p\nn1 g40 g17  G90\nG1 x0.0 Y+00 F0100 ; start\n";

@@ -106,7 +106,7 @@ TEST(SideChange, IsADeselectionAndASelectionOnOneLine) {
 }
 
 // REVERSE=1: there and back on the other side is the same path twice.
-TEST(Reverse, GoesBackOnThePathItCameBy) {
+TEST(Reverse, GoesBackOnThePathItCameBy) {  // D-141
   for_each_sample(2'000'000, [&](const Sample& tested) {
     TrcMode mode = tested.mode;
     mode.selection = Selection::direct;

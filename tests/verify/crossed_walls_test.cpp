@@ -31,7 +31,7 @@ const std::string round_the_part = "G1 G41 X0 Y30\nY60\nX100\nY0\nX0\nY30\n";
 // Two lines lead there: line 2 is the approach.
 std::string from(const std::string& start) { return "G0 " + start + " F300\n" + round_the_part; }
 
-TEST(CrossedWalls, OfARetractAreTold) {
+TEST(CrossedWalls, OfARetractAreTold) {  // D-166
   EXPECT_EQ(told(from("X-40 Y30") + "G40 X120 Y42\nM30\n"), "900229 at line 8");
   EXPECT_EQ(told(from("X-40 Y30") + "G40 X-40\nM30\n"), "");
   // It ends in the part.
@@ -60,7 +60,7 @@ TEST(CrossedWalls, AreToldWithThePlace) {
   EXPECT_NEAR(ran.diagnostics.front().point->y, 34.8, 1e-9);
 }
 
-TEST(CrossedWalls, AreAnErrorWhereMeasuringIsEnforced) {
+TEST(CrossedWalls, AreAnErrorWhereMeasuringIsEnforced) {  // D-166
   const std::string program = from("X120 Y42") + "G40 X-40\nM30\n";
   EXPECT_FALSE(run(program).stopped);
   EXPECT_TRUE(run(program, Verify::enforce).stopped);
@@ -68,7 +68,7 @@ TEST(CrossedWalls, AreAnErrorWhereMeasuringIsEnforced) {
   EXPECT_EQ(told(program, Verify::off), "");
 }
 
-TEST(CrossedWalls, AreNoneAboveThePath) {
+TEST(CrossedWalls, AreNoneAboveThePath) {  // D-166
   EXPECT_EQ(told("G0 X-40 Y30 Z-5 F300\n" + round_the_part + "G0 Z20\nG40 X120 Y42\nM30\n"), "");
   EXPECT_EQ(told("G0 X-40 Y30 Z-5 F300\n" + round_the_part + "G40 X120 Y42 Z20\nM30\n"), "");
   // The contour has gone down since.

@@ -194,7 +194,7 @@ TEST(Setup, ModesAtTheStartReadBackInEveryDialect) {
         }
 }
 
-TEST(Setup, AxesOfASplitCountAsAxnrDoes) {
+TEST(Setup, AxesOfASplitCountAsAxnrDoes) {  // D-58
   for (std::uint32_t axnr = 1; axnr <= 3; ++axnr) {
     v1::TrcOptions message;
     v1::SplitOption& split = *message.mutable_split();

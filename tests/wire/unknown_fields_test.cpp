@@ -96,7 +96,7 @@ std::string with_entry(int map, const std::string& entry) {
 constexpr int of_variables = v1::ProgramSetup::kVariablesFieldNumber;
 constexpr int of_files = v1::ProgramSetup::kSubprogramFilesFieldNumber;
 
-TEST(UnknownFieldsOfMaps, AreFoundInTheBytes) {
+TEST(UnknownFieldsOfMaps, AreFoundInTheBytes) {  // D-164
   const std::string key = "\x0A\x04#500";
   const auto extra = unknown_in(with_entry(of_variables, key + "\x38\x01"));
   ASSERT_TRUE(extra.has_value());

@@ -117,7 +117,7 @@ std::vector<std::string> rows_in(std::string_view text) {
   return rows;
 }
 
-TEST(ToolFile, HasNamesAndEdges) {
+TEST(ToolFile, HasNamesAndEdges) {  // D-138
   using Rows = std::vector<std::string>;
   EXPECT_EQ(rows_in("number,name,edge,radius\n5,Mill_16,,8\n5,,2,7.5\n,Finish,1,4\n"),
             (Rows{"T0 FINISH 0 4", "T5 MILL_16 0 8", "T5 MILL_16 2 7.5"}));

@@ -152,7 +152,7 @@ TEST(Compensate, ReplacesTheFileOfAnEarlierRun) {
   EXPECT_EQ(status.st_mode & 0777, 0640u);
 }
 
-TEST(Compensate, KeepsHalfAProgramBack) {
+TEST(Compensate, KeepsHalfAProgramBack) {  // D-144
   const Ended refused = trc({"compensate", "-"}, violating);
   EXPECT_EQ(refused.code, 1);
   EXPECT_EQ(refused.out, "");

@@ -16,7 +16,7 @@ void write_file(const std::string& path, const std::string& text) {
   std::ofstream(path, std::ios::binary) << text;
 }
 
-TEST(Record, HoldsWhereTheSameComesOutAgain) {
+TEST(Record, HoldsWhereTheSameComesOutAgain) {  // D-49
   const Folder folder;
   const std::string part = folder.path("part.nc");
   const std::string record = folder.path("part.json");

@@ -176,7 +176,7 @@ TEST_F(Program, ASelectionIsCountedOnceAndASideChangeBelongsToIt) {
   EXPECT_EQ(state.mode().selection_number, 2U);
 }
 
-TEST_F(Program, TheModeOfTheDeselectionIsRemembered) {
+TEST_F(Program, TheModeOfTheDeselectionIsRemembered) {  // D-149
   ProgramState state = make();
   state.set_selection(Selection::direct, at(1));
   state.select(Side::left, at(2));

@@ -27,7 +27,7 @@ constexpr auto dialects = {DialectName::isg, DialectName::fanuc, DialectName::li
 
 class SlipOfTyping : public ::testing::TestWithParam<Slipped> {};
 
-TEST_P(SlipOfTyping, IsNamedInEveryDialect) {
+TEST_P(SlipOfTyping, IsNamedInEveryDialect) {  // D-46
   const Slipped& slipped = GetParam();
   for (const DialectName name : dialects) {
     SCOPED_TRACE(dialect_of(name).spelling);

@@ -205,7 +205,7 @@ std::string feed_word(double feed, int decimals, LengthUnit unit = LengthUnit::m
   return std::string(text.view());
 }
 
-TEST(Feed, IsWrittenToAThousandthWithAnyNumberOfDecimals) {
+TEST(Feed, IsWrittenToAThousandthWithAnyNumberOfDecimals) {  // D-139
   EXPECT_EQ(feed_word(1000, 0), " F1000");
   EXPECT_EQ(feed_word(2.5, 0), " F2.5");
   EXPECT_EQ(feed_word(0.3333, 0), " F0.3333");

@@ -1,5 +1,5 @@
 ; expect: 900210 at line 7
-; The tool comes from outside, through the wall X100.
+; The tool comes from outside, through the wall X100 (D-152).
 N10 G00 X150 Y120
 N20 G238 V.G.WZ_AKT.R = 5
 N30 G41 G01 X0 Y0 F1000

@@ -63,7 +63,7 @@ TEST_F(LoopRoom, ThePathComesTooNearWhereAWallIsOneRadiusAway) {
   EXPECT_TRUE(obstacles_.comes_nearer(0, 0, 5.01, Nearness::passable));
 }
 
-TEST_F(LoopRoom, ALeadIsInNobodysWay) {
+TEST_F(LoopRoom, ALeadIsInNobodysWay) {  // D-137
   hold_hook();
   obstacles_.set_walls({.leads = {{.first = 3, .end = 4}}});
   EXPECT_TRUE(obstacles_.is_lead(3));

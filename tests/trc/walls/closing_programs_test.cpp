@@ -524,7 +524,7 @@ TEST(ClosingPrograms, LeadsLongerThanAPostMayGoAlongIt) {  // D-38
 }
 
 // Lines aslant, which cross beside it; and quarter circles of 5 mm that CAM has made chords of.
-TEST(ClosingPrograms, LeadsLongerThanAPostMayCrossOrBeChords) {  // D-38
+TEST(ClosingPrograms, LeadsLongerThanAPostMayCrossOrBeChords) {  // D-38, D-98
   const Post aslant({Post::beyond(0, Vector(6, -6)), Post::corner(0)},
                     {Post::beyond(0, Vector(6, 6))});
   for (const char* modes : {removing, "G140 G26"}) aslant.expect_all_of_it(modes);

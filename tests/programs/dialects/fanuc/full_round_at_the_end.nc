@@ -1,4 +1,4 @@
-; radius 2
+; radius 2 (D-63)
 ; path 20 8 L; 5 8 L; -2 15 A; 5 22 A; 40 22 L; 60 30 L
 G17 G21 G90
 T3 M6

@@ -1,4 +1,4 @@
-; radius 5
+; radius 5 (D-65)
 %
 O1
 G21 G17 G90 G40

@@ -1,4 +1,4 @@
-; radius 5
+; radius 5 (D-87)
 ; path 15 0 L; 15 50 L; 0 50 L
 O1
 N10 G21 G17 G90 G40

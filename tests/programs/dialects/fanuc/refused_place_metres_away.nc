@@ -1,4 +1,4 @@
-; radius 5
+; radius 5 (D-50)
 ; refused 900008 line 5
 O0035
 G21 G90 G17

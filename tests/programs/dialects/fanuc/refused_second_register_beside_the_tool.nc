@@ -1,4 +1,4 @@
-; radius 5
+; radius 5 (D-65)
 ; refused 900013 line 12
 %
 O1

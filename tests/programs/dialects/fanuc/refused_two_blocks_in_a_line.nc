@@ -1,4 +1,4 @@
-; radius 2
+; radius 2 (D-53)
 ; refused 900003 line 6
 G17 G21 G90 ; millimetres
 T1 M6 ; D10

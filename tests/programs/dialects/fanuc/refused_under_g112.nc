@@ -1,5 +1,5 @@
 ; tool 1 5
-; refused 900003 line 7
+; refused 900003 line 7 (D-51)
 G21 G17 G90
 T1 M6
 G112

@@ -1,4 +1,4 @@
-; radius 2
+; radius 2 (D-63)
 ; path -2 0 L; -2 15 L; 5 22 A; 30 30 L
 G17 G21 G90
 T3 M6

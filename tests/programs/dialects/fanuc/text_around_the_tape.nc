@@ -1,4 +1,4 @@
-; radius 5
+; radius 5 (D-61)
 ; path -5 0 L; -5 40 L; -20 60 L
 PART NUMBER 4711, REV. B
 FREE TEXT: SETUP ONE?

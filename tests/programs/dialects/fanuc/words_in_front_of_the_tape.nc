@@ -1,4 +1,4 @@
-; radius 5
+; radius 5 (D-61)
 ; path -5 0 L; -5 40 L; -20 60 L
 12 G51 X2. Y2. P500 M30 OF THREE PLATES
 34 G81 X1. T9 M6 SETUP ONE?

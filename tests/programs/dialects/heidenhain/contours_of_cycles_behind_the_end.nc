@@ -1,4 +1,4 @@
-; radius 5
+; radius 5 (D-132)
 0 BEGIN PGM P MM
 1 TOOL CALL 1 Z S4000 F500
 2 L Z+50 R0 FMAX

@@ -1,4 +1,4 @@
-; radius 5
+; radius 5 (D-134)
 ; path -5 0 L; -5 40 L; 0 45 A; 20 45 L; 21.5 44.769696 A; 23 45 A; 60 45 L; 65 40 A; 65 0 L; 70 -20 L
 0 BEGIN PGM LOOPS_LE MM
 1 BLK FORM 0.1 Z X+0 Y+0 Z-20

@@ -1,4 +1,4 @@
-; radius 5
+; radius 5 (D-132)
 ; refused 900003 line 15
 0 BEGIN PGM P MM
 1 TOOL CALL 1 Z S4000 F500

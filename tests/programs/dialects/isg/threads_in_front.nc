@@ -1,4 +1,4 @@
-; radius 4
+; radius 4 (D-120)
 ; path -4 -20 L; -4 44 L; 54 44 L; 54 -20 L; -30 -20 L
 N10 G71 G90 G17 G162
 N20 T2 M6

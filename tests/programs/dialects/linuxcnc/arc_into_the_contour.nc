@@ -1,4 +1,4 @@
-; radius 4
+; radius 4 (D-110)
 G17 G21 G54 G61 G40 G49 G80 G90
 T3 M6
 G43

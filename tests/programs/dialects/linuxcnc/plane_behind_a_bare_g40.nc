@@ -1,4 +1,4 @@
-; radius 3
+; radius 3 (D-128)
 ; path -3 0 L; -3 40 L; -30 50 L; 0 3 L; 40 3 L; 50 -20 L
 G21 G17 G90 G0 X-20 Y-20 Z0
 G41 D1 G1 X0 Y0 F200
