@@ -338,7 +338,6 @@ constexpr auto fragments = std::to_array<Fragment>({
     {"with DISCL= below 0", "mit DISCL= kleiner 0"},
     {"with DISRP=, the plane it returns to: program that height in blocks of its own",
      "mit DISRP=, der Rückzugsebene: diese Höhe in eigenen Sätzen programmieren"},
-    {"with F alone", "mit F allein"},
     {"with FAD= that is no feed", "mit FAD=, das kein Vorschub ist"},
     {"with IPA against DR", "mit IPA gegen DR"},
     {"with R below 0", "mit R kleiner 0"},

@@ -137,7 +137,7 @@ struct KlartextBlock {
   std::optional<Side> side{};           // RL RR R0
   std::uint32_t side_begin = 0;
   std::optional<Value> feed{};
-  bool feed_lacks_number = false;  // F stands alone: MAX or AUTO may follow
+  bool feed_lacks_number = false;  // F stands alone: MAX or AUTO may follow, else it says nothing
   bool rapid = false;
   bool called_feed = false;  // F AUTO
   Lead lead{};

@@ -200,7 +200,7 @@ bool read_klartext_name(Reading& reading, const KlartextWord& word, ProgramLine&
   // FMAX or F MAX.
   const auto two_words = [&](WordRole role) {
     if (block.feed) {
-      if (line.word(line.words.back()).size() != 1)
+      if (in_upper_case(line.word(line.words.back())) != "F")
         return refuse_klartext(
             reading, line, word.begin, name,
             block.feed_lacks_number ? Code::nc_unsupported : Code::nc_word_twice);
@@ -233,7 +233,7 @@ bool read_klartext_name(Reading& reading, const KlartextWord& word, ProgramLine&
     return true;
   }
   // R of older controls keeps the compensation in force.
-  if (name == "R" && block.is(KlartextStatement::straight)) {
+  if (name == "R" && block.is_motion()) {
     add(line, word, reading.contour_open() ? WordRole::trc : WordRole::mode);
     return true;
   }
@@ -241,7 +241,7 @@ bool read_klartext_name(Reading& reading, const KlartextWord& word, ProgramLine&
     block.called_feed = true;
     return two_words(WordRole::feed);
   }
-  if (name == "F" && !block.feed) {  // F MAX, F AUTO
+  if (name == "F" && !block.feed) {  // F MAX, F AUTO, or F of older controls: the feed in force
     block.feed = {.begin = word.begin};
     block.feed_lacks_number = true;
     add(line, word, WordRole::motion);
@@ -298,7 +298,10 @@ bool read_klartext_words(Reading& reading, ProgramLine& line, KlartextBlock& blo
     KlartextWord word = reader.next();
     word.begin += block.begin;
     word.end += block.begin;
-    if (word.kind == Kind::end) return faults == 0;
+    if (word.kind == Kind::end) {
+      if (block.feed_lacks_number) block.feed.reset();
+      return faults == 0;
+    }
     if (word.kind == Kind::fault) {
       TextFault fault = reader.fault();
       fault.begin += block.begin;

@@ -153,9 +153,6 @@ bool check_words_of_form(Reading& reading, const ProgramLine& line, const Klarte
 }
 
 bool check_feed_of_klartext(Reading& reading, const ProgramLine& line, const KlartextBlock& block) {
-  if (block.feed_lacks_number)
-    return refuse_klartext(reading, line, block.begin, block.title() + " with F alone",
-                           Code::nc_number);
   if (block.feed && !reading.state.is_feed(block.feed->value * klartext_feed_unit(reading)))
     return refuse_klartext(
         reading, line, block.feed->begin,
