@@ -232,7 +232,7 @@ TEST(ToolsOfPrograms, AreNeverReadOver) {
            {"TOOL CALL 1 Z M6 X", "900008 3 X of TOOL CALL\n"},
            {"TOOL CALX 2 Z", "900001 3 TOOL CALX 2 Z\n"},
            {"TOOL DEF", "900008 3 TOOL DEF without a tool\n"},
-           {"TOOL DEF 1 L+0 R+8,5,5", "900001 3 ,5 of TOOL DEF\n"},
+           {"TOOL DEF 1 L+0 R+8,5,5", "900008 3 R+8,5,5 of TOOL DEF\n"},
            {"TOOL DEF 1 L+0 F300", "900001 3 F300 of TOOL DEF\n"},
            {"TOOL DEF 1 L+0 R", "900008 3 R of TOOL DEF\n"},
            {"TOOL DEF 1 L+0 R+Q5", "900003 3 R+Q5 of TOOL DEF, a variable\n"},

@@ -126,7 +126,7 @@ bool read_klartext_value(Reading& reading, const KlartextWord& word, ProgramLine
     return true;
   };
   if (name == "R" && word.value == 0 && line.text[word.end - 1] == '0' &&
-      line.text.find_first_of("+-.", word.begin) >= word.end) {
+      line.text.find_first_of("+-.,", word.begin) >= word.end) {
     if (block.side)
       return refuse_klartext(reading, line, word.begin, "R0", Code::compensation_side_twice);
     block.side = Side::off;

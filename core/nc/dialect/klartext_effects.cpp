@@ -7,7 +7,6 @@
 #include "core/nc/text/characters.h"
 #include "core/nc/text/klartext_tool_words.h"
 #include "core/nc/text/klartext_words.h"
-#include "core/nc/text/words.h"
 
 namespace trc {
 namespace {
@@ -17,8 +16,7 @@ namespace {
 bool is_one(std::string_view text) {
   const std::string_view number = without_blanks_in_front(text);
   double value = 0;
-  bool whole = false;
-  return read_number(number, value, whole) > 0 && value == 1;
+  return read_klartext_number(number, value) > 0 && value == 1;
 }
 
 KlartextEffects set_or_end(std::uint32_t mode, bool sets) {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/nc/text/characters.h"
-#include "core/nc/text/words.h"
+#include "core/nc/text/klartext_words.h"
 
 namespace trc {
 namespace {
@@ -113,12 +113,8 @@ class Formula {
       const auto found = known_.find(word);
       return found == known_.end() ? std::nullopt : std::optional(found->second);
     }
-    // Accepts the decimal comma of older controls too.
-    std::string number(word);
-    std::ranges::replace(number, ',', '.');
     double value = 0;
-    bool whole = false;
-    const bool is_number = !number.empty() && read_number(number, value, whole) == number.size();
+    const bool is_number = !word.empty() && read_klartext_number(word, value) == word.size();
     return is_number ? std::optional(value) : std::nullopt;
   }
 

@@ -13,14 +13,16 @@
 namespace trc {
 namespace {
 
-// Names a mistyped word as a whole, with its likely intention.
-TextFault with_slip(const ProgramLine& line, TextFault fault) {
+// Names a mistyped word as a whole, with its likely intention. In Klartext a decimal comma is none.
+TextFault with_slip(const ProgramLine& line, TextFault fault, DialectName dialect) {
   constexpr std::array codes{Code::nc_syntax,   Code::nc_unknown_function, Code::nc_unsupported,
                              Code::nc_not_text, Code::nc_number,           Code::nc_axis_unknown};
   if (fault.slip.kind != SlipKind::none || std::ranges::find(codes, fault.code) == codes.end())
     return fault;
   auto found = slip_at(line.text, fault.begin);
   if (!found) return fault;
+  if (found->slip.kind == SlipKind::decimal_comma && dialect == DialectName::heidenhain)
+    return fault;
   fault.code = found->slip.kind == SlipKind::quotes ? Code::nc_syntax : Code::nc_number;
   fault.begin = static_cast<std::uint32_t>(found->begin);
   fault.detail = std::move(found->word);
@@ -103,7 +105,7 @@ WordPlace Reading::place_of_word(const ProgramLine& line, std::uint32_t begin) c
 
 // The place of a fault is its physical line, also within a continued block.
 bool Reading::refuse(const ProgramLine& line, const TextFault& given) {
-  const TextFault fault = with_slip(line, given);
+  const TextFault fault = with_slip(line, given, dialect.name);
   Source source = line.source;
   std::size_t line_begin = 0;
   for (std::size_t at = 0; at < fault.begin && at < line.text.size(); ++at) {

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <string>
 
 #include "core/nc/text/characters.h"
-#include "core/nc/text/words.h"
+#include "core/nc/text/klartext_words.h"
 
 namespace trc {
 namespace {
@@ -39,16 +38,7 @@ std::string_view KlartextToolReader::name_here() const {
 }
 
 bool KlartextToolReader::read_number_here(double& value) {
-  const auto behind_digits = [&](std::size_t at) {
-    return std::min(text_.find_first_not_of(digits, at), text_.size());
-  };
-  std::size_t end = behind_digits(at_);
-  const bool is_comma = end + 1 < text_.size() && text_[end] == ',' && is_digit(text_[end + 1]);
-  if (is_comma || (end < text_.size() && text_[end] == '.')) end = behind_digits(end + 1);
-  std::string number(text_.substr(at_, end - at_));
-  std::ranges::replace(number, ',', '.');
-  bool whole = false;
-  const std::size_t length = read_number(number, value, whole);
+  const std::size_t length = read_klartext_number(text_.substr(at_), value);
   at_ += length;
   return length > 0;
 }
@@ -91,6 +81,8 @@ void KlartextToolReader::read_value(KlartextToolWord& word) {
     if (word.negative) word.value = -word.value;
   } else if (word.parameter = read_parameter(); !word.parameter.empty()) {
     word.has = Value::parameter;
+  } else if (is_digit(peek())) {  // two decimal signs
+    at_ = std::min(text_.find_first_not_of("0123456789.,", at_), text_.size());
   } else {
     at_ = behind_name;
   }

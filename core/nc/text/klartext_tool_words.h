@@ -33,7 +33,7 @@ struct KlartextToolWord {
 
 // Cuts what stands after TOOL CALL and TOOL DEF into words: capitals, the letters in quotes are
 // hidden, single blanks. Words need no blanks between them; blanks may stand between a name and its
-// value, and a decimal comma is one, as older controls write it.
+// value.
 class KlartextToolReader {
  public:
   explicit KlartextToolReader(std::string_view words) : text_(words) {}

@@ -63,7 +63,7 @@ std::size_t behind_formula(std::string_view block, std::size_t at) {
     } else if (at < block.size() && upper(block[at]) == 'Q') {
       at = behind_parameter(block, at);
     } else {
-      at = std::min(block.find_first_not_of("0123456789.", at), block.size());
+      at = std::min(block.find_first_not_of("0123456789.,", at), block.size());
     }
     if (at >= block.size() || std::string_view("+-*/^%").find(block[at]) == std::string_view::npos)
       return at;
@@ -72,6 +72,20 @@ std::size_t behind_formula(std::string_view block, std::size_t at) {
 }
 
 }  // namespace
+
+std::size_t read_klartext_number(std::string_view text, double& value) {
+  bool whole = false;
+  const std::size_t comma = read_number(text, value, whole);
+  const bool goes_on = comma > 0 && comma + 1 < text.size() && text[comma] == ',' &&
+                       is_digit(text[comma + 1]);
+  if (!goes_on) return comma;
+  const std::size_t end = std::min(text.find_first_not_of("0123456789", comma + 1), text.size());
+  const bool has_other_sign = end < text.size() && (text[end] == ',' || text[end] == '.');
+  if (!whole || has_other_sign) return 0;
+  std::string with_point(text.substr(0, end));
+  with_point[comma] = '.';
+  return read_number(with_point, value, whole);
+}
 
 bool is_continued_klartext(std::string_view line) {
   // Nearly all lines end in a digit or a sign.
@@ -195,16 +209,17 @@ KlartextWord KlartextReader::numbered(KlartextWord found) {
       return found;
     }
   }
-  bool whole = false;
-  const std::size_t length = read_number(block_.substr(at_), found.value, whole);
+  const std::size_t length = read_klartext_number(block_.substr(at_), found.value);
   const std::size_t behind = at_ + length;
-  if (length == 0 || !std::isfinite(found.value))
-    return fail(Code::nc_number, found.begin, found.name);
+  if (length == 0 || !std::isfinite(found.value)) {
+    const std::size_t end = block_.find_first_not_of("+-0123456789.,", at_);
+    const std::string_view number = block_.substr(at_, end - at_);
+    const bool has_comma = number.find(',') != std::string_view::npos;
+    return fail(Code::nc_number, found.begin,
+                found.name + (has_comma ? std::string(number) + ", two decimal signs" : ""));
+  }
   if (is_digit(block_[at_]) || block_[at_] == '.')
     found.value = found.negative ? -std::abs(found.value) : found.value;
-  if (behind + 1 < block_.size() && block_[behind] == ',' && is_digit(block_[behind + 1]))
-    return fail(Code::nc_number, found.begin,
-                found.name + ", a decimal comma: write a decimal point");
   at_ = behind;
   found.end = static_cast<std::uint32_t>(behind);
   return found;

@@ -3,7 +3,7 @@
 
 #include "core/base/length_unit.h"
 #include "core/nc/text/characters.h"
-#include "core/nc/text/words.h"
+#include "core/nc/text/klartext_words.h"
 #include "core/nc/writer/nc_writer.h"
 #include "core/nc/writer/written_block.h"
 
@@ -30,7 +30,7 @@ bool has_polar_words(const ProgramLine& line) {
   });
 }
 
-// Whether X, Y and Z of the line are numbers, and equal the end of the block.
+// Whether X, Y and Z of the line of Klartext are numbers, and equal the end of the block.
 bool names_end(const ProgramLine& line, const CompensatedBlock& block) {
   const Position end = from_plane(block.plane, end_of(block.path), block.normal.to);
   return std::ranges::all_of(line.words, [&](const WordRange& range) {
@@ -39,9 +39,8 @@ bool names_end(const ProgramLine& line, const CompensatedBlock& block) {
     const std::size_t axis = std::string_view("XYZ").find(upper(word.front()));
     if (axis == std::string_view::npos) return false;
     double value = 0;
-    bool whole = false;
     const std::string_view number = without_blanks_in_front(word.substr(1));
-    return read_number(number, value, whole) == number.size() &&
+    return read_klartext_number(number, value) == number.size() &&
            std::abs(value * mm_of(line.unit) - end.at(axis)) <= same_start;
   });
 }

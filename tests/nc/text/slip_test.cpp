@@ -69,7 +69,9 @@ TEST(SlipOfTyping, IsNamedInKlartext) {
     EXPECT_FALSE(reading.diagnostics.empty());
     return reading.diagnostics.empty() ? Diagnostic{} : reading.diagnostics.front();
   };
-  EXPECT_EQ(first("L X+10,5 Y+0 R0 F500").slip.instead, "X+10.5");
+  // A decimal comma is none.
+  EXPECT_EQ(first("L X+10,5 Y+1,000.5 R0 F500").detail, "Y+1,000.5, two decimal signs");
+  EXPECT_EQ(first("L X+10,5 Y+0 R0 F0,0").slip.kind, SlipKind::none);
   EXPECT_EQ(first("L X+1O Y+0 R0 F500").slip.instead, "X+10");
   EXPECT_EQ(first("L X\u221210 Y+0 R0 F500").slip.instead, "X-10");
   EXPECT_EQ(first("L X+O Y-20 R0 F500").slip.instead, "X+0");
