@@ -270,7 +270,7 @@ constexpr auto fragments = std::to_array<Fragment>({
     {"only", "allein"},
     {"open corners", "offene Ecken"},
     {"or", "oder"},
-    {"or after what moves it", "oder hinter etwas, das ihn verschiebt"},
+    {"whose pole is unknown since the change", "dessen Pol nicht bekannt ist seit dem Wechsel"},
     {"perhaps", "vielleicht"},
     {"set from", "gesetzt aus"},
     {"straight back", "geradewegs zurück"},

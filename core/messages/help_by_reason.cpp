@@ -294,10 +294,11 @@ constexpr auto helps = std::to_array<ReasonHelp>({
     {"AR= with either", "Write AR= with the end point, or with I and J.",
      "AR= mit dem Endpunkt schreiben, oder mit I und J."},
     {" without CC of both axes",
-     "Write CC with both axes before it, after what moves it: one of them alone counts from "
-     "the CC before.",
-     "Davor CC mit beiden Achsen schreiben, hinter dem, was ihn verschiebt: eine allein zählt vom "
-     "CC davor."},
+     "Write CC with both axes before it: one of them alone counts from the CC before.",
+     "Davor CC mit beiden Achsen schreiben: eine allein zählt vom CC davor."},
+    {", whose pole is unknown since",
+     "Write CC with both axes after the change: one of them alone counts from the CC before.",
+     "CC mit beiden Achsen hinter dem Wechsel schreiben: eine allein zählt vom CC davor."},
     {"a chamfer beside an arc", write_corner, write_corner_in_german},
     {"corners that reach out", "Program DISC=0 in its place.",
      "An seine Stelle DISC=0 programmieren."},

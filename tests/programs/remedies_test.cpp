@@ -167,6 +167,11 @@ INSTANTIATE_TEST_SUITE_P(
         Told{isg, "CC X+0 Y+0\nM30\n", "1:1 900016", "CC", "If it is one for ISG"},
         Told{heidenhain, klartext_start + "CC IX+20\nC X+20 Y+40 DR-\nEND PGM A MM\n", "4:1 900003",
              "C without CC of both axes", "Write CC with both axes"},
+        Told{heidenhain,
+             klartext_start + "CC X+5 Y+5\nCYCL CALL\nL X+0 Y+0 RL F200\nLP PR+20 PA+0\n"
+                              "END PGM A MM\n",
+             "6:1 900003", "LP, whose pole is unknown since the change in line 4",
+             "Write CC with both axes after the change"},
         Told{heidenhain, klartext_start + "X+0 Y-10 RL F300\nEND PGM A MM\n", "3:1 900003",
              "X+0 without L, with RL or RR", "Write L before the coordinates"},
         Told{heidenhain,

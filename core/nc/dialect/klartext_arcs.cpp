@@ -5,6 +5,7 @@
 #include "core/nc/dialect/heidenhain.h"
 #include "core/nc/dialect/klartext_block.h"
 #include "core/nc/dialect/klartext_motion.h"
+#include "core/nc/dialect/klartext_polar.h"
 #include "core/nc/dialect/reading.h"
 
 // Arcs of Klartext: C, CR, CP and CT.
@@ -64,8 +65,7 @@ bool move_on_klartext_arc(Reading& reading, ProgramLine& line, KlartextBlock& bl
     return move_in_klartext(reading, line, request);
   }
   if (!reading.klartext_modes.pole)
-    return refuse_klartext(reading, line, block.begin,
-                           block.title() + " without CC of both axes, or after what moves it");
+    return refuse_without_pole(reading, line, block);
   line.klartext->needs_pole = true;
   request.center[axes.first] = reading.klartext_modes.pole->x();
   request.center[axes.second] = reading.klartext_modes.pole->y();

@@ -72,7 +72,7 @@ bool call_label(Reading& reading, ProgramLine& line, std::size_t begin,
   }
   hand_on_klartext_pole(reading, line);
   forget_klartext_position(reading, line);
-  reading.klartext_modes.pole.reset();
+  lose_klartext_pole(reading, line);
   reading.klartext_modes.polar_radius.reset();
   line.feed_it_takes = std::exchange(reading.feed, 0);
   reading.klartext_modes.feed_of_control = false;

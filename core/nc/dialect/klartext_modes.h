@@ -30,6 +30,7 @@ struct ContoursOfLabel {
 // Further modes of a program in Klartext.
 struct KlartextModes {
   std::optional<Point> pole{};           // CC, mm, in the plane
+  Source pole_lost{};                    // by what, where it is not known; line 0: none was given
   AxisBits pole_across = 0;              // of a CC across the plane: its axes
   std::optional<double> polar_radius{};  // PR, mm
   std::optional<Vector> tangent{};       // after the last motion in the plane, of any length
@@ -75,7 +76,7 @@ struct KlartextModes {
             tool, radius_delta, open_delta, parameters, tool_name, tool_place, only_tool_name,
             contours, labels, calls, called_section, open_labels, section, unfollowed_call,
             tool_of_label, jump, labels_of_cycles, cycle_section, pole_across, open_corner,
-            feed_of_control, behind_corner, pole_said);
+            feed_of_control, behind_corner, pole_said, pole_lost);
   }
 };
 

@@ -247,7 +247,7 @@ void forget_what_copied_block_moves(Reading& reading, ProgramLine& line, const K
                  : block.leaves_on != 0       ? (block.leaves_on >> axis & 1U) != 0
                                               : !block.machine_place || !named || block.end[axis];
   forget_klartext_position(reading, line, axes);
-  if (block.is(KlartextStatement::center)) reading.klartext_modes.pole.reset();
+  if (block.is(KlartextStatement::center)) lose_klartext_pole(reading, line);
   reading.klartext_modes.polar_radius.reset();
   if (block.feed_per_turn) reading.feed = 0;
 }

@@ -4,7 +4,9 @@
 #include <optional>
 #include <utility>
 
+#include "core/messages/diagnostic_text.h"
 #include "core/nc/dialect/heidenhain.h"
+#include "core/nc/dialect/klartext_statements.h"
 
 // The pole of Klartext, and positions that count from it.
 
@@ -19,7 +21,7 @@ bool take_pole_across(Reading& reading, ProgramLine& line, const KlartextBlock& 
   for (std::size_t axis = 0; axis < block.end.size(); ++axis)
     if (block.end[axis]) named |= main_axis_bit(axis);
   reading.klartext_modes.pole_across = (named & (named - 1)) != 0 ? named : all_axes;
-  reading.klartext_modes.pole.reset();
+  lose_klartext_pole(reading, line);
   line.klartext->loses_pole = true;
   return true;
 }
@@ -37,19 +39,30 @@ bool take_klartext_pole(Reading& reading, ProgramLine& line, KlartextBlock& bloc
   const std::optional<Point> old = reading.klartext_modes.pole;
   Point pole = old.value_or(Point::Zero());
   bool known = true;
+  bool stands_unknown = false;
   for (const auto& [axis, coordinate] :
        {std::pair{axes.first, &pole.x()}, std::pair{axes.second, &pole.y()}}) {
     const auto& word = block.end[axis];
     const bool from_tool = alone || (word && word->increment);
-    known =
-        known && (from_tool ? reading.state.is_known(axis) : word.has_value() || old.has_value());
+    stands_unknown |= from_tool && !reading.state.is_known(axis);
+    known = known && !stands_unknown && (from_tool || word.has_value() || old.has_value());
     const double base = from_tool ? reading.state.position()[axis] : 0;
     if (word || alone) *coordinate = base + (word ? word->value * reading.length_unit() : 0);
   }
+  if (stands_unknown) lose_klartext_pole(reading, line);
   reading.klartext_modes.pole = known ? std::optional(pole) : std::nullopt;
   line.klartext->sets_pole = known;
   line.klartext->loses_pole = !known;
   return true;
+}
+
+bool refuse_without_pole(Reading& reading, const ProgramLine& line, const KlartextBlock& block) {
+  const Source& lost = reading.klartext_modes.pole_lost;
+  return refuse_klartext(
+      reading, line, block.begin,
+      block.title() + (lost.line == 0
+                           ? " without CC of both axes"
+                           : ", whose pole is unknown since the change " + place_of(lost)));
 }
 
 bool find_polar_end(Reading& reading, ProgramLine& line, KlartextBlock& block, const Point& start,
@@ -58,8 +71,7 @@ bool find_polar_end(Reading& reading, ProgramLine& line, KlartextBlock& block, c
   const auto wrong = [&](const char* why, Code code = Code::nc_unsupported) {
     return refuse_klartext(reading, line, block.begin, block.title() + why, code);
   };
-  if (!reading.klartext_modes.pole)
-    return wrong(" without CC of both axes, or after what moves it");
+  if (!reading.klartext_modes.pole) return refuse_without_pole(reading, line, block);
   const PlaneAxes axes = axes_of(reading.state.mode().plane);
   const auto stands_at_known_place = [&] {
     return reading.state.is_known(axes.first) && reading.state.is_known(axes.second);

@@ -157,7 +157,7 @@ bool copy_motion_of_machine(Reading& reading, ProgramLine& line, std::size_t beg
     take_call(reading, line, call.substr(0, call.find(';')));
   }
   forget_klartext_position(reading, line);
-  reading.klartext_modes.pole.reset();
+  lose_klartext_pole(reading, line);
   return copy_klartext(reading, line, begin, WordRole::technology);
 }
 
@@ -255,6 +255,11 @@ void forget_klartext_position(Reading& reading, ProgramLine& line,
   line.klartext->loses_pole = true;
   reading.state.forget_position(axes, line.source);
   reading.klartext_modes.tangent.reset();
+}
+
+void lose_klartext_pole(Reading& reading, const ProgramLine& line) {
+  reading.klartext_modes.pole.reset();
+  reading.klartext_modes.pole_lost = line.source;
 }
 
 bool read_klartext_statement(Reading& reading, ProgramLine& line, std::size_t begin) {

@@ -22,6 +22,9 @@ void hand_on_klartext_pole(const Reading& reading, ProgramLine& line);
 void forget_klartext_position(Reading& reading, ProgramLine& line,
                               const std::array<bool, 3>& axes = {true, true, true});
 
+// After the line only the control knows the pole.
+void lose_klartext_pole(Reading& reading, const ProgramLine& line);
+
 // Reads all statements that are not part of a contour.
 bool read_klartext_statement(Reading& reading, ProgramLine& line, std::size_t begin);
 

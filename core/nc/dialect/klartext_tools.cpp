@@ -224,7 +224,7 @@ bool read_tool_call(Reading& reading, ProgramLine& line, std::size_t begin,
     modes.open_delta = std::move(call.open_delta);
   }
   if (plane != reading.state.mode().plane) {
-    modes.pole.reset();
+    lose_klartext_pole(reading, line);
     modes.tangent.reset();
     line.klartext.emplace().loses_pole = true;
     if (!reading.state.set_plane(plane, line.source)) return false;
