@@ -123,5 +123,16 @@ TEST(ToldTogether, OfKlartextAMissingRadiusIsOneFaultOfMany) {
   EXPECT_EQ(ran.diagnostics[2].source.line, 6U);
 }
 
+// D-171
+TEST(ToldTogether, OfKlartextAreCornersWhereContoursBeginAndEnd) {
+  EXPECT_EQ(told("BEGIN PGM A MM\nTOOL CALL 1 Z S1\nL X-20 Y-20 R0 FMAX\nL RL F200\nL X+0 Y+0\n"
+                 "RND R5\nL Y+60\nRND R5\nL X+60\nRND R5\nL X+80 Y+80 R0\n"
+                 "APPR LCT X+0 Y+0 R3 RL\nCHF 3\nL Y+60\nRND R5\nL X+60\nRND R0.0\n"
+                 "L X+80\nL Z-5\nRND R4\nDEP LT LEN9\nM2\nEND PGM A MM\n",
+                 DialectName::heidenhain),
+            "900003 6 RND as a smooth approach\n900003 10 RND as a smooth departure\n"
+            "900003 13 CHF where a contour begins\n900003 20 RND where a contour ends\n");
+}
+
 }  // namespace
 }  // namespace trc::support

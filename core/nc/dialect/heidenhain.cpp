@@ -199,6 +199,7 @@ bool read_klartext(Reading& reading, ProgramLine& line) {
 }
 
 bool take_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block, KlartextCheck check) {
+  if (!check_corners_at_ends(reading, line, block)) check = KlartextCheck::failed;
   if (!reading.faults.empty()) {
     if (block.side) reading.scanned_trc = *block.side != Side::off;
     if (block.is(KlartextStatement::departure)) reading.scanned_trc = false;

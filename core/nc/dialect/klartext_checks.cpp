@@ -227,6 +227,46 @@ bool check_words_together(Reading& reading, const ProgramLine& line, const Klart
   return check_klartext_form(reading, line, block) && check_words_of_form(reading, line, block);
 }
 
+bool check_corners_at_ends(Reading& reading, const ProgramLine& line, const KlartextBlock& block) {
+  using Start = KlartextModes::ContourStart;
+  KlartextModes& modes = reading.klartext_modes;
+  const bool rounds = block.is(KlartextStatement::rounding);
+  if (block.is_corner()) {
+    const auto& size = rounds ? block.radius : block.length;
+    if (!reading.trc_active() || block.unfollowed || !size || !(size->value > 0)) return true;
+    if (modes.start == Start::by_motion && rounds)
+      return refuse_klartext(reading, line, block.begin, "RND as a smooth approach");
+    if (modes.start == Start::by_motion || modes.start == Start::by_lead)
+      return refuse_klartext(reading, line, block.begin, block.title() + " where a contour begins");
+    modes.corner_in_contour = reading.place_of_word(line, block.begin);
+    modes.corner_name = block.title();
+    return true;
+  }
+  if (!block.side && !block.is_motion() && !block.is_lead()) return true;
+  const PlaneAxes axes = axes_of(reading.state.mode().plane);
+  const bool moves = (block.is_motion() && (block.end[axes.first] || block.end[axes.second])) ||
+                     block.is_polar() || is_arc_of(block.statement);
+  const bool departs = block.is(KlartextStatement::departure);
+  const WordPlace corner = modes.corner_in_contour;
+  if (departs || block.side == Side::off) {
+    modes.start = Start::none;
+    modes.corner_in_contour = {};
+    if (corner.source.line == 0 || !reading.trc_active()) return true;
+    return reading.refuse_at(corner, Code::nc_unsupported,
+                             modes.corner_name == "RND" && !departs
+                                 ? "RND as a smooth departure"
+                                 : modes.corner_name + " where a contour ends");
+  }
+  if (block.selects() && !reading.trc_active())
+    modes.start = block.is_lead() ? Start::by_lead : moves ? Start::by_motion : Start::to_come;
+  else if (moves)
+    modes.start = modes.start == Start::to_come ? Start::by_motion : Start::none;
+  else
+    return true;
+  modes.corner_in_contour = {};
+  return true;
+}
+
 bool check_corner_before(Reading& reading, const ProgramLine& line, const KlartextBlock& block) {
   WordPlace& open = reading.klartext_modes.open_corner;
   if (block.selects() && open.source.line > 0)

@@ -29,6 +29,14 @@ struct ContoursOfLabel {
 };
 // Further modes of a program in Klartext.
 struct KlartextModes {
+  // Where the last motion in the plane stands in its contour.
+  enum class ContourStart : std::uint8_t {
+    none,       // within it, or there is none
+    to_come,    // after RL or RR without a motion
+    by_motion,  // it is the motion with RL or RR
+    by_lead,    // it is APPR
+  };
+
   std::optional<Point> pole{};           // CC, mm, in the plane
   Source pole_lost{};                    // by what, where it is not known; line 0: none was given
   AxisBits pole_across = 0;              // of a CC across the plane: its axes
@@ -67,6 +75,10 @@ struct KlartextModes {
   std::uint32_t cycle_section = 0;
   WordPlace open_corner{};     // RND, CHF whose next motion is still to come
   bool behind_corner = false;  // no motion has come since RND or CHF
+  ContourStart start{};
+  // RND, CHF of a contour whose next motion is still to come.
+  WordPlace corner_in_contour{};
+  std::string corner_name{};
   // Contours selected before the last CC outside of contours: that CC is in the output.
   std::optional<std::uint64_t> pole_said{};
 
@@ -76,7 +88,8 @@ struct KlartextModes {
             tool, radius_delta, open_delta, parameters, tool_name, tool_place, only_tool_name,
             contours, labels, calls, called_section, open_labels, section, unfollowed_call,
             tool_of_label, jump, labels_of_cycles, cycle_section, pole_across, open_corner,
-            feed_of_control, behind_corner, pole_said, pole_lost);
+            feed_of_control, behind_corner, pole_said, pole_lost, start,
+            corner_in_contour, corner_name);
   }
 };
 
