@@ -270,6 +270,8 @@ constexpr auto fragments = std::to_array<Fragment>({
     {"only", "allein"},
     {"open corners", "offene Ecken"},
     {"or", "oder"},
+    {"a line without a number", "eine Zeile ohne Nummer"},
+    {"the rest of the block above", "der Rest des Satzes darüber"},
     {"RND as a smooth approach", "RND als weiches Anfahren"},
     {"RND as a smooth departure", "RND als weiches Abfahren"},
     {"where a contour begins", "wo eine Kontur beginnt"},

@@ -490,13 +490,16 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Vor der Kontur beenden, was Koordinaten eine andere Bedeutung gibt."},
     {"a motion with L, which is repeated", "Write the motion as often as it runs.",
      "Die Bewegung so oft schreiben, wie sie läuft."},
+    {"a line without a number, the rest of the block above",
+     "Write it at the end of the line above, as one line, or ~ at the end of that.",
+     "Sie an das Ende der Zeile darüber schreiben, als eine Zeile, oder ~ an deren Ende."},
     {"RND as a smooth approach",
      "Write APPR CT with the first point of the contour, CCA90, the radius as R, and RL or RR, in "
      "place of the motion with RL or RR and of RND.",
-     "An Stelle der Bewegung mit RL oder RR und von RND APPR CT schreiben, mit dem ersten Punkt der "
+     "An Stelle der Bewegung mit RL oder RR und von RND APPR CT schreiben, mit dem ersten Punkt "
+     "der "
      "Kontur, CCA90, dem Radius als R, und RL oder RR."},
-    {"RND as a smooth departure",
-     "Write DEP CT with CCA90 and the radius as R in place of RND.",
+    {"RND as a smooth departure", "Write DEP CT with CCA90 and the radius as R in place of RND.",
      "An Stelle von RND DEP CT mit CCA90 und dem Radius als R schreiben."},
     {" where a contour begins", "Take it out: there is no corner of the contour.",
      "Streichen: dort ist keine Ecke der Kontur."},

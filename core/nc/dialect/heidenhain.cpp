@@ -98,6 +98,28 @@ bool moves_along_one_axis(std::string_view statement) {
   return axes == 1;
 }
 
+// Lists of older controls break a block where their screen does:
+//
+//     5   L   X-20.000  Y-20.000
+//                         R0 F9999 M03
+//
+// Where the block ends only its next line says, so that it is not read.
+bool is_rest_of_block(const Reading& reading, const ProgramLine& line, std::string_view statement) {
+  const bool is_indented = line.text.front() == ' ' || line.text.front() == '\t';
+  const bool has_number = line.source.number != Source::no_number;
+  if (!reading.klartext_modes.after_number || has_number || !is_indented) return false;
+  const std::string_view first = statement.substr(0, statement.find(' '));
+  constexpr auto alone = std::to_array<std::string_view>({"F", "FMAX", "R", "R0", "RL", "RR", "S"});
+  if (std::ranges::find(alone, first) != alone.end()) return true;
+  constexpr auto names =
+      std::to_array<std::string_view>({"DR", "IPA", "IPR", "PA", "PR", "A", "B", "C", "F", "IX",
+                                       "IY", "IZ",  "R",   "S",  "U",  "V", "W", "X", "Y", "Z"});
+  return std::ranges::any_of(names, [&](std::string_view name) {
+    return first.size() > name.size() && first.starts_with(name) &&
+           std::string_view("+-0123456789.Q").find(first[name.size()]) != std::string_view::npos;
+  });
+}
+
 // `at`: where the statement begins.
 bool read_statement(Reading& reading, ProgramLine& line, KlartextBlock& block, std::size_t at) {
   const std::string_view rest = line.text;
@@ -112,9 +134,14 @@ bool read_statement(Reading& reading, ProgramLine& line, KlartextBlock& block, s
                           .end = static_cast<std::uint32_t>(rest.size()),
                           .role = WordRole::comment});
     line.roles = bit(WordRole::comment);
+    reading.klartext_modes.after_number = false;
     return true;
   }
   const std::string statement = statement_of(rest.substr(at));
+  if (is_rest_of_block(reading, line, statement))
+    return refuse_klartext(reading, line, at,
+                           "a line without a number, the rest of the block above");
+  reading.klartext_modes.after_number = line.source.number != Source::no_number;
   const auto motion = std::ranges::find_if(motions, [&](const Motion& candidate) {
     return begins_with_word(statement, candidate.name);
   });

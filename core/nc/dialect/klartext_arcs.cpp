@@ -64,8 +64,7 @@ bool move_on_klartext_arc(Reading& reading, ProgramLine& line, KlartextBlock& bl
     request.radius = block.radius->value * reading.length_unit();
     return move_in_klartext(reading, line, request);
   }
-  if (!reading.klartext_modes.pole)
-    return refuse_without_pole(reading, line, block);
+  if (!reading.klartext_modes.pole) return refuse_without_pole(reading, line, block);
   line.klartext->needs_pole = true;
   request.center[axes.first] = reading.klartext_modes.pole->x();
   request.center[axes.second] = reading.klartext_modes.pole->y();

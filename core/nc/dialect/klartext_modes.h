@@ -75,6 +75,7 @@ struct KlartextModes {
   std::uint32_t cycle_section = 0;
   WordPlace open_corner{};     // RND, CHF whose next motion is still to come
   bool behind_corner = false;  // no motion has come since RND or CHF
+  bool after_number = false;   // the line before is a block with a number, or the rest of one
   ContourStart start{};
   // RND, CHF of a contour whose next motion is still to come.
   WordPlace corner_in_contour{};
@@ -88,8 +89,8 @@ struct KlartextModes {
             tool, radius_delta, open_delta, parameters, tool_name, tool_place, only_tool_name,
             contours, labels, calls, called_section, open_labels, section, unfollowed_call,
             tool_of_label, jump, labels_of_cycles, cycle_section, pole_across, open_corner,
-            feed_of_control, behind_corner, pole_said, pole_lost, start,
-            corner_in_contour, corner_name);
+            feed_of_control, behind_corner, pole_said, pole_lost, start, corner_in_contour,
+            corner_name, after_number);
   }
 };
 

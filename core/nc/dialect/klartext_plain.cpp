@@ -194,6 +194,7 @@ bool read_plain_klartext(const Reading& reading, ProgramLine& line, KlartextBloc
 std::optional<bool> take_plain_klartext(Reading& reading, ProgramLine& line) {
   KlartextBlock block;
   if (!read_plain_klartext(reading, line, block)) return {};
+  reading.klartext_modes.after_number = line.source.number != Source::no_number;
   const bool readable = check_klartext(reading, line, block);
   return take_klartext(reading, line, block,
                        readable ? KlartextCheck::passed : KlartextCheck::failed);

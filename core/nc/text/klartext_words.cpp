@@ -76,8 +76,8 @@ std::size_t behind_formula(std::string_view block, std::size_t at) {
 std::size_t read_klartext_number(std::string_view text, double& value) {
   bool whole = false;
   const std::size_t comma = read_number(text, value, whole);
-  const bool goes_on = comma > 0 && comma + 1 < text.size() && text[comma] == ',' &&
-                       is_digit(text[comma + 1]);
+  const bool goes_on =
+      comma > 0 && comma + 1 < text.size() && text[comma] == ',' && is_digit(text[comma + 1]);
   if (!goes_on) return comma;
   const std::size_t end = std::min(text.find_first_not_of("0123456789", comma + 1), text.size());
   const bool has_other_sign = end < text.size() && (text[end] == ',' || text[end] == '.');

@@ -30,8 +30,8 @@ struct KlartextWord {
   std::uint32_t end = 0;
 };
 
-// A number, with a decimal point or, as older controls write it, a comma (D-90). Returns the bytes it
-// takes; 0 where there is none, or one with two decimal signs: 1,2,3 or 1.2,3.
+// A number, with a decimal point or, as older controls write it, a comma (D-90). Returns the bytes
+// it takes; 0 where there is none, or one with two decimal signs: 1,2,3 or 1.2,3.
 [[nodiscard]] std::size_t read_klartext_number(std::string_view text, double& value);
 
 // Cuts a block of Klartext into words. The lines of a continued block are given together, with
