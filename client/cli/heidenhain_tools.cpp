@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "client/cli/table_text.h"
+#include "core/base/ascii.h"
 #include "core/base/length_unit.h"
 #include "core/base/utf8.h"
 #include "core/nc/text/characters.h"
@@ -21,15 +22,29 @@ std::size_t byte_of_character(std::string_view line, std::size_t character) {
 
 bool is_blank(char sign) { return sign == ' ' || sign == '\r'; }
 
+// Where the name of the table ends, such as TOOL    .T; npos: nowhere.
+std::size_t end_of_name(std::string_view line) {
+  constexpr std::string_view type = ".T";
+  for (std::size_t at = line.find(type); at != std::string_view::npos; at = line.find(type, at + 1))
+    if (at + type.size() == line.size() || is_blank(line[at + type.size()]))
+      return at + type.size();
+  return std::string_view::npos;
+}
+
 }  // namespace
 
 bool HeidenhainTools::begins_with(std::string_view line) {
-  return line.starts_with("BEGIN ") && line.find(".T") != std::string_view::npos;
+  return line.starts_with("BEGIN ") && end_of_name(line) != std::string_view::npos;
 }
 
-void HeidenhainTools::begin(std::string_view line) {
+std::string HeidenhainTools::begin(std::string_view line) {
   has_begun_ = true;
-  unit_ = line.ends_with("INCH") ? mm_per_inch : 1;
+  const std::string_view after = trimmed(line.substr(end_of_name(line)), " \t\r");
+  const std::string_view word = after.substr(0, after.find(' '));
+  if (word != "MM" && word != "INCH")
+    return "its first line has neither MM nor INCH after the name of the table";
+  unit_ = word == "INCH" ? mm_per_inch : 1;
+  return {};
 }
 
 std::string HeidenhainTools::read_columns(std::string_view line) {

@@ -18,8 +18,8 @@ class HeidenhainTools {
 
   // Whether the line, in capitals, is the one such a file begins with.
   [[nodiscard]] static bool begins_with(std::string_view line);
-  // That line, which says what the lengths count in.
-  void begin(std::string_view line);
+  // That line, which says what the lengths count in. Returns its fault; empty: there is none.
+  std::string begin(std::string_view line);
   [[nodiscard]] bool has_begun() const { return has_begun_; }
   [[nodiscard]] bool has_columns() const { return !columns_.empty(); }
   // The line as it stands in the file: leading blanks count. What is wrong with it; empty:

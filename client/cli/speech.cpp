@@ -109,6 +109,8 @@ constexpr auto rows = std::to_array<Sentence>({
      "values",
      "sie hat mehr Werte als der Kopf; Dezimalstellen haben einen Punkt, oder zwischen den Werten "
      "stehen Semikolons"},
+    {"its first line has neither MM nor INCH after the name of the table",
+     "nach dem Namen der Tabelle steht weder MM noch INCH"},
     {"the table has no column {}", "die Tabelle hat keine Spalte {}"},
     {"it has tabs, and columns are found by their place: replace each with blanks, or make it a "
      "CSV",

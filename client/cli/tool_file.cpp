@@ -77,10 +77,8 @@ class ToolFile {
 
   // `as_written` keeps the leading blanks, which matter in tables with fixed columns.
   std::string read_line(std::string_view line, std::string_view as_written) {
-    if (const std::string words = in_upper_case(line); HeidenhainTools::begins_with(words)) {
-      heidenhain_.begin(words);
-      return {};
-    }
+    if (const std::string words = in_upper_case(line); HeidenhainTools::begins_with(words))
+      return of_the_head(heidenhain_.begin(words));
     if (heidenhain_.has_begun() && !heidenhain_.has_columns())
       return of_the_head(heidenhain_.read(as_written));
     if (heidenhain_.has_begun())

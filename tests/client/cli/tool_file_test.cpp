@@ -227,6 +227,25 @@ TEST(ToolFile, IsATableOfHeidenhain) {
   EXPECT_NE(fault_in("BEGIN TOOL .T MM\nT  R\n1  x\n").find("R is \"x\""), std::string::npos);
 }
 
+// As controls write the first line, with their version after the unit.
+TEST(ToolFile, IsATableOfHeidenhainInTheUnitAfterItsName) {
+  const auto table = [](const std::string& begin) {
+    return begin + "\nT    NAME      R       DR\n1    A         +0.25   +0.1\n[END]\n";
+  };
+  for (const char* const begin :
+       {"BEGIN TOOL.T INCH Version: 'Update:120.23'", "BEGIN TOOL    .T INCH", "BEGIN TOOL.T inch",
+        "BEGIN TOOL.T INCH Version: 'in MM'\r", "BEGIN MY.TABLE.T INCH"}) {
+    EXPECT_DOUBLE_EQ(radii_in(table(begin)).at(1), 6.35) << begin;
+    EXPECT_DOUBLE_EQ(wear_in(table(begin)).at(1), 2.54) << begin;
+  }
+  EXPECT_DOUBLE_EQ(radii_in(table("BEGIN TOOL.T MM Version: 'INCH'"), true).at(1), 0.25);
+  EXPECT_DOUBLE_EQ(radii_in(table("BEGIN TOOL.T MM Version: INCH")).at(1), 0.25);
+  for (const char* const begin : {"BEGIN TOOL.T", "BEGIN TOOL.T Version: 'INCH'"})
+    EXPECT_EQ(fault_in(table(begin)),
+              "line 1: its first line has neither MM nor INCH after the name of the table")
+        << begin;
+}
+
 // As blanks that were collapsed and tabs leave it: a cell is cut where its column begins.
 TEST(ToolFile, IsNoTableOfHeidenhainWhoseColumnsDoNotLineUp) {
   const auto fault = [](std::string_view rows) {
