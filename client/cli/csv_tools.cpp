@@ -20,12 +20,16 @@ std::string column_named(std::string_view name) {
   return column == "TOOL" || column == "T" ? "NUMBER" : column;
 }
 
-bool is_header(std::string_view line, char separator) {
-  const auto columns = split(line, separator);
-  return std::ranges::any_of(columns, [](std::string_view name) {
+bool is_header(const std::vector<std::string>& cells) {
+  return std::ranges::any_of(cells, [](std::string_view name) {
     const std::string column = column_named(name);
     return column == "NUMBER" || column == "NAME";
   });
+}
+
+std::string unknown_column(std::string_view name) {
+  return "unknown column \"" + std::string(name) +
+         "\"; a table may have number, radius, diameter, wear, name, edge, holds, unit";
 }
 
 std::optional<double> unit_named(std::string_view name) {
@@ -42,22 +46,22 @@ std::string unknown_unit(std::string_view name) {
 
 std::optional<std::string> CsvTools::begin(std::string_view line) {
   separator_ = line.find(semicolon) < line.find(comma) ? semicolon : comma;
-  if (is_header(line, separator_)) return read_header(line);
-  if (!in_upper_case(line).starts_with(std::string("UNIT") + separator_)) return std::nullopt;
-  const auto cells = split(line, separator_);
+  const auto [cells, fault] = csv_cells(line, separator_);
+  if (is_header(cells)) return fault.empty() ? read_header(cells) : fault;
+  if (cells.size() < 2 || in_upper_case(cells[0]) != "UNIT") return std::nullopt;
   unit_ = unit_named(cells[1]);
   return unit_ ? std::string() : unknown_unit(cells[1]);
 }
 
-std::string CsvTools::read_header(std::string_view line) {
-  for (const std::string_view name : split(line, separator_))
-    columns_.push_back(column_named(name));
+std::string CsvTools::read_header(const std::vector<std::string>& cells) {
+  for (const std::string& name : cells) columns_.push_back(column_named(name));
   const auto has = [&](std::string_view wanted) {
     return std::ranges::find(columns_, wanted) != columns_.end();
   };
   for (const std::string& column : columns_) {
+    if (column.empty()) continue;
     if (std::ranges::find(known_columns, column) == known_columns.end())
-      return "unknown column \"" + column + "\"";
+      return unknown_column(column);
     if (std::ranges::count(columns_, column) > 1) return "column " + column + " a second time";
   }
   if (!(has("NUMBER") || has("NAME")) || has("RADIUS") == has("DIAMETER"))
@@ -73,7 +77,8 @@ std::optional<double> CsvTools::number_in(std::string_view cell) const {
 }
 
 std::string CsvTools::read(std::string_view line) {
-  const auto cells = split(line, separator_);
+  const auto [cells, fault] = csv_cells(line, separator_);
+  if (!fault.empty()) return fault;
   // A decimal comma splits a number into two cells, and only the first would count.
   for (std::size_t i = columns_.size(); i < cells.size(); ++i)
     if (!cells[i].empty())
@@ -82,7 +87,7 @@ std::string CsvTools::read(std::string_view line) {
   Row row{.unit = unit_.value_or(1)};
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     const std::string_view cell = i < cells.size() ? cells[i] : std::string_view();
-    if (std::string fault = read_cell(columns_[i], cell, row); !fault.empty()) return fault;
+    if (std::string wrong = read_cell(columns_[i], cell, row); !wrong.empty()) return wrong;
   }
   const auto tool = row.number ? tool_number(row.number) : std::optional<std::uint32_t>(0);
   if (!tool) return "number is no number of a tool";
@@ -95,7 +100,12 @@ std::string CsvTools::read(std::string_view line) {
 }
 
 std::string CsvTools::read_cell(const std::string& column, std::string_view cell, Row& row) const {
-  if (column == "NAME") {
+  if (column.empty()) {
+    if (!cell.empty())
+      return '"' + std::string(cell) +
+             "\" stands in a column that has no name; decimals have a point, or semicolons stand "
+             "between the values";
+  } else if (column == "NAME") {
     row.name = in_capitals_as_utf8(cell);
   } else if (column == "EDGE") {
     const auto given =

@@ -35,7 +35,7 @@ class CsvTools {
     double unit = 1;
   };
 
-  std::string read_header(std::string_view line);
+  std::string read_header(const std::vector<std::string>& cells);
   std::string read_cell(const std::string& column, std::string_view cell, Row& row) const;
   std::string read_number(const std::string& column, std::string_view cell, Row& row) const;
   [[nodiscard]] std::optional<double> number_in(std::string_view cell) const;

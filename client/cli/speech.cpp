@@ -120,7 +120,17 @@ constexpr auto rows = std::to_array<Sentence>({
      "or make it a CSV",
      "ihre Werte beginnen nicht unter dem Namen der Spalte {}: die Leerzeichen zwischen den "
      "Spalten wiederherstellen, oder eine CSV daraus machen"},
-    {"unknown column {}", "unbekannte Spalte {}"},
+    {"unknown column {}; a table may have number, radius, diameter, wear, name, edge, holds, unit",
+     "unbekannte Spalte {}; eine Tabelle kann number, radius, diameter, wear, name, edge, holds, "
+     "unit haben"},
+    {"a quotation mark is not closed in its line",
+     "ein Anführungszeichen ist in seiner Zeile nicht geschlossen"},
+    {"after the closing quotation mark of {} more of the cell follows",
+     "nach dem schließenden Anführungszeichen von {} geht die Zelle weiter"},
+    {"{} stands in a column that has no name; decimals have a point, or semicolons stand between "
+     "the values",
+     "{} steht in einer Spalte ohne Namen; Dezimalstellen haben einen Punkt, oder zwischen den "
+     "Werten stehen Semikolons"},
     {"the header needs number or name, and one of radius, diameter",
      "der Kopf braucht number oder name, und radius oder diameter"},
     {"edge is {}, which is none", "edge ist {}, und das ist keine Schneide"},

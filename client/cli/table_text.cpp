@@ -12,6 +12,23 @@ namespace trc::cli {
 namespace {
 
 constexpr std::string_view ends_of_value = " \t\r;(/";
+constexpr std::string_view blanks = " \t\r";
+
+// Takes the cell in quotation marks that the row begins with. False: the row begins with none.
+bool take_quoted(std::string_view& row, std::string& cell, std::string& fault) {
+  const auto begin = row.find_first_not_of(blanks);
+  if (begin == std::string_view::npos || row[begin] != '"') return false;
+  for (std::size_t at = begin + 1; at < row.size(); ++at) {
+    if (row[at] == '"' && sign_at(row, at + 1) != '"') {
+      row.remove_prefix(at + 1);
+      return true;
+    }
+    cell += row[at];
+    if (row[at] == '"') ++at;
+  }
+  fault = "a quotation mark is not closed in its line";
+  return false;
+}
 
 std::size_t end_of_value(std::string_view line, std::size_t at) {
   while (at < line.size() && !is_letter(line[at]) && ends_of_value.find(line[at]) == line.npos)
@@ -30,6 +47,23 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
     parts.push_back(without_quotes(text.substr(0, end)));
     if (end == std::string_view::npos) return parts;
     text.remove_prefix(end + 1);
+  }
+}
+
+CsvCells csv_cells(std::string_view row, char separator) {
+  CsvCells read;
+  for (;;) {
+    std::string quoted;
+    const bool is_quoted = take_quoted(row, quoted, read.fault);
+    if (!read.fault.empty()) return read;
+    const auto end = row.find(separator);
+    const std::string_view plain = trimmed(row.substr(0, end), blanks);
+    if (is_quoted && !plain.empty())
+      read.fault =
+          "after the closing quotation mark of \"" + quoted + "\" more of the cell follows";
+    read.cells.push_back(is_quoted ? std::move(quoted) : std::string(plain));
+    if (end == std::string_view::npos || !read.fault.empty()) return read;
+    row.remove_prefix(end + 1);
   }
 }
 

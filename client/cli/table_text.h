@@ -14,6 +14,16 @@ namespace trc::cli {
 // The cells of a row, without those; at least one.
 [[nodiscard]] std::vector<std::string_view> split(std::string_view text, char separator);
 
+// The cells of a row of CSV.
+struct CsvCells {
+  std::vector<std::string> cells{};
+  std::string fault{};  // a sentence; empty: none
+};
+
+// Splits a row as RFC 4180 has it: a separator in quotation marks does not split, two quotation
+// marks there are one. Blanks around a cell do not count; a cell does not go on in another line.
+[[nodiscard]] CsvCells csv_cells(std::string_view row, char separator);
+
 // Empty unless all of the text is one finite number.
 [[nodiscard]] std::optional<double> number_from(std::string_view text);
 

@@ -75,7 +75,8 @@ class ToolFile {
     return fault;
   }
 
-  // `as_written` keeps the leading blanks, which matter in tables with fixed columns.
+  // `as_written` keeps the leading blanks, which matter in tables with fixed columns, and the
+  // quotation marks of a CSV.
   std::string read_line(std::string_view line, std::string_view as_written) {
     if (const std::string words = in_upper_case(line); HeidenhainTools::begins_with(words))
       return of_the_head(heidenhain_.begin(words));
@@ -83,8 +84,8 @@ class ToolFile {
       return of_the_head(heidenhain_.read(as_written));
     if (heidenhain_.has_begun())
       return line == "[END]" ? std::string() : heidenhain_.read(as_written);
-    if (csv_.has_header()) return csv_.read(line);
-    if (const auto begun = csv_.begin(line)) return of_the_head(*begun);
+    if (csv_.has_header()) return csv_.read(as_written);
+    if (const auto begun = csv_.begin(as_written)) return of_the_head(*begun);
     return read_words(line);
   }
 

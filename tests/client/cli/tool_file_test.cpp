@@ -32,6 +32,19 @@ std::string fault_in(std::string_view text) {
   return read_tool_table(text, setup);
 }
 
+// "T5 name edge radius" of each row.
+std::vector<std::string> rows_in(std::string_view text) {
+  v1::ProgramSetup setup;
+  EXPECT_EQ(read_tool_table(text, setup), "");
+  std::vector<std::string> rows;
+  for (const v1::Tool& tool : setup.tools()) {
+    std::ostringstream row;
+    row << 'T' << tool.number() << ' ' << tool.name() << ' ' << tool.edge() << ' ' << tool.radius();
+    rows.push_back(row.str());
+  }
+  return rows;
+}
+
 TEST(ToolFile, IsACsvWithAHeader) {
   const auto radii = radii_in("number,radius\n1,5\n# finishing\n 2 , 3.5 \r\n");
   EXPECT_EQ(radii, (std::map<std::uint32_t, double>{{1, 5}, {2, 3.5}}));
@@ -47,6 +60,35 @@ TEST(ToolFile, IsACsvAsSpreadsheetsWriteIt) {
   EXPECT_EQ(fault_in("number;radius\n1;1.000,5\n"),
             "line 2: RADIUS is \"1.000,5\", which is no number");
   EXPECT_EQ(fault_in({"\xFF\xFEn\0u\0", 6}), "it is text in UTF-16; save it as CSV UTF-8");
+}
+
+// RFC 4180, with blanks around the quotes.
+TEST(ToolFile, IsACsvWithQuotedCells) {
+  using Rows = std::vector<std::string>;
+  EXPECT_EQ(rows_in("number,name,radius\n1,\"VHM 1,5\",0.75\n"), (Rows{"T1 VHM 1,5 0 0.75"}));
+  EXPECT_EQ(rows_in("\"number\" ; \"name\" ; \"radius\"\r\n \"1\" ; \"a;b\" ;\"2,5\"\r\n"),
+            (Rows{"T1 A;B 0 2.5"}));
+  EXPECT_EQ(rows_in("number,name,radius\n1,\"1/2\"\" mill\",6.35\n2,\"\",3\n3,a \"b\",4\n"),
+            (Rows{"T1 1/2\" MILL 0 6.35", "T2  0 3", "T3 A \"B\" 0 4"}));
+  EXPECT_EQ(rows_in("unit,\"inch\"\nnumber,radius\n1,\"0.25\"\n"), (Rows{"T1  0 6.35"}));
+  EXPECT_EQ(fault_in("number,radius,name\n1,5,\"VHM\n2,6,A\n"),
+            "line 2: a quotation mark is not closed in its line");
+  EXPECT_EQ(fault_in("number,name,radius\n1,\"VHM\" 5,6\n"),
+            "line 2: after the closing quotation mark of \"VHM\" more of the cell follows");
+  EXPECT_EQ(fault_in("number,\"radius\n1,5\n"),
+            "line 1: a quotation mark is not closed in its line");
+  // Inches, which the unit does not say.
+  EXPECT_EQ(fault_in("number,radius\n1,0.5\"\n"),
+            "line 2: RADIUS is \"0.5\"\", which is no number");
+}
+
+TEST(ToolFile, MayHaveColumnsWithoutNamesThatAreEmpty) {
+  const std::map<std::uint32_t, double> expected{{1, 5}, {2, 6}, {3, 7}};
+  EXPECT_EQ(radii_in("number,radius,,\n1,5,,\n2,6\n3,7,,,\n"), expected);
+  EXPECT_EQ(radii_in("number,,radius\n1,,5\n2,\"\",6\n3, ,7\n"), expected);
+  EXPECT_EQ(fault_in("number,radius,,\n1,5,5,\n"),
+            "line 2: \"5\" stands in a column that has no name; decimals have a point, or "
+            "semicolons stand between the values");
 }
 
 std::string name_in(std::string_view text) {
@@ -102,19 +144,6 @@ TEST(ToolFile, IsTheToolDataOfSinumerik) {
   EXPECT_EQ(radii_in(table), (std::map<std::uint32_t, double>{{1, 5}, {9, 0}, {12, 3.5}}));
   EXPECT_EQ(wear_in(table), (std::map<std::uint32_t, double>{{1, -0.02}, {9, 0}, {12, 0}}));
   EXPECT_DOUBLE_EQ(radii_in("%_N_TOOLS_INI\n$TC_DP6[2,1]=0.25\nM30\n", true).at(2), 6.35);
-}
-
-// "T5 name edge radius" of each row.
-std::vector<std::string> rows_in(std::string_view text) {
-  v1::ProgramSetup setup;
-  EXPECT_EQ(read_tool_table(text, setup), "");
-  std::vector<std::string> rows;
-  for (const v1::Tool& tool : setup.tools()) {
-    std::ostringstream row;
-    row << 'T' << tool.number() << ' ' << tool.name() << ' ' << tool.edge() << ' ' << tool.radius();
-    rows.push_back(row.str());
-  }
-  return rows;
 }
 
 TEST(ToolFile, HasNamesAndEdges) {  // D-138
@@ -320,7 +349,10 @@ TEST(ToolFile, SaysInWhichLineItIsWrong) {
       << told;
   // Without a header the rows are none.
   EXPECT_EQ(fault_in("1;5\n2;6\n").find('\n'), std::string::npos);
-  EXPECT_EQ(fault_in("number,size\n1,5\n2,6\n"), "line 1: unknown column \"SIZE\"");
+  EXPECT_EQ(
+      fault_in("number,size\n1,5\n2,6\n"),
+      "line 1: unknown column \"SIZE\"; a table may have number, radius, diameter, wear, name, "
+      "edge, holds, unit");
   EXPECT_EQ(fault_in("BEGIN TOOL .T MM\nT L\n1 5\n"), "line 2: the table has no column R");
   // A decimal comma: not a radius of 5.
   EXPECT_NE(fault_in("number,radius\n1,5,5\n").find("line 2: it has more values than"),
