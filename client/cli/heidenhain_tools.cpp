@@ -22,6 +22,13 @@ std::size_t byte_of_character(std::string_view line, std::size_t character) {
 
 bool is_blank(char sign) { return sign == ' ' || sign == '\r'; }
 
+// The places of the columns separate them: a comma is a decimal point.
+std::optional<double> length_from(std::string_view cell) {
+  std::string number(cell);
+  std::ranges::replace(number, ',', '.');
+  return number_from(number);
+}
+
 // Where the name of the table ends, such as TOOL    .T; npos: nowhere.
 std::size_t end_of_name(std::string_view line) {
   constexpr std::string_view type = ".T";
@@ -80,8 +87,8 @@ std::string HeidenhainTools::read(std::string_view line) {
   const std::string_view wear = cell(line, "DR");
   // An empty place in the magazine.
   if (radius.empty() && wear.empty()) return {};
-  const auto read_radius = number_from(radius);
-  const auto read_wear = wear.empty() ? std::optional(0.0) : number_from(wear);
+  const auto read_radius = length_from(radius);
+  const auto read_wear = wear.empty() ? std::optional(0.0) : length_from(wear);
   if (!read_radius || !read_wear)
     return (read_radius ? "DR is \"" + std::string(wear) : "R is \"" + std::string(radius)) +
            "\", which is no number";

@@ -275,6 +275,20 @@ TEST(ToolFile, IsATableOfHeidenhainInTheUnitAfterItsName) {
         << begin;
 }
 
+TEST(ToolFile, IsATableOfHeidenhainWithDecimalCommas) {
+  const auto table = [](const std::string& row) {
+    return "BEGIN TOOL.T MM\nT    NAME      R       DR\n" + row + "\n[END]\n";
+  };
+  EXPECT_EQ(radii_in(table("1    A         +7,000  -0,02")),
+            (std::map<std::uint32_t, double>{{1, 7}}));
+  EXPECT_EQ(wear_in(table("1    A         +7,000  -0,02")),
+            (std::map<std::uint32_t, double>{{1, -0.02}}));
+  EXPECT_EQ(fault_in(table("1    A         1.000,5 -0,02")),
+            "line 3: R is \"1.000,5\", which is no number");
+  EXPECT_EQ(fault_in(table("1    A         1,000,5")),
+            "line 3: R is \"1,000,5\", which is no number");
+}
+
 // As blanks that were collapsed and tabs leave it: a cell is cut where its column begins.
 TEST(ToolFile, IsNoTableOfHeidenhainWhoseColumnsDoNotLineUp) {
   const auto fault = [](std::string_view rows) {
