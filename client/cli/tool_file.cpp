@@ -145,10 +145,11 @@ class ToolFile {
     const LineOfWords::Word& given = *words.find('R');
     double size = given.number * unit_;
     if (given.text.find('.') == std::string_view::npos) {
-      constexpr double doubtful = 1000;  // mm
+      constexpr double doubtful = 50;  // mm (D-50)
       if (setup_.whole_numbers() == v1::WHOLE_NUMBERS_INCREMENTS)
         size /= unit_ == 1 ? 1e3 : 1e4;
-      else if (setup_.whole_numbers() == v1::WHOLE_NUMBERS_UNSPECIFIED && std::abs(size) > doubtful)
+      else if (setup_.whole_numbers() == v1::WHOLE_NUMBERS_UNSPECIFIED &&
+               (wear ? size != 0 : std::abs(size) >= doubtful))
         return "R has no decimal point: say what it counts in with --whole-numbers";
     }
     ToolSizes& sizes = table_.sizes_of({.number = *number});

@@ -83,6 +83,34 @@ TEST(ToolsOfPrograms, HaveTheWearThatFanucWrites) {  // D-118
   EXPECT_EQ(distance(head + "G91 G10 L13 P1 R0.2\nG90\n" + wall, table), -1);
 }
 
+// R5 is a radius of 5 mm, and R5000 one of 5 m or of 5 mm (D-50).
+TEST(ToolsOfPrograms, HaveNoRadiusWithoutAPointThatMayCountInIncrements) {
+  const std::string wall = contour_of(fanuc, "G41 D1") + "M30\n";
+  const std::string head = "G21 G17 G90\nG0 Z50.\n";
+  const ProgramSessionSetup unsaid = setup_of(fanuc);
+  const std::string radius =
+      "900008 3 a tool radius without a decimal point: say what whole numbers count in\n";
+  const std::string wear =
+      "900008 3 a wear without a decimal point: say what whole numbers count in\n";
+  for (const std::string line : {"G10 L12 P1 R5000", "G10 L12 P1 R900", "G10 P1 R50",
+                                 "G10L12P1R-50", "G10 L12 P9 R5000", "G20 G10 L12 P1 R2"})
+    EXPECT_EQ(told(head + line + "\nG21\n" + wall, unsaid), radius) << line;
+  for (const std::string line : {"G10 L13 P1 R-20", "G10 L13 P1 R1", "G91 G10 L13 P1 R1"})
+    EXPECT_EQ(told(head + line + "\nG21 G90\n" + wall, unsaid), wear) << line;
+  EXPECT_EQ(distance(head + "G10 L12 P1 R5\n" + wall, unsaid), 5);
+  EXPECT_EQ(distance(head + "G10 L12 P1 R49\nG10 L13 P1 R0\n" + wall, unsaid), 49);
+  EXPECT_EQ(distance(head + "#13001=60\n" + wall, unsaid), 60);
+  EXPECT_EQ(distance(head + "#1=60\nG10 L12 P1 R#1\n" + wall, unsaid), 60);
+  EXPECT_EQ(distance(head + "G10 L12 P1 R60.\n" + wall, unsaid), 60);
+  // Lengths and zero points have no part in the path.
+  EXPECT_EQ(told(head + "G10 L10 P1 R120000\nG10 L2 P1 X300000\nM30\n", unsaid), "");
+  ProgramSessionSetup said = unsaid;
+  said.session.program.whole_numbers = WholeNumbers::increments;
+  EXPECT_EQ(distance(head + "G10 L12 P1 R5000\nG10 L13 P1 R-20\n" + wall, said), 4.98);
+  said.session.program.whole_numbers = WholeNumbers::units;
+  EXPECT_EQ(distance(head + "G10 L12 P1 R60\nG10 L13 P1 R-1\n" + wall, said), 59);
+}
+
 // Where a contour begins the control reads the register in force, of the last D word or of the tool
 // in the spindle: what is written into it after that word counts (D-163).
 TEST(ToolsOfPrograms, HaveWhatFanucWritesAfterTheWordOfTheirRegister) {

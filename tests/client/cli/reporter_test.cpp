@@ -165,7 +165,8 @@ TEST(Reporter, NamesOptionsForSettings) {
   for (const CodeRow& row : code_table())
     for (const char* detail :
          {"", "FOO, a name", "EXTCALL", "a motion that may be skipped", "G41, TRC of DIN/ISO",
-          "a place metres away without a decimal point: say what whole numbers count in", "LX+40"})
+          "a place metres away without a decimal point: say what whole numbers count in",
+          "a wear without a decimal point: say what whole numbers count in", "LX+40"})
       for (const auto& [dialect, words] :
            {std::pair(DialectName::fanuc, ControlWords::g_functions),
             std::pair(DialectName::heidenhain, ControlWords::klartext)})

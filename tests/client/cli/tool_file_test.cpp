@@ -234,8 +234,13 @@ TEST(ToolFile, CountsRWithoutAPointAsTheProgramDoes) {
   EXPECT_EQ(setup.tools(0).radius(), 3);
   EXPECT_EQ(setup.tools(1).radius(), 3);
   EXPECT_NEAR(setup.tools(2).radius(), 2.54, 1e-12);
-  EXPECT_EQ(fault_in("G10 L12 P1 R3000\n"),
-            "line 1: R has no decimal point: say what it counts in with --whole-numbers");
+  for (const char* const line :
+       {"G10 L12 P1 R3000", "G10 L12 P1 R50", "G10 L13 P1 R-20", "G20 G10 L12 P1 R2"})
+    EXPECT_EQ(fault_in(line),
+              "line 1: R has no decimal point: say what it counts in with --whole-numbers")
+        << line;
+  EXPECT_EQ(radii_in("G10 L12 P1 R49\nG10 L13 P1 R0\n"),
+            (std::map<std::uint32_t, double>{{1, 49}}));
 }
 
 TEST(ToolFile, HasEachToolOfLinuxcncOnce) {
