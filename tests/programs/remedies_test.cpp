@@ -210,6 +210,23 @@ TEST(AMillThatComesDownAfterG41, IsNoLathe) {
   }
 }
 
+// ISG: Y may come later in the contour, and a contour in Z X is one of a mill (D-105).
+TEST(AContourOfIsg, IsThatOfALatheIfNothingNamesYBeforeItsEnd) {
+  const ProgramSessionSetup setup = computing_setup(isg, 2);
+  const std::string head = "G71 G90\nG00 X-20 Z5\n";
+  const std::string mill = "G41 X0 Z-2\nG01 X40 Z-5 F300\n";
+  EXPECT_EQ(refusal_of(head + mill + "Y40\nG40 X60\nM30\n", setup), std::pair(0, 0U));
+  EXPECT_EQ(refusal_of(head + "G41 X0\nG01 X40 F300\nG40 X60 Z5\nM30\n", setup), std::pair(0, 0U));
+  EXPECT_EQ(refusal_of(head + "G42\nG00 Z-5\nG01 X0 F300\nX40\nG40 X60\nM30\n", setup),
+            std::pair(0, 0U));
+  EXPECT_EQ(refusal_of(head + "G18\n" + mill + "Z20\nG40 X60\nM30\n", setup), std::pair(0, 0U));
+  EXPECT_EQ(refusal_of(head + mill + "X50\nG40 X60\nM30\n", setup), std::pair(900018, 6U));
+  EXPECT_EQ(refusal_of(head + "G96 S200\nG18\n" + mill + "Z20\nG40 X60\nM30\n", setup),
+            std::pair(900018, 5U));
+  EXPECT_EQ(refusal_of(head + "G00 Y0\nT0202\n" + mill + "X50\nG40 X60\nM30\n", setup),
+            std::pair(0, 0U));
+}
+
 // An axis that turns the part has been named before the contour.
 TEST(AnAxisC, MayStandInAContour) {
   EXPECT_EQ(refusal_of(at_start + "G0 C90.\nG41 D1 G1 X0 Y0 F200\nY40. C5.\nG40 X-20.\nM30\n",

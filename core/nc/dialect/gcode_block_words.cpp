@@ -11,6 +11,7 @@
 #include "core/nc/dialect/named_functions.h"
 #include "core/nc/dialect/pass_words.h"
 #include "core/nc/dialect/reading.h"
+#include "core/nc/dialect/turning.h"
 #include "core/nc/text/characters.h"
 
 // Reads the words of a block of plain letters and numbers: the dialects of Fanuc and LinuxCNC.
@@ -34,11 +35,6 @@ WordRole role_of(GGroup group) {
     default:
       return WordRole::technology;
   }
-}
-
-// T0101: the tool and its offset in one word, as on lathes.
-bool is_turning_tool(std::string_view word) {
-  return word.size() == 5 && word.substr(1) != "0000" && word.substr(1, 2) == word.substr(3);
 }
 
 bool is_subprogram_call(double m) { return m == 96 || m == 97 || m == 98 || m == 198; }

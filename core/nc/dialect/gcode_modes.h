@@ -219,15 +219,16 @@ struct GcodeModes {
   };
   // Words seen anywhere in the program so far.
   struct Seen {
-    bool points = false;   // a coordinate with a decimal point
-    bool lathe = false;    // a word that only lathes have
-    bool y = false;        // a Y word
-    bool program = false;  // an O word that names it
-    bool c = false;        // of FANUC: an axis C before contours
+    bool points = false;        // a coordinate with a decimal point
+    bool lathe = false;         // a word that only lathes have
+    bool y = false;             // a Y word
+    bool program = false;       // an O word that names it
+    bool c = false;             // of FANUC: an axis C before contours
+    bool z_in_contour = false;  // of ISG: Z in this contour, in X Y and without any Y so far
 
     template <class Archive>
     void serialize(Archive& archive) {
-      archive(points, lathe, y, program, c);
+      archive(points, lathe, y, program, c, z_in_contour);
     }
   };
 

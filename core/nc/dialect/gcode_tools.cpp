@@ -9,6 +9,7 @@
 #include "core/nc/dialect/block_words.h"
 #include "core/nc/dialect/reading.h"
 #include "core/nc/dialect/sinumerik_tools.h"
+#include "core/nc/dialect/turning.h"
 #include "core/nc/text/characters.h"
 
 // The tool of G41 and G42, and the tool words of a program: the dialects of Fanuc, LinuxCNC and
@@ -80,28 +81,6 @@ bool refuse_selection(Reading& reading, const ProgramLine& line, const BlockWord
                       std::string detail) {
   return reading.refuse(
       line, TextFault{.code = code, .begin = block.of(side).begin, .detail = std::move(detail)});
-}
-
-// Only lathes work without Y (D-105).
-bool check_turning(Reading& reading, const ProgramLine& line, const BlockWords& block) {
-  const bool selects = block.selects();
-  if (selects && reading.gcode.seen.lathe && !reading.gcode.seen.y)
-    return refuse_selection(reading, line, block, Code::turning, "G41, G42 of a lathe");
-  const bool in_zx =
-      block.has(plane) ? block.of(plane).is(18) : reading.state.programmed_plane() == Plane::zx;
-  const bool leads_in_zx = in_zx || (block.move.end[0] && block.move.end[2]);
-  if (selects && !reading.gcode.seen.y && leads_in_zx)
-    return refuse_selection(reading, line, block, Code::turning,
-                            "G41, G42 of a lathe, because no Y precedes it");
-  // A mill may come down after G41, before the approach.
-  const bool comes_down =
-      !block.move.end[0] && (!reading.faults.empty() || reading.state.awaits_approach());
-  if (reading.trc_active() && !reading.gcode.seen.y && reading.state.mode().plane == Plane::xy &&
-      block.move.end[2] && !comes_down)
-    return reading.refuse(line, TextFault{.code = Code::turning,
-                                          .begin = *block.axis,
-                                          .detail = "a contour of X and Z in the plane X Y"});
-  return true;
 }
 
 // G41.1 and G42.1 of LINUXCNC: D is a diameter, and L 0 for a mill.

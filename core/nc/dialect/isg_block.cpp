@@ -16,6 +16,7 @@
 #include "core/nc/dialect/reading.h"
 #include "core/nc/dialect/tool_data.h"
 #include "core/nc/dialect/trc_command.h"
+#include "core/nc/dialect/turning.h"
 #include "core/nc/dialect/unfollowed.h"
 #include "core/nc/text/characters.h"
 
@@ -120,6 +121,7 @@ bool read_g_function(Reading& reading, const Word& word, ProgramLine& line, Bloc
   }
   const GGroup group = function->group;
   reading.isg_word_seen |= is_of_isg_alone(group);
+  reading.gcode.seen.lathe |= function->number == 96;
   // G20 ends mirroring here, which is the initial state, but means inch elsewhere: the program
   // would run in millimetres instead of inches.
   if (function->number == 20 && !reading.isg_word_seen)
@@ -239,6 +241,8 @@ bool read_address(Reading& reading, const Word& word, ProgramLine& line, BlockWo
       if (block.tools.t_word) return twice();
       if (!is_number_of_tool(word.value)) return reading.refuse(line, word, Code::nc_number);
       block.tools.t_word = {.value = word.value, .begin = word.begin};
+      reading.gcode.seen.lathe |=
+          is_turning_tool(line.word({.begin = word.begin, .end = word.end}));
       add(line, word, WordRole::technology);
       return true;
     case 'S':
@@ -363,6 +367,10 @@ bool check_isg_block(Reading& reading, ProgramLine& line, BlockWords& block) {
                                             .begin = g52->begin,
                                             .detail = "G52 with axis words"});
   }
+  // The retract of a mill may lift it.
+  const AxisBits retracting = block.deselects() ? main_axis_bit(2) : AxisBits{0};
+  note_axes(reading, static_cast<AxisBits>(block.named_axes() & ~retracting));
+  if (!check_turning_of_isg(reading, line, block)) return false;
   if (!watch_tool(reading, line, block) || !restate_modes(reading, line, block) ||
       !note_unknown_call(reading, line, block))
     return false;

@@ -17,6 +17,7 @@
 #include "core/nc/dialect/plain_motion.h"
 #include "core/nc/dialect/reading.h"
 #include "core/nc/dialect/sinumerik_block.h"
+#include "core/nc/dialect/turning.h"
 #include "core/nc/text/characters.h"
 
 namespace trc {
@@ -258,6 +259,7 @@ bool apply_plain(Reading& reading, ProgramLine& line, const PlainMotion& plain) 
   line.roles = plain.roles();
   line.main_axes = plain.main_axes();
   line.has_words = true;
+  if (reading.dialect.name == DialectName::isg) note_axes(reading, line.main_axes);
   ++reading.blocks_read;
   if (plain.has_function()) reading.motion = plain.motion();
   reading.motion_given = true;

@@ -1,0 +1,10 @@
+; radius 0.8
+; refused 900018 line 9
+G71 G90
+T1 D1
+G00 X50 Z2
+G42 X20 Z0
+G01 Z-20 F200
+X40 Z-40
+G40 X52
+M30

@@ -1,0 +1,11 @@
+; radius 0.8
+; refused 900018 line 7
+G70
+T0101
+G90
+G00 X2 Z1
+G41 X0 Z0
+G01 Z-3 F.1
+X3
+G40 X5 Z5
+M30
