@@ -111,6 +111,24 @@ TEST(ToolsOfPrograms, HaveNoRadiusWithoutAPointThatMayCountInIncrements) {
   EXPECT_EQ(distance(head + "G10 L12 P1 R60\nG10 L13 P1 R-1\n" + wall, said), 59);
 }
 
+// LINUXCNC cuts with the tool in the spindle, which T alone does not change (D-40).
+TEST(ToolsOfPrograms, HaveNoRadiusOfATThatLinuxcncOnlyPrepares) {
+  const std::string wall = contour_of(linuxcnc, "G41") + "M30\n";
+  const std::string head = "G21 G17 G90\nT2\n";
+  ProgramSessionSetup table = computing_setup(linuxcnc, 0);
+  table.session.program.tools[1] = 3;
+  table.session.program.tools[2] = 4;
+  EXPECT_EQ(told(head + wall, table), "900219 4 G41 or G42 in line 4, T2 without M06\n");
+  EXPECT_EQ(distance(head + "M6\n" + wall, table), 4);
+  EXPECT_EQ(distance(head + contour_of(linuxcnc, "G41 D1") + "M30\n", table), 3);
+  EXPECT_EQ(distance(head + wall, setup_of(linuxcnc)), 5);
+  for (const DialectName other : {fanuc, sinumerik}) {
+    ProgramSessionSetup of_other = computing_setup(other, 0);
+    of_other.session.program.tools = table.session.program.tools;
+    EXPECT_EQ(distance("G17 G90\nT2\n" + contour_of(other, "G41") + "M30\n", of_other), 4);
+  }
+}
+
 // Where a contour begins the control reads the register in force, of the last D word or of the tool
 // in the spindle: what is written into it after that word counts (D-163).
 TEST(ToolsOfPrograms, HaveWhatFanucWritesAfterTheWordOfTheirRegister) {

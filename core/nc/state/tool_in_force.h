@@ -30,7 +30,7 @@ class ToolInForce {
   std::optional<Refusal> call_tool(const ToolRow& row);
   // T word: the tool is made ready. M06: it is the one in the spindle. Its radius in the tool table
   // holds as long as the program has neither a D word nor another radius of its own; without any
-  // M06 a T word acts at once.
+  // M06 a T word acts at once, but for LINUXCNC, where it only makes ready.
   void prepare_tool(std::int64_t number, const WordPlace& place) {
     prepared_ = number;
     prepared_place_ = place;
@@ -100,7 +100,9 @@ class ToolInForce {
   std::optional<Refusal> enter_row(const ToolRow& row, RadiusGiver giver);
   std::optional<Refusal> take_tool(std::int64_t number);
   // A T word waits, and no M06 so far has shown that T only prepares a tool.
-  [[nodiscard]] bool has_tool_that_waits() const { return prepared_ != no_tool && !loads_tools_; }
+  [[nodiscard]] bool has_tool_that_waits() const {
+    return prepared_ != no_tool && !loads_tools_ && setup_.dialect != DialectName::linuxcnc;
+  }
   [[nodiscard]] std::string missing_radius(const Source& selected) const;
 
   const ProgramSetup& setup_;
