@@ -182,6 +182,7 @@ constexpr auto rows = std::to_array<Sentence>({
     {"{} of TOOL CALL", "{} von TOOL CALL"},
     {"{}, a third tool of its line", "{}, ein drittes Werkzeug der Zeile,"},
     {"G50 with S, a limit of the speed", "G50 mit S, eine Grenze der Drehzahl,"},
+    {"{} without the length of tool {}", "{} ohne die Länge von Werkzeug {}"},
     {"{}, a way round", "{}, einen Drehsinn,"},
     {"{} would be written over the program itself", "{} würde das Programm selbst überschreiben"},
     {"{} would be written over the table of --tools",

@@ -40,10 +40,10 @@ ConvertedProgram converted(const std::string& text, DialectName from, DialectNam
 TEST(Conversion, SaysMotionsFeedsAndToolsInTheWordsOfTheOther) {
   const std::string fanuc =
       "%\nO0012 (PLATE)\nG17 G20 G90 G40 G49 G80\nT3 M06\nN1 G0 X1. Y2. S900 M3 (START)\nG91\n"
-      "G1 X1. F10. M8\nG2 X1. Y-1. I0 J-1.\nG90 G1 Z-0.5\nG18\nM9\nM30\n%\n";
+      "G1 X1. F10. M8\nG2 X1. Y-1. I0 J-1.\nG90 G1 G43 H3 Z-0.5\nG18\nM9\nM30\n%\n";
   EXPECT_EQ(converted(fanuc, DialectName::fanuc, DialectName::linuxcnc).text,
             "G17 G21 G40 G90 G91.1 G94\n(PLATE)\nT3 M6\nG00 X25.4 Y50.8 S900 M3 (START)\n"
-            "G01 X50.8 F254 M8\nG02 X76.2 Y25.4 I0 J-25.4\nG01 Z-12.7\nG18\nM9\nM30\n");
+            "G01 X50.8 F254 M8\nG02 X76.2 Y25.4 I0 J-25.4\nG43 H3\nG01 Z-12.7\nG18\nM9\nM30\n");
   const std::string plain = fanuc.substr(0, fanuc.find("G18")) + "M9\nM30\n%\n";
   EXPECT_EQ(converted(plain, DialectName::fanuc, DialectName::heidenhain).text,
             "BEGIN PGM CONVERTED MM\n; PLATE\nTOOL CALL 3 Z\nTOOL CALL Z S900\n"
@@ -101,6 +101,8 @@ class PlateProgram {
       text_ +=
           klartext_ ? "TOOL CALL " + number + " Z S3000\nL M3\n" : "T" + number + " M6\nS3000 M3\n";
       rapid("X", -30, " Y", -25);
+      if (fanuc_ || name == DialectName::linuxcnc) text_ += "G43 H" + number + " ";
+      if (name == DialectName::isg) text_ += "D" + number + " ";
       rapid("Z", 5);
       text_ += klartext_ ? "L Z-3 F200\n" : "G1 Z-3. F200\n";
       const std::string edge = name == DialectName::sinumerik ? "1" : number;
@@ -294,7 +296,7 @@ TEST(Conversion, KeepsTheFirstWordOfAnAxisAlsoWhereItIsZero) {
     setup.dialect = DialectName::fanuc;
     setup.decimals = 3;
     const std::string written =
-        convert_program("T1 M6\nG0 A0\nG0 X0 Y0 Z5 B0 C90.\nM30\n", setup, to).text;
+        convert_program("T1 M6\nG0 A0\nG43 H1 G0 X0 Y0 Z5 B0 C90.\nM30\n", setup, to).text;
     for (const char* word : {"A[+]?0", "B[+]?0", "C[+]?90"})
       EXPECT_TRUE(std::regex_search(written, std::regex(std::string(" ") + word))) << written;
   }
@@ -440,6 +442,55 @@ TEST(Conversion, KeepsTheLengthOfTheTool) {  // D-94
   EXPECT_EQ(to("T1 M6\nH1 Z5.\nM30\n", fanuc, linuxcnc), "H1 2\n");
   EXPECT_EQ(to("D1\nG0 Z5\nM30\n", sinumerik, fanuc), "D1, the length of a tool without its T 1\n");
   EXPECT_EQ(to("T1 M6\nG18\nG0 Z5\nM30\n", sinumerik, fanuc), "G18 with the length of a tool 2\n");
+}
+
+// Where a length comes with its tool, a motion across the plane has none unless the program does.
+TEST(Conversion, PutsNoLengthInForceThatTheProgramHasNot) {  // D-94
+  using enum DialectName;
+  const auto to = [](const std::string& text, DialectName from, DialectName other) {
+    ProgramSetup setup;
+    setup.dialect = from;
+    setup.decimals = 3;
+    setup.tools = {{1, 5.0}, {2, 5.0}};
+    const ConvertedProgram written = convert_program(text, setup, other);
+    return told(written) + written.text;
+  };
+  const std::string head = "G17 G71 G40 G90 G94\nT1 M6\n";
+  const std::string without = "T1 M6\nG49\nG0 X0 Y0 Z10.\nZ5.\nM30\n";
+  EXPECT_EQ(to(without, fanuc, sinumerik), head + "D0\nG00 X0 Y0 Z10\nG00 Z5\nM30\n");
+  EXPECT_EQ(to("T1 M6\nG0 X0 Y0\nZ10.\nG43 H1 Z5.\nM30\n", fanuc, sinumerik),
+            head + "G00 X0 Y0\nD0\nG00 Z10\nD1\nG00 Z5\nM30\n");
+  EXPECT_EQ(to("T1 M6\nG0 Z10\nG1 D1 Z5 F100\nM30\n", DialectName::isg, sinumerik),
+            head + "D0\nG00 Z10\nD1\nG01 Z5 F100\nM30\n");
+  const std::string twice = "T1 M6\nG43 H1 G0 Z5.\nG49\nG0 Z100.\nT2 M6\nG0 X5. Z10.\nM30\n";
+  EXPECT_EQ(to(twice, fanuc, sinumerik),
+            head + "D1\nG00 Z5\nD0\nG00 Z100\nT2 M6\nD0\nG00 X5 Z10\nM30\n");
+  EXPECT_EQ(to("M6\nG0 Z10.\nM30\n", fanuc, sinumerik),
+            "G17 G71 G40 G90 G94\nM6\nD0\nG00 Z10\nM30\n");
+  EXPECT_EQ(to(without, fanuc, heidenhain), "Z without the length of tool 1 3\n");
+  EXPECT_EQ(to("T1 M6\nG0 X0\nZ9\nG43 H1 Z5\nM30\n", linuxcnc, heidenhain),
+            "Z without the length of tool 1 3\n");
+  const std::string other = "T1 M6\nG43 H1 G0 Z5.\nT2 M6\nX9.\nZ10.\nG43 H2 Z5.\nM30\n";
+  for (const DialectName own : {sinumerik, heidenhain})
+    EXPECT_EQ(to(other, fanuc, own), "G43 H1, the length of another tool than the one loaded 5\n");
+  // The length comes with the first Z.
+  const std::string usual = "T1 M6\nG0 X0 Y0\nG43 H1 Z5.\nT2 M6\nX9.\nG43 H2\nZ10.\nM30\n";
+  EXPECT_EQ(to(usual, fanuc, sinumerik),
+            head + "G00 X0 Y0\nD1\nG00 Z5\nT2 M6\nG00 X9\nD1\nG00 Z10\nM30\n");
+  EXPECT_EQ(to(usual, fanuc, heidenhain),
+            "BEGIN PGM CONVERTED MM\nTOOL CALL 1 Z\nL X+0 Y+0 FMAX\nL Z+5 FMAX\nTOOL CALL 2 Z\n"
+            "L X+9 FMAX\nL Z+10 FMAX\nM30\nEND PGM CONVERTED MM\n");
+}
+
+TEST(Conversion, TakesTheEdgeBesideAToolForThatOfTheTool) {  // D-56
+  const std::string program = "T1 D1\nM6\nG0 Z5\nM30\n";
+  const auto to = [&](DialectName other) {
+    const ConvertedProgram written = converted(program, DialectName::sinumerik, other);
+    return told(written) + written.text;
+  };
+  EXPECT_EQ(to(DialectName::isg), "G17 G71 G40 G90 G94 G162\nT1\nM6\nD1\nG00 Z5\nM30\n");
+  EXPECT_EQ(to(DialectName::fanuc), "G17 G21 G40 G90 G94\nT1\nM6\nG00 Z5. G43 H1\nM30\n");
+  EXPECT_EQ(to(DialectName::linuxcnc), "G17 G21 G40 G90 G91.1 G94\nT1\nM6\nG43 H1\nG00 Z5\nM30\n");
 }
 
 TEST(Conversion, LeavesOutWhatSaysHowTrcGoes) {  // D-94

@@ -27,6 +27,8 @@ NcWriter::Setup plain_setup(const ProgramSetup& setup, const Dialect& to) {
   return plain;
 }
 
+constexpr std::int64_t unnamed_tool = -1;  // loaded by M6 without any T so far
+
 class Conversion {
  public:
   Conversion(const ProgramSetup& setup, DialectName to)
@@ -46,6 +48,12 @@ class Conversion {
   void write_text(const std::string& text, RoleSet roles = 0);
   bool write_tool(const ProgramLine& line, PlainWords& words);
   bool take_length(const ProgramLine& line, const PlainWords& words);
+  bool check_length_of_motion(const ProgramLine& line, const std::vector<Block>& blocks);
+  [[nodiscard]] std::string name_of_length(std::int64_t tool) const;
+  // These controls only use the length of the tool in the spindle.
+  [[nodiscard]] bool takes_own_length() const {
+    return klartext_ || to_.name == DialectName::sinumerik;
+  }
   [[nodiscard]] bool waits_for_motion(const ProgramLine& line,
                                       const std::vector<Block>& blocks) const;
   [[nodiscard]] std::string length_word();
@@ -75,6 +83,8 @@ class Conversion {
   std::optional<std::int64_t> ready_{};
   std::int64_t length_ = 0;           // the tool whose length is in force; 0: none
   bool has_length_to_write_ = false;  // the output still has another length
+  // The tool whose length the output has in force if the control takes it with the change.
+  std::int64_t length_taken_ = 0;
   bool has_feed_ = false;
   bool ended_ = false;
 };
@@ -152,15 +162,15 @@ bool Conversion::take_length(const ProgramLine& line, const PlainWords& words) {
   if (words.begins_length && !wanted) wanted = loaded_;
   if (words.ends_length && length_ != 0) wanted = 0;
   if (comes_with_tool && words.loads_tool) wanted = loaded_;
-  if (words.names_edge && !loaded_ && to_.name != DialectName::sinumerik && !klartext_)
+  if (words.loads_tool && takes_own_length()) length_taken_ = loaded_.value_or(unnamed_tool);
+  // D beside a T that M6 loads later is that of its tool.
+  if (words.names_edge && !loaded_ && !words.tool && to_.name != DialectName::sinumerik &&
+      !klartext_)
     return words_.fail(line, "D1, the length of a tool without its T");
   if (words.begins_length && !wanted) return words_.fail(line, "G43 without the number of a tool");
   if (!wanted) return true;
-  // These controls only use the length of the tool in the spindle.
-  const bool takes_own = klartext_ || to_.name == DialectName::sinumerik;
-  if (takes_own && *wanted != 0 && *wanted != loaded_)
-    return words_.fail(line, (setup_.dialect == DialectName::isg ? "D" : "G43 H") +
-                                 std::to_string(*wanted) +
+  if (takes_own_length() && *wanted != 0 && *wanted != loaded_)
+    return words_.fail(line, name_of_length(*wanted) +
                                  (loaded_ ? ", the length of another tool than the one loaded"
                                           : ", the length of a tool without its T"));
   if (klartext_ && *wanted == 0 && words.ends_length) return words_.fail(line, "G49");
@@ -169,8 +179,29 @@ bool Conversion::take_length(const ProgramLine& line, const PlainWords& words) {
   return true;
 }
 
+std::string Conversion::name_of_length(std::int64_t tool) const {
+  return (setup_.dialect == DialectName::isg ? "D" : "G43 H") + std::to_string(tool);
+}
+
+// The change of the tool has put its length in force in the output: a motion across the plane may
+// not have it unless the program has it too.
+bool Conversion::check_length_of_motion(const ProgramLine& line, const std::vector<Block>& blocks) {
+  const std::size_t third = axes_of(plane_).third;
+  const bool is_same = !takes_own_length() || has_length_to_write_ || length_taken_ == length_;
+  if (is_same || blocks.empty() || (axes_named(line) & axis_bit(third)) == 0) return true;
+  if (length_ != 0)
+    return words_.fail(
+        line, name_of_length(length_) + ", the length of another tool than the one loaded");
+  if (klartext_)
+    return words_.fail(line, std::string(1, "XYZ"[third]) + " without the length of tool " +
+                                 std::to_string(length_taken_));
+  has_length_to_write_ = true;
+  return true;
+}
+
 std::string Conversion::length_word() {
   has_length_to_write_ = false;
+  length_taken_ = length_;
   const std::string number = std::to_string(length_);
   if (to_.name == DialectName::sinumerik) return length_ == 0 ? "D0" : "D1";
   if (to_.name == DialectName::isg) return "D" + number;
@@ -268,7 +299,8 @@ bool Conversion::write_line(const ProgramLine& line, std::vector<Block>& blocks)
     plane_ = *words.plane;
     write_text(std::string(name_of(plane_)), bit(WordRole::mode));
   }
-  const bool takes_length = said && take_length(line, words);
+  const bool takes_length =
+      said && take_length(line, words) && check_length_of_motion(line, blocks);
   if (!write_tool(line, words) || !said || !takes_length) return false;
   // The control turns the length with the plane.
   if (plane_ != Plane::xy && length_ != 0 && setup_.dialect == DialectName::sinumerik)
