@@ -58,6 +58,37 @@ TEST(AProgramThatComputes, KeepsTheTextAfterItsEnd) {
             "(O0009)\nM30\n(A)\nO7\nG0 X2.\nM99\n");
 }
 
+// As the text of a program that does not compute, what stands after its last `%` comes out (D-143).
+TEST(AProgramThatComputes, KeepsTheEndOfItsTapeByteForByte) {
+  using enum DialectName;
+  const auto flat = [](DialectName dialect, const std::string& text) {
+    return flat_of(text, computing_setup(dialect));
+  };
+  for (const std::string end :
+       {"%", "%\n", "% hello\n", "%\n\x1A", "%\r\n\x1A\r\n", "%\n(END)\n%\n", " %\ntext 5\n",
+        "%\nX70.\nG0 Z50.\n%\n", "(A)\n%\n(B)"}) {
+    EXPECT_EQ(flat(fanuc, "%\nO1\n#1=2\nG0 X#1\nM30\n" + end), "%\nO1\nG0 X2.\nM30\n" + end);
+    EXPECT_EQ(flat(linuxcnc, "%\n#1=2\nG0 X#1\nM2\n" + end), "%\nG0 X2\nM2\n" + end);
+    if (end[0] == '(') continue;
+    EXPECT_EQ(flat(fanuc, "%\nO1\n#1=2\nG0 X#1\n" + end), "%\nO1\nG0 X2.\n" + end);
+    EXPECT_EQ(flat(linuxcnc, "%\n#1=2\nG0 X#1\n" + end), "%\nG0 X2\n" + end);
+  }
+  // Another tape; of programs that are called only the end of the tape stays.
+  const std::string called = "O9001\nG0 X3.\nM99\n";
+  const std::string other = "O2\nG0 X4.\nM99\n";
+  EXPECT_EQ(flat(fanuc, "%\nO1\nM98 P9001\nM30\n" + called + "%\n" + other + "%\n"),
+            "%\nO1\n(O9001)\nG0 X3.\nM30\n%\n" + other + "%\n");
+  EXPECT_EQ(flat(fanuc, "%\nO1\nM98 P9001\nM30\n%\n" + other + called + "%\n"),
+            "%\nO1\n(O9001)\nG0 X3.\nM30\n%\n" + other + "%\n");
+  EXPECT_EQ(flat(fanuc, "%\nO1\nM98 P9001\nM30\n%\n" + called + "%\n"),
+            "%\nO1\n(O9001)\nG0 X3.\nM30\n%\n");
+  EXPECT_EQ(flat(fanuc, "%\nO1\nM98 P9001\nM30\n%\n" + called + "(END)\n"),
+            "%\nO1\n(O9001)\nG0 X3.\nM30\n%\n");
+  EXPECT_EQ(refusal_of("%\nO1\n#1=2\nG0 X#1\nM30\n%\nG41 X5\n", computing_setup(fanuc)),
+            std::pair(900015, 7U));
+  EXPECT_EQ(flat(sinumerik, "R1=5\nG0 X=R1\nM30\nhello\nX5\n"), "G0 X=5\nM30\nhello\nX5\n");
+}
+
 // The `%` that ends a tape, before others (D-143).
 TEST(ATape, EndsAtItsFirstPercentAfterBlocks) {
   const std::string contour = "G90 G0 X-20. Y-20.\nG41 G1 X0 Y-10. F500\nY40.\nX60.\n";

@@ -56,7 +56,7 @@ TEST(KeptVariables, OfTheControlAreRaisedByIt) {
 TEST(KeptVariables, ComeOutAtTheEnd) {
   EXPECT_EQ(flat("G90 G0 X0 Y0\n#1=5\n#100=1\n#501=#1*2\nX#501\n#501=12\nM30\n", fanuc),
             "G90 G0 X0 Y0\nX10.\n#501=12.\nM30\n");
-  EXPECT_EQ(flat("G90 G0 X0 Y0\n#500=1\n%\n", fanuc), "G90 G0 X0 Y0\n#500=1.\n");
+  EXPECT_EQ(flat("G90 G0 X0 Y0\n#500=1\n%\n", fanuc), "G90 G0 X0 Y0\n#500=1.\n%\n");
   EXPECT_EQ(flat("G90 G0 X0 Y0\n#31=1\n#<a>=2\n#<_side>=3\nM2\n", linuxcnc), "G90 G0 X0 Y0\nM2\n");
   EXPECT_EQ(flat("G90 G0 X0 Y0\nR1=5\nX=R1\nR1=R1+1\nM30\n", sinumerik),
             "G90 G0 X0 Y0\nX=5\nM30\n");

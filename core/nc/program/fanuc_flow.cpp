@@ -1,6 +1,7 @@
 #include "core/nc/program/fanuc_flow.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "core/nc/text/characters.h"
@@ -281,7 +282,7 @@ std::size_t FanucFlow::end_of_text_behind(const Frame& main) const {
     const std::string_view line = texts_.front().line(behind);
     const LineHead head = head_of(line);
     numbered |= head.number >= 0;
-    if (is_percent(line) || (numbered && !is_over(line, head.behind))) return behind;
+    if (numbered && !is_percent(line) && !is_over(line, head.behind)) return behind;
   }
   return main.end;
 }
@@ -293,8 +294,13 @@ bool FanucFlow::end_main_program(std::string& flat) {
   const std::size_t behind = end_of_text_behind(main);
   const std::size_t lost = first_with('G', 41, 42, main.current + 1, behind);
   if (lost < behind) return refuse_contour_behind_end(lost);
-  write_text_behind_end(flat, behind);
   keep_what_is_not_resolved();
+  // The `%` before other programs comes out if one of them does.
+  if (!is_percent(texts_.front().line(main.current)))
+    written_behind_ = write_text_behind_end(
+        flat, copied_.empty() ? without_end_of_tape(main.current + 1, behind) : behind);
+  // The main program may be the last one, and its text without a line end.
+  if (!copied_.empty() && flat.find_last_of("\r\n") + 1 != flat.size()) flat.append(line_end());
   has_ended_ = true;
   return next_copied_ < copied_.size() || end_program(flat);
 }
@@ -355,11 +361,20 @@ void FanucFlow::keep_what_is_not_resolved() {
       goes_on = true;
     }
   }
+  const Frame& main = frames_.front();
+  // A `%` stays before a program of another tape.
+  bool is_in_tape = without_end_of_tape(main.current + 1, main.end) == main.end;
+  std::optional<std::size_t> percent;
   for (std::size_t index = 0; index < programs.size(); ++index)
-    for (std::size_t line = programs[index].begin; !leaves[index] && line < programs[index].end;
-         ++line) {
+    for (std::size_t line = programs[index].begin; line < programs[index].end; ++line) {
       checkpoint_.pass();
-      if (!is_percent(texts_.front().line(line))) copied_.push_back(line);
+      if (is_percent(texts_.front().line(line))) {
+        if (is_in_tape && line > line_of_main) percent = line;
+      } else if (!leaves[index]) {
+        if (percent) copied_.push_back(*std::exchange(percent, {}));
+        copied_.push_back(line);
+        is_in_tape = true;
+      }
     }
 }
 

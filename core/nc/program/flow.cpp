@@ -214,27 +214,33 @@ bool Flow::refuse_contour_behind_end(std::size_t line) {
   return refuse(Code::side_behind_end, 0, "G41, G42");
 }
 
-void Flow::write_text_behind_end(std::string& flat, std::size_t behind) {
-  const Frame& main = frames_.front();
-  const ProgramText& text = texts_.front();
-  std::size_t line = main.current + 1;
-  for (; line < behind; ++line) {
+bool Flow::computes_behind_end(std::string_view line) const { return computes(setup_, line); }
+
+std::size_t Flow::end_of_plain_text(std::size_t begin, std::size_t end) const {
+  for (; begin < end; ++begin) {
     checkpoint_.pass();
-    if (was_seen(main, line) || computes(setup_, text.line(line))) break;
+    const std::string_view line = texts_.front().line(begin);
+    if (was_seen(frames_.front(), begin) || computes_behind_end(line)) break;
   }
-  copy_text_behind_end(flat, line);
+  return begin;
 }
 
-void Flow::copy_text_behind_end(std::string& flat, std::size_t behind) {
+std::size_t Flow::write_text_behind_end(std::string& flat, std::size_t behind) {
+  const std::size_t begin = frames_.front().current + 1;
+  const std::size_t end = end_of_plain_text(begin, behind);
+  return copy_text_behind_end(flat, end) ? std::max(begin, end) : begin;
+}
+
+bool Flow::copy_text_behind_end(std::string& flat, std::size_t behind) {
   // Without M02 or M30 the lines would be executed; in a call they stand after the call.
-  if (flat.empty() || frames_.size() > 1) return;
+  if (flat.empty() || frames_.size() > 1) return false;
   const ProgramText& text = texts_.front();
   for (std::size_t line = frames_.front().current + 1; line < behind; ++line) {
     checkpoint_.pass();
     is_as_written_ = false;
-    flat.append(text.line(line));
-    flat.append(text.line_end(line).empty() ? line_end() : text.line_end(line));
+    flat.append(text.line(line)).append(text.line_end(line));
   }
+  return true;
 }
 
 const double* Flow::given(std::string_view name) const {

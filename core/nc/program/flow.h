@@ -169,10 +169,15 @@ class Flow {
   // Always false: that line is never reached, and its contour would be lost.
   bool refuse_contour_behind_end(std::size_t line);
   // Writes the lines of the main program between M02 or M30, which has been written, and `behind`,
-  // as they stand; no further than to the first one that computes or was executed.
-  void write_text_behind_end(std::string& flat, std::size_t behind);
-  // Writes all of these lines, whatever they hold.
-  void copy_text_behind_end(std::string& flat, std::size_t behind);
+  // as they stand; no further than to the first one that computes or was executed. Returns the end
+  // of what was written.
+  std::size_t write_text_behind_end(std::string& flat, std::size_t behind);
+  // Writes all of these lines, whatever they hold. False: none, as nothing has ended there.
+  bool copy_text_behind_end(std::string& flat, std::size_t behind);
+  // Whether a line after the end computes.
+  [[nodiscard]] virtual bool computes_behind_end(std::string_view line) const;
+  // The first of these lines of the main text that computes or was executed; `end`: none.
+  [[nodiscard]] std::size_t end_of_plain_text(std::size_t begin, std::size_t end) const;
 
   // The value the setup gives a variable, by its name in capitals without `#`, `<`, `>`; null:
   // none.

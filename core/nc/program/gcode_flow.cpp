@@ -13,6 +13,11 @@ bool counts(char letter) {
   return std::string_view("MSTDH").find(letter) != std::string_view::npos;
 }
 
+// O0002, :0002, o<name> sub
+bool begins_program(std::string_view line, std::size_t at) {
+  return at < line.size() && (upper(line[at]) == 'O' || line[at] == ':');
+}
+
 }  // namespace
 
 bool is_percent(std::string_view line) {
@@ -297,14 +302,47 @@ bool GcodeFlow::finish_statement(std::string& flat, std::size_t at) {
   return true;
 }
 
+std::size_t GcodeFlow::without_end_of_tape(std::size_t begin, std::size_t end) const {
+  std::size_t at = end;
+  while (at > begin && is_over(texts_.front().line(at - 1), 0)) --at;
+  return at > begin && is_percent(texts_.front().line(at - 1)) ? at - 1 : end;
+}
+
+std::size_t GcodeFlow::end_of_text_from(std::size_t percent) const {
+  const ProgramText& text = texts_.front();
+  std::size_t end = percent + 1;
+  for (; end < text.size(); ++end) {
+    const std::string_view line = text.line(end);
+    const LineHead head = head_of(line);
+    const bool is_label = head.number >= 0 && !is_over(line, head.behind);
+    if (is_label || begins_program(line, head.behind)) break;
+  }
+  return end_of_plain_text(percent + 1, end);
+}
+
+void GcodeFlow::write_lines(std::string& flat, std::size_t begin, std::size_t end) {
+  is_as_written_ = false;
+  for (; begin < end; ++begin)
+    flat.append(texts_.front().line(begin)).append(texts_.front().line_end(begin));
+}
+
 bool GcodeFlow::end_program(std::string& flat) {
   ended_ = true;
   const ProgramText& text = texts_.front();
-  for (std::size_t line = text.size(); line-- > frames_.front().current + 1;) {
-    if (is_over(text.line(line), 0)) continue;
-    if (is_percent(text.line(line))) flat.append("%").append(text.line_end(line));
-    break;
+  const std::size_t current = frames_.front().current;
+  std::size_t from = std::max(written_behind_, current + 1);
+  std::size_t last = text.size();
+  for (std::size_t line = text.size(); last == text.size() && line-- > from;)
+    if (is_percent(text.line(line))) last = line;
+  // The program may have ended at its `%`.
+  if (current < text.size() && is_percent(text.line(current))) {
+    const std::size_t end = end_of_text_from(current);
+    if (last == text.size() || without_end_of_tape(current, end) > current) {
+      write_lines(flat, current, end);
+      if (last < end) return true;
+    }
   }
+  if (last < text.size()) write_lines(flat, last, end_of_text_from(last));
   return true;
 }
 

@@ -59,7 +59,9 @@ class GcodeFlow : public Flow, protected Variables {
   void write_behind_number(std::string& flat, std::string_view text);
   // Keeps only the comments of a statement; refused where anything else follows it.
   bool finish_statement(std::string& flat, std::size_t at);
-  // Ends the program; of the lines after it only the end of the tape is kept.
+  // The end of these lines without the `%` that nothing but comments follows in them.
+  [[nodiscard]] std::size_t without_end_of_tape(std::size_t begin, std::size_t end) const;
+  // Ends the program with the end of the tape: its last `%` and the text after it (D-143).
   bool end_program(std::string& flat);
 
   // State of the line being executed.
@@ -69,8 +71,12 @@ class GcodeFlow : public Flow, protected Variables {
   bool called_alone_ = false;           // nothing but the call stands in it
   bool is_read_by_the_reader_ = false;  // it holds what is refused there by its name
   bool has_computed_ = false;           // a value, or an assignment
+  std::size_t written_behind_ = 0;      // the end of the text after M02 or M30 that came out
 
  private:
+  // The end of the text from a `%` on that nothing leads to.
+  [[nodiscard]] std::size_t end_of_text_from(std::size_t percent) const;
+  void write_lines(std::string& flat, std::size_t begin, std::size_t end);
   bool scan_value(ComputedWord& word, std::size_t& at);
   void round_whole_words();
   // For a word with a supposed value: takes a tool that exists.

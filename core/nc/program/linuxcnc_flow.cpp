@@ -157,12 +157,12 @@ bool LinuxcncFlow::end_main_program(std::string& flat) {
   const ProgramText& text = texts_.front();
   std::size_t behind = main.current + 1;
   const auto is_part = [&](std::string_view line) {
-    return !is_percent(line) && !is_o_word_at(line, head_of(line).behind);
+    return !is_o_word_at(line, head_of(line).behind);
   };
   for (; behind < main.end && is_part(text.line(behind)); ++behind) checkpoint_.pass();
   const std::size_t lost = first_with('G', 41, 42, main.current + 1, behind);
   if (lost < behind) return refuse_contour_behind_end(lost);
-  write_text_behind_end(flat, behind);
+  written_behind_ = write_text_behind_end(flat, without_end_of_tape(main.current + 1, behind));
   return end_program(flat);
 }
 

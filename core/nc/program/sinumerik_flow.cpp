@@ -225,6 +225,16 @@ bool SinumerikFlow::end_of_frame(std::string& flat) {
   return true;
 }
 
+// A name alone is text there: nothing calls it any more.
+bool SinumerikFlow::computes_behind_end(std::string_view line) const {
+  const std::size_t begin = named_head_of(line).behind;
+  const std::string word = name_at(line, begin);
+  const std::size_t behind = behind_blanks(line, begin + word.size());
+  const bool is_alone = !word.empty() && (behind >= line.size() || line[behind] == ';');
+  const bool is_name = is_alone && word != "RET" && structure_of(line, begin) == Structure::none;
+  return !is_name && Flow::computes_behind_end(line);
+}
+
 // Lines after a label may be meant for other values, and so may a subprogram that nothing has
 // called. A second main program with its own end is not.
 bool SinumerikFlow::end_of_program(std::string& flat) {

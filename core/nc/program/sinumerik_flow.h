@@ -116,6 +116,7 @@ class SinumerikFlow : public Flow, private Variables {
   void take_line();
   bool end_of_frame(std::string& flat);
   bool end_of_program(std::string& flat);
+  [[nodiscard]] bool computes_behind_end(std::string_view line) const override;
   bool execute(std::string& flat);
   bool execute_statement(std::string& flat, std::string_view word, bool& is_statement);
   bool declare_external(std::string& flat, std::size_t at);
