@@ -83,12 +83,13 @@ constexpr auto rows = std::to_array<Row>({
     {"Table of tools: CSV with the header number,radius, as wanted with name and edge "
      "(mm, whatever the program counts in, unless a first line unit,inch or a column "
      "unit says otherwise), a tool table of LinuxCNC, TOOL.T of Heidenhain, G10 lines "
-     "of Fanuc, tool data of Sinumerik ($TC_DP6 and $TC_DP15 of a TOA file)",
+     "of Fanuc, tool data of Sinumerik ($TC_DP6 and $TC_DP15 of a TOA file) or of ISG "
+     "(wz[1].radius)",
      "Werkzeugtabelle: CSV mit der Kopfzeile number,radius, auf Wunsch mit name und "
      "edge (mm, worin auch immer das Programm zählt, wenn nicht eine erste Zeile "
      "unit,inch oder eine Spalte unit anderes sagt), Werkzeugtabelle von LinuxCNC, "
      "TOOL.T von Heidenhain, G10-Zeilen von Fanuc, Werkzeugdaten von Sinumerik ($TC_DP6 "
-     "und $TC_DP15 einer TOA-Datei)"},
+     "und $TC_DP15 einer TOA-Datei) oder von ISG (wz[1].radius)"},
     {"Radius of the tool before the program says, mm: --set tool_radius",
      "Radius des Werkzeugs, bis das Programm einen nennt, mm: --set tool_radius"},
     {"What that tool is larger by, mm; negative: worn off: --set wear",

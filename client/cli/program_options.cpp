@@ -137,7 +137,7 @@ void add_tool_options(CLI::App& command, ProgramOptions& options) {
                   "(mm, whatever the program "
                   "counts in, unless a first line unit,inch or a column unit says otherwise), a "
                   "tool table of LinuxCNC, TOOL.T of Heidenhain, G10 lines of Fanuc, tool data "
-                  "of Sinumerik ($TC_DP6 and $TC_DP15 of a TOA file)")
+                  "of Sinumerik ($TC_DP6 and $TC_DP15 of a TOA file) or of ISG (wz[1].radius)")
       ->type_name("FILE")
       ->check(CLI::ExistingFile);
   command

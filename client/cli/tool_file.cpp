@@ -11,6 +11,7 @@
 #include "client/cli/csv_tools.h"
 #include "client/cli/files.h"
 #include "client/cli/heidenhain_tools.h"
+#include "client/cli/isg_tools.h"
 #include "client/cli/table_text.h"
 #include "client/cli/tool_table.h"
 #include "core/base/length_unit.h"
@@ -44,12 +45,13 @@ class ToolFile {
     }
     if (faults_ > 0) return told_faults();
     take_edges();
+    isg_.take_tools();
     if (table_.empty()) return "it names no tool with a radius";
     if (csv_.has_header())
       unit_unsaid_ = csv_.unit_unsaid();
     else
-      unit_unsaid_ =
-          !heidenhain_.has_begun() && !unit_said_ && setup_.unit() == v1::LENGTH_UNIT_UNSPECIFIED;
+      unit_unsaid_ = !heidenhain_.has_begun() && !isg_.has_begun() && !unit_said_ &&
+                     setup_.unit() == v1::LENGTH_UNIT_UNSPECIFIED;
     return table_.write(setup_);
   }
 
@@ -84,6 +86,7 @@ class ToolFile {
       return of_the_head(heidenhain_.read(as_written));
     if (heidenhain_.has_begun())
       return line == "[END]" ? std::string() : heidenhain_.read(as_written);
+    if (IsgTools::is_row(line)) return isg_.read(line);
     if (csv_.has_header()) return csv_.read(as_written);
     if (const auto begun = csv_.begin(as_written)) return of_the_head(*begun);
     return read_words(line);
@@ -222,6 +225,7 @@ class ToolFile {
   ToolTable table_;
   CsvTools csv_{table_};
   HeidenhainTools heidenhain_{table_};
+  IsgTools isg_{table_};
   bool sinumerik_ = false;
   std::map<ToolKey, ToolSizes> edges_{};
   std::set<std::uint32_t> turning_{};

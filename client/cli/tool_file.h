@@ -23,6 +23,8 @@ namespace trc::cli {
 //     the setup, t the tool and d its edge, `$TC_TP2[t]="NAME"`, as a TOA file has them; other
 //     lines are passed over. Tools of turning (`$TC_DP1` 500 to 599) are left out.
 //   - Heidenhain: TOOL.T with its columns T (5.2 is index 2 of tool 5), NAME, R and DR, the wear.
+//   - ISG: lines `wz[5].radius 54000` in 0.1 um, in 0.0001 inch where `wz[5].mass_einheit` is 1.
+//     Tools of turning and grinding (`typ`), and those with `gueltig 0`, are left out.
 //
 // Returns what is wrong, a sentence a line: the first faulty lines of the table and how many more
 // there are. Empty when all is read.

@@ -318,6 +318,35 @@ TEST(ToolFile, IsNoTableOfHeidenhainWhoseColumnsDoNotLineUp) {
             "or make it a CSV");
 }
 
+// As Beckhoff's manual of TF5200 has it, with comments after the values.
+TEST(ToolFile, IsAListOfToolDataOfIsg) {
+  constexpr const char* list =
+      "# ***************************************************\n# Tool data\n"
+      "# Tool data for tool no. 5\nwz[5].laenge           6000        # Tool length\n"
+      "wz[5].radius           54000       # Tool radius\n"
+      "wz[5].gueltig          1           # Tool validity flag TRUE\n"
+      "wz[5].mass_einheit     0           # Tool data unit MM\n"
+      "wz[5].ax_versatz[0]    205000      # Offset   1st axis\n"
+      "wz[5].log_ax_nr_spdl   6           # Logical axis number of spindle\n"
+      "wz[8].laenge 8000\r\nwz[8].radius 2500\r\nwz[8].mass_einheit 1\r\n";
+  EXPECT_EQ(radii_in(list), (std::map<std::uint32_t, double>{{5, 5.4}, {8, 6.35}}));
+  EXPECT_EQ(radii_in(list, true), (std::map<std::uint32_t, double>{{5, 5.4}, {8, 6.35}}));
+  // D0, tools that may not be used and those of turning are none.
+  EXPECT_EQ(radii_in("wz[0].radius 1\nwz[1].radius 50000\nwz[2].radius 1\nwz[2].gueltig 0\n"
+                     "wz[3].typ 1\nwz[3].radius 8000\nwz[4].laenge 1\n"),
+            (std::map<std::uint32_t, double>{{1, 5}}));
+  for (const auto& [row, fault] : std::map<std::string, std::string>{
+           {"wz[1].radius 5.4", "wz[1].radius is \"5.4\", which is no whole number"},
+           {"wz[1].radius", "wz[1].radius is \"\", which is no whole number"},
+           {"wz[1].mass_einheit 2", "wz[1].mass_einheit is neither 0 (mm) nor 1 (inch)"},
+           {"wz[1].path[1].radius 5", "wz[1] has a radius for each path, and one is read"},
+           {"wz[1].tool_id.basic 7",
+            "wz[1] has another number by its tool_id: give such tools as a CSV"},
+           {"wz[i].radius 5", "\"wz[i].radius\" names no tool, as in wz[1].radius"},
+           {"WZ[9].radius 5", "WZ[9].radius a second time"}})
+    EXPECT_EQ(fault_in("wz[9].radius 5\n" + row + "\n"), "line 2: " + fault) << row;
+}
+
 TEST(ToolFile, CountsInTheUnitItNames) {
   EXPECT_DOUBLE_EQ(radii_in("number,radius,unit\n1,0.25,inch\n2,5,MM\n3,4,\n").at(1), 6.35);
   EXPECT_DOUBLE_EQ(radii_in("number,radius,unit\n1,0.25,inch\n2,5,MM\n3,4,\n").at(2), 5);
