@@ -9,11 +9,13 @@
 #include <utility>
 #include <variant>
 
+#include "client/cli/passed_words.h"
 #include "client/cli/reporter.h"
 #include "client/cli/speech.h"
 #include "core/geometry/segment.h"
 #include "core/messages/diagnostic_text.h"
 #include "core/nc/dialect/dialect.h"
+#include "core/session/contour_reader.h"
 
 namespace trc::cli {
 namespace {
@@ -88,6 +90,33 @@ std::string rounded(double value) {
   return text.str();
 }
 
+// What lengths count in, with the lines from which on another unit holds.
+std::string units_of(const std::string& program, const SessionSetup& setup,
+                     const std::vector<CompensatedBlock>& blocks) {
+  ContourReader reader(setup);
+  reader.read(program, [](const std::vector<Block>&) { return true; });
+  bool inch = reader.is_inch(blocks.empty() ? 0 : blocks.front().source.index);
+  std::string told = inch ? "inch" : "mm";
+  for (const CompensatedBlock& block : blocks) {
+    if (reader.is_inch(block.source.index) == inch) continue;
+    inch = !inch;
+    told += (inch ? ", inch (" : ", mm (") + std::to_string(block.source.line) + ")";
+  }
+  return told;
+}
+
+// "T3 (4), T5 (20, 2x)": the line of the first one, and how many there are.
+std::string list_of(const std::vector<CountedWord>& words) {
+  constexpr std::size_t most = 30;
+  std::string list;
+  for (std::size_t index = 0; index < std::min(words.size(), most); ++index) {
+    const CountedWord& word = words[index];
+    list += (index == 0 ? "" : ", ") + word.text + " (" + std::to_string(word.line);
+    list += (word.times == 1 ? "" : ", " + std::to_string(word.times) + "x") + ")";
+  }
+  return words.size() > most ? list + ", …" : list;
+}
+
 }  // namespace
 
 ProgramInfo describe_program(const std::string& program, ProgramSessionSetup setup) {
@@ -101,7 +130,6 @@ ProgramInfo describe_program(const std::string& program, ProgramSessionSetup set
   else if (const auto other = suggestion(program); other && *other != declared.name)
     dialect += ", but it looks like " + std::string(dialect_of(*other).spelling);
   say(dialect);
-  say(std::string("unit at the start: ") + (setup.session.program.inch ? "inch" : "mm"));
 
   setup.nc_text = false;
   // The description is about the contours of the program, whatever tool cuts them.
@@ -117,17 +145,25 @@ ProgramInfo describe_program(const std::string& program, ProgramSessionSetup set
   const Answer whole = answers.take();
   info.refused = session.diagnostics().stopped();
   const Contours contours = contours_of(whole.blocks);
+  say("unit: " + units_of(program, setup.session, whole.blocks));
   const auto lines = static_cast<std::uint64_t>(std::ranges::count(program, '\n')) +
                      (program.empty() || program.ends_with('\n') ? 0 : 1);
   const std::uint64_t read = session.lines_read();
   say("lines: " + std::to_string(lines) +
       (read < lines ? ", read up to " + std::to_string(read) : ""));
   if (!has_tools) say("tools: none are given, so that nothing is said of what fits");
+  const PassedWords words = passed_words(whole.blocks, declared.name);
+  if (!words.tools.empty()) say("tools of the program (line): " + list_of(words.tools));
+  // Of a refused program it is not known how many lines it would execute.
+  const std::uint64_t executed = session.executed_lines();
   if (session.is_computing())
-    say("computes: yes, " + std::to_string(session.executed_lines()) + " lines executed");
+    say(info.refused ? "computes: yes"
+                     : "computes: yes, " + std::to_string(executed) +
+                           (executed == 1 ? " line executed" : " lines executed"));
   say(std::string(info.refused ? "selections before the fault: " : "selections: ") +
       std::to_string(contours.selections) + ", " + std::to_string(contours.blocks) + " blocks, " +
       rounded(contours.length) + " mm");
+  if (!words.passed.empty()) say("passed on (line): " + list_of(words.passed));
   std::vector<Diagnostic> found = whole.diagnostics;
   if (missing && !info.refused) found.insert(found.begin(), *missing);
   if (found.empty()) say("nothing to refuse");

@@ -32,6 +32,48 @@ TEST(ProgramInfo, CountsSelectionsAcrossLiftsWithinThem) {
   EXPECT_NE(text.find("selections: 1, "), std::string::npos) << text;
 }
 
+TEST(ProgramInfo, SaysUnitsToolsAndWhatIsPassedOn) {
+  const std::string text = told_about(
+      "%\nO1\nG20 G90 G17 G54 (T9 G99)\nT3 M6\nS900 M3\nG0 X-1. Y-1.\nG43 H3 Z1.\n"
+      "G81 X5. Z-1. R1. F9.\nG80\nG41 D1 G1 X0 Y0 F10.\nY4.\nG40 X-1.\nT4 M6\nG21\n"
+      "T3 M6\nM30\n%\n");
+  EXPECT_NE(text.find("unit: inch, mm (15)\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("tools of the program (line): T3 (4, 2x), T4 (13)\n"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("passed on (line): G54 (3), M6 (4, 3x), M3 (5), G43 (7), G81 (8), G80 (9), "
+                      "M30 (16)\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(told_about("G0 X1.\nM30\n").find("unit: mm\n"), std::string::npos);
+}
+
+TEST(ProgramInfo, SaysUnitsToolsAndWhatIsPassedOnOfKlartext) {
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = DialectName::heidenhain;
+  dialect_of(DialectName::heidenhain).begin(setup.session.program.mode);
+  setup.session.program.tools = {{1, ToolRow(5)}};
+  const std::string text =
+      describe_program(
+          "0 BEGIN PGM A INCH\n1 TOOL CALL 1 Z S900\n2 L X+0 Y+0 R0 FMAX M3\n"
+          "3 CYCL DEF 9.0 DWELL\n4 CYCL DEF 9.1 DWELL 1\n5 TOOL CALL \"A B\" Z\n"
+          "6 CYCL CALL M8\n7 TOOL CALL S500\n8 END PGM A INCH\n",
+          setup)
+          .text;
+  EXPECT_NE(text.find("unit: inch\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("tools of the program (line): 1 (2), \"A B\" (6)\n"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("passed on (line): M3 (3), CYCL DEF 9 (4, 2x), CYCL CALL (7), M8 (7)\n"),
+            std::string::npos)
+      << text;
+}
+
+TEST(ProgramInfo, CountsNoLinesOfARefusedProgramThatComputes) {
+  const std::string refused = told_about("#1=2\nG0 X#2\nX[\nM30\n");
+  EXPECT_NE(refused.find("computes: yes\n"), std::string::npos) << refused;
+  const std::string one = told_about("G0 X[1+1]\n");
+  EXPECT_NE(one.find("computes: yes, 1 line executed\n"), std::string::npos) << one;
+}
+
 TEST(ProgramInfo, TellsWarningsApartFromWhatRefuses) {
   const std::string text =
       told_about(begins + "G13 I6. K12. Q3. Z-3. D1 F200.\nG41 D7 G1 X0 Y-10. F300.\nM30\n");
