@@ -443,6 +443,7 @@ constexpr auto fragments = std::to_array<Fragment>({
     {"shift of the reference point", "Verschiebung des Referenzpunkts"},
     {"stroke check on", "Überwachung des Verfahrbereichs ein"},
     {"the number of a parameter", "die Nummer eines Parameters"},
+    {"the tool in the spindle", "das Werkzeug in der Spindel"},
     {"the tool of another spindle", "das Werkzeug einer anderen Spindel"},
     {"upper limits", "obere Grenzen"},
     {"weighting of acceleration", "Gewichtung der Beschleunigung"},

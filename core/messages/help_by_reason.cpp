@@ -76,6 +76,11 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Das Wort streichen oder in eine eigene Zeile schreiben: es ist kein Argument."},
     {" beside G66", "Take the word out, or write it into a line of its own: it is no argument.",
      "Das Wort streichen oder in eine eigene Zeile schreiben: es ist kein Argument."},
+    {"the tool in the spindle, without T",
+     "Name it: its D beside G41 or G42, or its T with M06 in front of it; and give a table with "
+     "each tool of the program.",
+     "Es benennen: sein D neben G41 oder G42, oder sein T mit M06 davor; und eine Tabelle mit "
+     "jedem Werkzeug des Programms angeben."},
     {"D0 or T0 is no tool",
      "Program the tool before G41 or G42 with its number, which is not 0: its D or T word, "
      "in Klartext TOOL CALL.",

@@ -156,6 +156,43 @@ TEST(ToolsOfPrograms, HaveWhatFanucWritesAfterTheWordOfTheirRegister) {
   }
 }
 
+// The tool in the spindle that no word has named is not the one of a D, nor of a later M06: a radius
+// of the setup belongs to one of them (D-65).
+TEST(ToolsOfPrograms, InTheSpindleAreNotThoseOfANumber) {
+  const auto two = [](DialectName dialect, const std::string& first, const std::string& second) {
+    return "G21 G17 G90\n" + contour_of(dialect, first) + contour_of(dialect, second) + "M2\n";
+  };
+  for (const DialectName dialect : {linuxcnc, fanuc}) {
+    EXPECT_EQ(told(two(dialect, "G41", "G41 D2"), setup_of(dialect)), "900013 7 D2\n");
+    EXPECT_EQ(told(two(dialect, "T2 M6\nG41", "G41 D2"), setup_of(dialect)), "");
+    EXPECT_EQ(told(two(dialect, "T1 M6\nG41", "G41 D2"), setup_of(dialect)), "900013 8 D2\n");
+    EXPECT_EQ(told(two(dialect, "G41", "T2 M6\nG41"), setup_of(dialect)), "900013 7 T2\n");
+    EXPECT_EQ(distance(two(dialect, "G41", "G41"), setup_of(dialect)), 5);
+  }
+  const std::string unnamed = "900013 7 the tool in the spindle, without T and M6\n";
+  EXPECT_EQ(told(two(linuxcnc, "G41 D2", "G41"), setup_of(linuxcnc)), unnamed);
+  EXPECT_EQ(told(two(linuxcnc, "G41 D2", "G41 D0"), setup_of(linuxcnc)), unnamed);
+  EXPECT_EQ(told(two(linuxcnc, "G41 D0", "G41 D2"), setup_of(linuxcnc)), "900013 7 D2\n");
+  EXPECT_EQ(distance(two(linuxcnc, "G41 D0", "G41"), setup_of(linuxcnc)), 5);
+  // The D of FANUC holds until the next one.
+  EXPECT_EQ(distance(two(fanuc, "G41 D2", "G41"), setup_of(fanuc)), 5);
+}
+
+// A diameter in the program, or a tool of the table, is not that of the tool in the spindle.
+TEST(ToolsOfPrograms, InTheSpindleOfLinuxCncHaveNoRadiusOfAnotherTool) {
+  const auto two = [](const std::string& first) {
+    return "G21 G17 G90\n" + contour_of(linuxcnc, first) + contour_of(linuxcnc, "G41") + "M2\n";
+  };
+  EXPECT_EQ(distance(two("G41.1 D6"), setup_of(linuxcnc)), 5);
+  ProgramSessionSetup table = setup_of(linuxcnc);
+  table.session.program.mode.tool_radius = 0;
+  table.session.program.tools[1] = 4;
+  const std::string none = "900219 7 G41 or G42 in line 7\n";
+  EXPECT_EQ(told(two("G41 D1"), table), none);
+  EXPECT_EQ(told(two("G41.1 D6"), table), none);
+  EXPECT_EQ(distance(two("T1 M6\nG41.1 D6"), table), 4);
+}
+
 // What a register of wear mode holds is what the tool differs by: that of the setup (D-43).
 TEST(ToolsOfPrograms, HaveTheDifferenceOfTheSetupInWearMode) {
   for (const DialectName dialect : {fanuc, linuxcnc, sinumerik}) {

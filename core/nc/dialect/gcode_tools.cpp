@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "core/messages/diagnostic_text.h"
 #include "core/nc/dialect/block_words.h"
 #include "core/nc/dialect/reading.h"
 #include "core/nc/dialect/sinumerik_tools.h"
@@ -223,16 +224,39 @@ bool check_tool_of_table(Reading& reading, const ProgramLine& line, BlockWords& 
                                     : "D" + tool});
 }
 
-// FANUC without D words: the radius of the setup belongs to the tool in the spindle.
+// FANUC without D words: the radius of the setup belongs to the tool in the spindle, 0 where the
+// program has named none.
 bool take_only_spindle_tool(Reading& reading) {
-  const std::int64_t tool = reading.gcode.tools.in_spindle;
-  if (reading.dialect.name != DialectName::fanuc || !reading.has_one_radius() || tool == 0 ||
-      reading.gcode.tools.only_register || reading.state.tool().row_of_tool(tool))
+  GcodeModes::Tools& tools = reading.gcode.tools;
+  const std::int64_t tool = tools.in_spindle;
+  if (!reading.has_one_radius() || tools.spindle_is_empty || tools.only_register ||
+      reading.state.tool().row_of_tool(tool))
     return true;
-  const std::int64_t only = reading.gcode.tools.only_in_spindle.value_or(tool);
-  reading.gcode.tools.only_in_spindle = only;
-  return only == tool || reading.refuse_at(reading.gcode.tools.spindle_place, Code::tool_unknown,
-                                           "T" + std::to_string(tool));
+  const std::int64_t only = tools.only_in_spindle.value_or(tool);
+  tools.only_in_spindle = only;
+  return only == tool ||
+         reading.refuse_at(tools.spindle_place, Code::tool_unknown, "T" + std::to_string(tool));
+}
+
+// LINUXCNC without D: the tool in the spindle. If the program has not named that tool, a radius
+// that another word gave does not belong to it.
+bool take_unnamed_tool(Reading& reading, const ProgramLine& line, BlockWords& block) {
+  // No D word names it: D0 does not either.
+  constexpr std::int64_t unnamed = 0;
+  if (reading.gcode.tools.in_spindle != 0 || reading.state.setup().every_radius) return true;
+  if (reading.has_one_radius())
+    return take_only_register(reading, line, block, unnamed) ||
+           refuse_selection(reading, line, block, Code::tool_unknown, "the tool in the spindle, without T and M6");
+  const bool is_of_another = !reading.gcode.tools.named && reading.state.tool().radius() &&
+                             !reading.state.tool().is_of_setup(no_tool_number);
+  return !is_of_another || refuse_selection(reading, line, block, Code::no_tool_radius,
+                                            "G41 or G42 " + place_of(line.source));
+}
+
+// The tool of G41 and G42 without a word that names it.
+bool take_tool_without_word(Reading& reading, const ProgramLine& line, BlockWords& block) {
+  if (reading.dialect.name == DialectName::linuxcnc) return take_unnamed_tool(reading, line, block);
+  return reading.dialect.name != DialectName::fanuc || take_only_spindle_tool(reading);
 }
 
 }  // namespace
@@ -262,7 +286,7 @@ bool check_gcode_selection(Reading& reading, ProgramLine& line, BlockWords& bloc
            reading.refuse_at(reading.gcode.tools.edge_place, of_missing,
                              "D" + std::to_string(*reading.gcode.tools.missing));
   if (!block.tools.d_word && !block.tools.radius)
-    return !selects || take_only_spindle_tool(reading);
+    return !selects || take_tool_without_word(reading, line, block);
   if ((selects || reading.trc_active()) && reading.dialect.name != DialectName::sinumerik)
     for (WordRange& word : line.words)
       if (upper(line.text[word.begin]) == (said == ToolSaid::by_h ? 'H' : 'D') ||
@@ -282,7 +306,10 @@ std::optional<double> spindle_diameter(const Reading& reading) {
 
 bool take_only_register(Reading& reading, const ProgramLine& line, BlockWords& block,
                         std::int64_t number) {
-  if (!reading.has_one_radius() || reading.gcode.tools.only_register.value_or(number) != number)
+  const bool is_of_spindle = reading.dialect.name == DialectName::fanuc &&
+                             reading.gcode.tools.only_in_spindle.value_or(number) != number;
+  if (!reading.has_one_radius() || is_of_spindle ||
+      reading.gcode.tools.only_register.value_or(number) != number)
     return false;
   reading.gcode.tools.only_register = number;
   block.tools.only = block.tools.d_word ? block.tools.d_word->begin : begin_of_words(line);
