@@ -522,6 +522,8 @@ std::string help_of(const Diagnostic& diagnostic, Language language) {
         " or a tool offset of Fanuc",
         ", which the program itself changes",
         ", an argument without a decimal point",
+        ", a variable of the machine that the program sets",
+        "the tool in the spindle, without T and M6",
         " beside M98",
         " beside M98, where L counts the calls",
         " beside G65",
