@@ -514,7 +514,7 @@ std::string help_of(const Diagnostic& diagnostic, Language language) {
         Code::no_tool_radius,    Code::line_reversed,        Code::arc_wrapped,
         Code::clearance_violated};
     // For these reasons the general help for expressions says little.
-    constexpr std::array<std::string_view, 12> own_reasons{
+    constexpr std::array<std::string_view, 14> own_reasons{
         ", a block without a colon after its number",
         ", words after a statement",
         ", a block number after other words",

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "core/nc/dialect/g_function.h"
 
 // Names and calls of Sinumerik, and unknown functions, are treated as G functions. Each has a

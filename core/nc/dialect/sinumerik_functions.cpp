@@ -1,5 +1,6 @@
 #include "core/nc/dialect/sinumerik_functions.h"
 
+#include <algorithm>
 #include <string>
 
 #include "core/nc/dialect/block_words.h"
@@ -7,6 +8,7 @@
 #include "core/nc/dialect/reading.h"
 #include "core/nc/dialect/sinumerik_names.h"
 #include "core/nc/dialect/sinumerik_words.h"
+#include "core/nc/text/characters.h"
 #include "core/nc/text/named_words.h"
 
 // The functions that names alone and calls of Sinumerik stand for.
@@ -77,6 +79,57 @@ bool read_known_name(Reading& reading, SinumerikMeaning meaning, const NamedWord
   return true;
 }
 
+// The main axes among the arguments of GET(X,C) and the like, as axes or as machine axes, X1; all
+// of them where an argument is no letter of an axis. `first_alone`: the others are axes that it
+// follows.
+AxisBits main_axes_of(std::string_view call, bool first_alone) {
+  AxisBits found = 0;
+  std::size_t at = call.find('(') + 1;
+  while (at < call.size()) {
+    const std::size_t end = std::min(call.find_first_of(",)", at), call.size());
+    const std::string_view argument =
+        without_blanks_behind(without_blanks_in_front(call.substr(at, end - at)));
+    at = end + 1;
+    const char letter = argument.empty() ? ' ' : upper(argument.front());
+    const bool has_number = argument.size() > 1 &&
+                            argument.find_first_not_of("0123456789", 1) == std::string_view::npos;
+    if (is_letter(letter) && (argument.size() == 1 || has_number)) {
+      if (letter >= 'X' && letter <= 'Z')
+        found |= main_axis_bit(static_cast<std::size_t>(letter - 'X'));
+    } else if (is_letter(letter) || letter == '_' || letter == '$') {
+      found |= all_axes;
+    }
+    if (first_alone) break;
+  }
+  return found;
+}
+
+// D-174
+bool read_axis_call(Reading& reading, SinumerikAxisCall effect, const NamedWord& word,
+                    ProgramLine& line, BlockWords& block) {
+  const std::string_view call = line.word({.begin = word.begin, .end = word.end});
+  add(line, word, WordRole::technology);
+  const bool displaces = effect == SinumerikAxisCall::displaces;
+  const AxisBits axes = main_axes_of(call, !displaces);
+  if (axes == 0) return true;
+  const bool ends_nothing = effect == SinumerikAxisCall::uncouples &&
+                            std::ranges::none_of(by_name::coupled_axis, [&](const auto& coupled) {
+                              return reading.gcode.coordinates.is_unfollowed(coupled.tenths());
+                            });
+  if (ends_nothing) return true;
+  if (reading.contour_open())
+    return refuse_name(reading, line, word, "a call that changes an axis while TRC is active");
+  if (displaces) {
+    block.forget |= axes;
+    return true;
+  }
+  const auto& functions =
+      effect == SinumerikAxisCall::couples ? by_name::coupled_axis : by_name::coupled_axis_end;
+  for (std::size_t axis = 0; axis < functions.size(); ++axis)
+    if ((axes & main_axis_bit(axis)) != 0) block.set(functions[axis], word.begin);
+  return true;
+}
+
 }  // namespace
 
 bool calls_by_name(std::string_view name) { return name == "CALL" || name == "PCALL"; }
@@ -129,6 +182,8 @@ bool read_name(Reading& reading, const NamedWord& word, ProgramLine& line, Block
 bool read_named_call(Reading& reading, const NamedWord& word, ProgramLine& line,
                      BlockWords& block) {
   ++block.words;
+  if (const auto effect = axis_call_of_sinumerik(word.name))
+    return read_axis_call(reading, *effect, word, line, block);
   const bool passes = is_passing_sinumerik_call(word.name);
   const bool is_cycle = is_sinumerik_cycle(word.name) && !passes;
   if (word.name == "TRAORI" || (is_cycle && word.name.starts_with("TRA")))

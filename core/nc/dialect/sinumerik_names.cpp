@@ -29,6 +29,7 @@ constexpr auto names = std::to_array<Name>({
     {"BTAN", technology},
     {"CASE", statement},
     {"CFTCP", technology},
+    {"CLEARM", technology},
     {"CLGOF", technology},
     {"CLGON", technology},
     {"COMPCAD", technology},
@@ -177,12 +178,37 @@ constexpr auto names = std::to_array<Name>({
 });
 static_assert(std::ranges::is_sorted(names, {}, &Name::name));
 
-// Calls that do not affect the path.
+// Calls that change neither the modes nor the position: of the language (D-174) and CYCLE832.
 constexpr auto passing_calls = std::to_array<std::string_view>(
-    {"COUPOF",    "COUPON",   "CYCLE832", "DELETE",   "FGROUP",    "FILEDATE",     "FILEINFO",
-     "FILESIZE",  "FILESTAT", "FILETIME", "FPRAOF",   "FPRAON",    "GROUP_ADDEND", "GROUP_BEGIN",
-     "GROUP_END", "MMC",      "MSG",      "ORIRESET", "READ",      "SETAL",        "SETMS",
-     "SPOS",      "WAITM",    "WAITP",    "WAITS",    "WORKPIECE", "WRITE"});
+    {"BRISKA",       "CANCEL",    "CANCELSUB",   "CLEARM",  "CLRINT",    "COUPDEF",  "COUPDEL",
+     "COUPOF",       "COUPOFS",   "COUPON",      "COUPONC", "COUPRES",   "CPROT",    "CYCLE832",
+     "DELETE",       "DELT",      "DELTC",       "DISABLE", "DRIVEA",    "EGDEF",    "EGDEL",
+     "ENABLE",       "EXTCLOSE",  "EXTOPEN",     "FCTDEF",  "FGROUP",    "FILEDATE", "FILEINFO",
+     "FILESIZE",     "FILESTAT",  "FILETIME",    "FPRAOF",  "FPRAON",    "GETEXET",  "GETSELT",
+     "GROUP_ADDEND", "GROUP_END", "GROUP_BEGIN", "GWPSOF",  "GWPSON",    "INIT",     "JERKA",
+     "LOCK",         "MASLDEF",   "MASLDEL",     "MMC",     "MSG",       "NPROT",    "ORIRESET",
+     "POSM",         "PROTA",     "PROTD",       "PROTS",   "PUNCHACC",  "QECLRNOF", "QECLRNON",
+     "READ",         "RESETMON",  "SETAL",       "SETM",    "SETMS",     "SETPIECE", "SETTA",
+     "SETTIA",       "SOFTA",     "SPCOF",       "SPCON",   "SPOS",      "START",    "TANG",
+     "TANGDEL",      "TCI",       "TLIFT",       "TMOF",    "TMON",      "UNLOCK",   "WAITE",
+     "WAITM",        "WAITMC",    "WAITP",       "WAITS",   "WORKPIECE", "WRITE"});
+// Calls after which only the machine knows where the axes stand that they name (D-174).
+struct AxisCall {
+  std::string_view name;
+  SinumerikAxisCall effect;
+};
+constexpr auto axis_calls = std::to_array<AxisCall>({
+    {"AXTOCHAN", SinumerikAxisCall::displaces},  {"EGOFC", SinumerikAxisCall::uncouples},
+    {"EGOFS", SinumerikAxisCall::uncouples},     {"EGON", SinumerikAxisCall::couples},
+    {"EGONSYN", SinumerikAxisCall::couples},     {"EGONSYNE", SinumerikAxisCall::couples},
+    {"GET", SinumerikAxisCall::displaces},       {"GETD", SinumerikAxisCall::displaces},
+    {"LEADOF", SinumerikAxisCall::uncouples},    {"LEADON", SinumerikAxisCall::couples},
+    {"MASLOF", SinumerikAxisCall::uncouples},    {"MASLOFS", SinumerikAxisCall::uncouples},
+    {"MASLON", SinumerikAxisCall::couples},      {"PRESETON", SinumerikAxisCall::displaces},
+    {"PRESETONS", SinumerikAxisCall::displaces}, {"RELEASE", SinumerikAxisCall::displaces},
+    {"TANGOF", SinumerikAxisCall::displaces},    {"TANGON", SinumerikAxisCall::displaces},
+    {"TRAILOF", SinumerikAxisCall::uncouples},   {"TRAILON", SinumerikAxisCall::couples},
+});
 // CYCLE, HOLES, POCKET, SLOT and the like: only the control knows their motions.
 constexpr auto cycle_beginnings = std::to_array<std::string_view>(
     {"CYCLE", "HOLES", "POCKET", "SLOT", "LONGHOLE", "TRANSMIT", "TRACYL", "F_"});
@@ -263,8 +289,14 @@ bool is_sinumerik_cycle(std::string_view name) { return begins_with_any(name, cy
 
 bool is_passing_sinumerik_call(std::string_view name) { return is_one_of(name, passing_calls); }
 
+std::optional<SinumerikAxisCall> axis_call_of_sinumerik(std::string_view name) {
+  const auto found = std::ranges::find(axis_calls, name, &AxisCall::name);
+  return found == axis_calls.end() ? std::nullopt : std::optional(found->effect);
+}
+
 bool is_sinumerik_call(std::string_view name) {
-  return is_sinumerik_cycle(name) || name == "TRAORI" || is_passing_sinumerik_call(name);
+  return is_sinumerik_cycle(name) || name == "TRAORI" || is_passing_sinumerik_call(name) ||
+         axis_call_of_sinumerik(name).has_value();
 }
 
 bool is_sinumerik_frame(std::string_view name) {

@@ -36,6 +36,13 @@ enum class SinumerikMeaning : std::uint8_t {
 [[nodiscard]] bool is_sinumerik_call(std::string_view name);
 // CYCLE81(…), POCKET3(…): what they move only the control knows.
 [[nodiscard]] bool is_sinumerik_cycle(std::string_view name);
+// What a call of the language does to the axes that it names.
+enum class SinumerikAxisCall : std::uint8_t {
+  displaces,  // PRESETON, GET, TANGON
+  couples,    // TRAILON: the first one follows another axis
+  uncouples,  // TRAILOF
+};
+[[nodiscard]] std::optional<SinumerikAxisCall> axis_call_of_sinumerik(std::string_view name);
 // MSG(…): does not affect the path.
 [[nodiscard]] bool is_passing_sinumerik_call(std::string_view name);
 // L6, the change of tools as Siemens delivers it: only the machine has its text (D-64).

@@ -30,7 +30,10 @@ constexpr auto ends_of_modes = std::to_array<std::pair<int, int>>(
      {tenths_of(50), tenths_of(51)},
      {tenths_of(72), tenths_of(72)},  // G72 S1 of Fagor
      {by_name::transformation_end.tenths(), by_name::transformation.tenths()},
-     {by_name::compensation_in_space_end.tenths(), by_name::compensation_in_space.tenths()}});
+     {by_name::compensation_in_space_end.tenths(), by_name::compensation_in_space.tenths()},
+     {by_name::coupled_axis_end[0].tenths(), by_name::coupled_axis[0].tenths()},
+     {by_name::coupled_axis_end[1].tenths(), by_name::coupled_axis[1].tenths()},
+     {by_name::coupled_axis_end[2].tenths(), by_name::coupled_axis[2].tenths()}});
 
 // Threads, tapping in step with the spindle and probing last up to the next motion function.
 bool is_modal_motion(DialectName dialect, int tenths) {
@@ -143,9 +146,9 @@ bool copy_thread(Reading& reading, ProgramLine& line, BlockWords& block) {
     return reading.refuse(
         line, TextFault{.code = Code::nc_unsupported,
                         .begin = block.has(single_move) ? block.of(single_move).begin : *block.axis,
-                        .detail = "G" + std::to_string(number) + ", " +
-                                  reading.gcode.coordinates.unfollowed.back().meaning +
-                                  " while TRC is active"});
+                        .detail = is_command ? "TRC in " + mode.meaning
+                                             : "G" + std::to_string(mode.function / 10) + ", " +
+                                                   mode.meaning + " while TRC is active"});
   }
   block.copied = true;
   block.forget |= block.named_axes();

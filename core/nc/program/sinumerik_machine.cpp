@@ -19,12 +19,19 @@ struct SettingCall {
   std::array<std::size_t, 2> places;
 };
 constexpr auto setting_calls = std::to_array<SettingCall>({{"DELETE", {0, 0}},
+                                                           {"EXTCLOSE", {0, 0}},
+                                                           {"EXTOPEN", {0, 0}},
                                                            {"FILEDATE", {0, 2}},
                                                            {"FILEINFO", {0, 2}},
                                                            {"FILESIZE", {0, 2}},
                                                            {"FILESTAT", {0, 2}},
                                                            {"FILETIME", {0, 2}},
+                                                           {"GETEXET", {0, 0}},
+                                                           {"GETSELT", {0, 0}},
                                                            {"READ", {0, 4}},
+                                                           {"RESETMON", {0, 0}},
+                                                           {"SETTA", {0, 0}},
+                                                           {"SETTIA", {0, 0}},
                                                            {"WRITE", {0, 0}}});
 
 // Splits the text between the bracket at `open` and its closing bracket at the commas.
