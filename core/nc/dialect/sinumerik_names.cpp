@@ -227,6 +227,8 @@ constexpr auto passing_assignments = std::to_array<std::string_view>({"$AC_ACTUA
                                                                       "ACC",
                                                                       "ADIS",
                                                                       "ADISPOS",
+                                                                      "ALF",
+                                                                      "ATOL",
                                                                       "CTOL",
                                                                       "FA",
                                                                       "FB",
@@ -243,6 +245,11 @@ constexpr auto passing_assignments = std::to_array<std::string_view>({"$AC_ACTUA
                                                                       "SPOS",
                                                                       "SVC",
                                                                       "VELOLIM"});
+// Words of the language with values that are not read here.
+constexpr auto unread_words = std::to_array<std::string_view>(
+    {"AX",   "DILF", "DISPR", "FMA", "FOC",  "FXS",  "FXST",  "FXSW", "ISD",
+     "LEAD", "NUT",  "PHI",   "PL",  "PO",   "POLF", "PSI",   "PW",   "SD",
+     "SR",   "SRA",  "ST",    "STA", "STAT", "TA",   "THETA", "TILT", "TU"});
 // Words that change the radius, or end a motion where only the control knows.
 struct RefusedWord {
   std::string_view beginning;
@@ -320,6 +327,8 @@ bool is_sinumerik_word(std::string_view name) {
          is_sinumerik_corner_word(name) || is_one_of(name, followed_words) ||
          !refusal_of_sinumerik_word(name).empty();
 }
+
+bool is_unread_sinumerik_word(std::string_view name) { return is_one_of(name, unread_words); }
 
 bool is_sinumerik_word_of_any_kind(std::string_view name) {
   return is_sinumerik_name(name) || is_sinumerik_call(name) || is_sinumerik_word(name);

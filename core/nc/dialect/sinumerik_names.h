@@ -59,6 +59,10 @@ inline constexpr std::string_view standard_tool_change = "L6";
 // Why a word with a value is refused; empty: it is not.
 [[nodiscard]] std::string_view refusal_of_sinumerik_word(std::string_view name);
 
+// LEAD=, STAT=, …: words of the language that are refused. Names that are none of the language are
+// variables of the machine.
+[[nodiscard]] bool is_unread_sinumerik_word(std::string_view name);
+
 // Whether it is a name, a call or a word as above.
 [[nodiscard]] bool is_sinumerik_word_of_any_kind(std::string_view name);
 

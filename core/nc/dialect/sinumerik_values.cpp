@@ -117,7 +117,12 @@ bool pass_assignment(Reading& reading, const NamedWord& word, ProgramLine& line,
   const bool passes = is_passing_sinumerik_word(word.name) || ends_turned_tool || moves_axis ||
                       reading.state.setup().pass_words.contains(word.name) || is("DISC") ||
                       is("DL") || is_no_offset || is_corner_word || is("RPL") || measures;
-  if (!passes) return refused("a variable");
+  if (!passes && is_unread_sinumerik_word(word.name))
+    return refused("a word of the language that is not read here");
+  const bool is_of_system = word.name.starts_with('$');
+  if (!passes && is_of_system) return refused("a variable");
+  if (!passes && reading.contour_open())
+    return refused("a variable of the machine while TRC is active");
   add(line, word, WordRole::technology);
   return true;
 }

@@ -80,7 +80,8 @@ bool SinumerikFlow::append_argument(std::size_t begin, std::size_t end, Passing 
   const std::string name = name_at(line_, first);
   const bool is_name = !name.empty() && name.size() == words.size();
   const bool is_variable = is_name && (declared(name) != nullptr || is_variable_name(name));
-  const bool is_known = is_variable || given(name) != nullptr || name == "TRUE" || name == "FALSE";
+  const bool is_known =
+      is_variable || given_by_setup(name) != nullptr || name == "TRUE" || name == "FALSE";
   double number = 0;
   bool whole = false;
   const bool is_text =

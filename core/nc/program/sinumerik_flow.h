@@ -148,6 +148,7 @@ class SinumerikFlow : public Flow, private Variables {
   bool scan_name(std::size_t& at, const std::string& name, std::vector<Call>& calls);
   bool scan_value(std::size_t begin, std::size_t& at);
   bool scan_setting(std::size_t& at);
+  bool scan_variable_of_machine(const std::string& name, std::size_t& at);
   bool append_frame(std::size_t& at, std::string& text, bool& changes);
   bool append_value_of(std::size_t& at, std::string& text, bool& changes);
   bool scan_times(std::size_t& at, std::vector<Call>& calls);
@@ -207,6 +208,8 @@ class SinumerikFlow : public Flow, private Variables {
   [[nodiscard]] std::optional<Place> place_at(ExpressionReader& expression);
   [[nodiscard]] std::size_t element_at(ExpressionReader& expression, const Variable& variable);
   [[nodiscard]] Variable* declared(std::string_view name);
+  // The value that the setup gives, as long as the program has not assigned another one.
+  [[nodiscard]] const double* given_by_setup(std::string_view name) const;
   bool assign_at(ExpressionReader& expression);
   bool store(const Place& place, const Value& value, std::size_t begin);
   bool convert(Value& value, Type type, std::size_t begin);
@@ -227,6 +230,8 @@ class SinumerikFlow : public Flow, private Variables {
   std::vector<Scope> scopes_{1};
   std::map<std::int64_t, double> parameters_{};  // R
   std::set<std::int64_t> unwritten_{};           // of these, set since they were last written
+  // Variables that DEF and PROC do not declare and the program has set.
+  std::set<std::string, std::less<>> set_on_machine_{};
   // By the names that EXTERN declares: the positions of arguments by reference.
   std::map<std::string, std::set<std::size_t>, std::less<>> externals_{};
   // Variables of the main program that are arguments of calls which stay, and their elements set

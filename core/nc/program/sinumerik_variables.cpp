@@ -34,6 +34,10 @@ SinumerikFlow::Variable* SinumerikFlow::declared(std::string_view name) {
   return found == scopes_.back().end() ? nullptr : &found->second;
 }
 
+const double* SinumerikFlow::given_by_setup(std::string_view name) const {
+  return set_on_machine_.contains(name.substr(0, name.find('['))) ? nullptr : given(name);
+}
+
 bool SinumerikFlow::is_variable_name(std::string_view name) {
   return number_of_parameter(name) >= 0;
 }
@@ -247,12 +251,14 @@ Value SinumerikFlow::read(ExpressionReader& expression) {
     }
     whole = in_upper_case(whole);
     std::erase(whole, ' ');
-    const double* const value = given(whole);
+    const double* const value = given_by_setup(whole);
     if (value != nullptr) kept_text_.hang_by_the_way();
     const bool is_call = end < line.size() && line[end] == '(';
     if (value == nullptr && is_call) return expression.fail(Code::expression_invalid, begin, whole);
     expression.go_to(end);
     if (value != nullptr) kept_text_.take(begin, end, text_of_value({.number = *value}));
+    if (value == nullptr && set_on_machine_.contains(name))
+      whole += ", a variable of the machine that the program sets";
     if (value == nullptr) return without_value(expression, Code::variable_unset, begin, whole);
     return {.number = *value};
   }

@@ -145,6 +145,35 @@ bool SinumerikFlow::scan_setting(std::size_t& at) {
   return true;
 }
 
+// _OFFSET=R1*2, _ZSD[2]=1: assigns a value to a variable that the program does not declare. It
+// stays in the output; what the machine makes of the value is not known (D-172).
+bool SinumerikFlow::scan_variable_of_machine(const std::string& name, std::size_t& at) {
+  const std::size_t begin = at;
+  std::string text(line_.substr(begin, name.size()));
+  bool changes = false;
+  const std::size_t open = behind_blanks(line_, begin + name.size());
+  std::size_t equals = open;
+  if (sign_at(line_, open) == '[') {
+    const std::size_t close = behind_bracket(line_, open);
+    equals = behind_blanks(line_, close);
+    if (close == 0 || sign_at(line_, equals) != '=')
+      return refuse(Code::expression_invalid, begin, name + "[");
+    if (!append_arguments(open, close, text, changes)) return false;
+  }
+  at = equals + 1;
+  kept_text_.begin("");
+  const bool goes_on = scan_value(begin, at);
+  kept_text_.end();
+  if (!goes_on) return false;
+  if (kept_text_.hangs_by_the_way()) warn_of_given(begin, in_upper_case(text));
+  Piece& piece = pieces_.back();
+  const std::string written =
+      piece.instead.value_or(std::string(line_.substr(piece.begin, piece.end - piece.begin)));
+  if (changes) piece.instead = text + written.substr(equals - begin);
+  set_on_machine_.insert(name);
+  return true;
+}
+
 // CTRANS(X,R1):CROT(Z,30), with the values of its arguments.
 bool SinumerikFlow::append_frame(std::size_t& at, std::string& text, bool& changes) {
   for (;;) {
@@ -311,7 +340,7 @@ bool SinumerikFlow::scan_value(std::size_t begin, std::size_t& at) {
       std::string_view("+-*/([<>=").find(sign_at(line_, behind_name)) == npos ||
       behind_name >= line_.size();
   if (is_main_axis && !name.empty() && stands_alone && declared(name) == nullptr &&
-      given(name) == nullptr && !is_variable_name(name)) {
+      given_by_setup(name) == nullptr && !is_variable_name(name)) {
     at = value_begin + name.size();
     keep(begin, at);
     return true;
@@ -354,10 +383,14 @@ bool SinumerikFlow::scan_name(std::size_t& at, const std::string& name, std::vec
     const std::size_t close = sign == '[' ? line_.find(']', next) : next;
     const std::size_t equals =
         close == npos || sign == '=' ? close : behind_blanks(line_, close + 1);
-    if (equals != npos && sign_at(line_, equals) == '=' && is_sinumerik_word(name)) {
+    const bool assigns =
+        equals != npos && sign_at(line_, equals) == '=' && sign_at(line_, equals + 1) != '=';
+    if (assigns && (is_sinumerik_word(name) || setup_.pass_words.contains(name) ||
+                    is_unread_sinumerik_word(name))) {
       at = equals + 1;
       return scan_value(begin, at);
     }
+    if (assigns) return scan_variable_of_machine(name, at);
     if (sign == '=') return refuse(Code::variable_unset, begin, name + ", which DEF does not name");
     at = line_.size();
     keep(begin, at);
