@@ -523,6 +523,17 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Ihn neben ROT oder AROT schreiben, vor der Kontur."},
     {"the angle of a motion", "Write the end point of the line with both axes.",
      "Den Endpunkt der Geraden mit beiden Achsen schreiben."},
+    {"a variable of the machine that the program sets",
+     "Write the value in its place: only the machine knows what it has made of the one that was "
+     "assigned. A variable of the program has a DEF at its beginning.",
+     "An ihre Stelle den Wert schreiben: was aus dem zugewiesenen geworden ist, weiß nur die "
+     "Maschine. Eine Variable des Programms hat ein DEF an seinem Anfang."},
+    {"a word of the language that is not read here",
+     "Take it out. Where the path does not depend on it, it may be declared in pass_words.",
+     "Es streichen. Wo der Weg nicht davon abhängt, kann es in pass_words angegeben werden."},
+    {"AC or IC of a further axis",
+     "Write where the axis goes, as G90 counts: C90. Or move it in front of the contour.",
+     "Schreiben, wohin die Achse fährt, wie G90 zählt: C90. Oder sie vor der Kontur bewegen."},
     {"a variable, while TRC is active", "Write its value in its place.",
      "Ihren Wert an ihre Stelle schreiben."},
     {"corners of small steps", "Take M97 out: steps smaller than the radius are told by number.",

@@ -47,6 +47,89 @@ TEST(MachineCalls, OfFanucFindTheVariablesOfTheProgram) {  // D-95
             "G90 G0 X0 Y0\nG66 P9100\n#501=3.\nX1.\nY1.\nG67\nM30\n");
 }
 
+// Procedures of the language change neither modes nor position (D-171), and stay in a contour too.
+TEST(MachineCalls, OfTheLanguageOfSinumerikLeaveModesAndPosition) {
+  for (const std::string call :
+       {"SETPIECE(1)", "GET(C)",           "RELEASE(C)",    "SOFTA(X)",      "BRISKA(X)",
+        "DRIVEA(X)",   "JERKA(X)",         "SETM(1)",       "CLEARM(1)",     "CLEARM",
+        "WAITE(2)",    "RESETMON(R1,1,1)", "GETSELT(R1,1)", "ENABLE(1)",     "DISABLE(1)",
+        "CLRINT(1)",   "TRAILOF(Y,X)",     "TANGOF(C)",     "LOCK(1)",       "UNLOCK(1)",
+        "CANCEL(1)",   "DELT(\"MILL\",1)", "CPROT(1,0)",    "TRAILON(C,X,1)"}) {
+    const std::string head = "G90 G17 G71 G0 X-20 Y5\n";
+    const std::string onward = "G91 G41 G1 X20 F300\nY40\nG90 G40 X-20\nM30\n";
+    EXPECT_EQ(refused(head + call + "\n" + onward, sinumerik).first, 0) << call;
+    EXPECT_EQ(
+        refused(head + "G91 G41 G1 X20 F300\n" + call + "\nY40\nG90 G40 X-20\nM30\n", sinumerik)
+            .first,
+        0)
+        << call;
+  }
+}
+
+TEST(MachineCalls, OfTheLanguageOfSinumerikLoseTheAxesThatTheyName) {
+  const std::string head = "G90 G17 G71 G0 X-20 Y5\n";
+  const std::string onward = "G91 G41 G1 X20 F300\nY40\nG90 G40 X-20\nM30\n";
+  for (const std::string call :
+       {"PRESETON(X,0)", "PRESETON(X1,0)", "PRESETON(AX1,0)", "GET(X,C)", "TANGON(Y,0)"}) {
+    EXPECT_EQ(refused(head + call + "\n" + onward, sinumerik), std::pair(900106, 3U)) << call;
+    EXPECT_EQ(
+        refused(head + "G41 G1 X0 Y0 F300\nY20\n" + call + "\nY40\nG40 X-20\nM30\n", sinumerik),
+        std::pair(900003, 4U))
+        << call;
+  }
+  const std::string led = head + "TRAILON(Y,X,1)\n";
+  const std::string again = "G0 X-20 Y0\n" + contour_of_edge;
+  EXPECT_EQ(refused(led + again, sinumerik), std::pair(900003, 4U));
+  EXPECT_EQ(refused(led + "TRAILOF(X,Y)\n" + again, sinumerik), std::pair(900003, 5U));
+  EXPECT_EQ(refused(led + "TRAILOF(Y,X)\n" + again, sinumerik).first, 0);
+  EXPECT_EQ(refused(led + "TRAILOF(Y,X)\n" + onward, sinumerik), std::pair(900106, 4U));
+}
+
+// C=IC(90): the axis moves beside the path, and nobody follows it.
+TEST(MachineCalls, StandBesideIncrementsOfFurtherAxes) {
+  const std::string head = "G90 G17 G71 G0 X-20 Y0\n";
+  for (const std::string word : {"C=IC(90)", "G0 C=IC(90)", "G1 A=IC(-5) F100", "G91 C=AC(9)"}) {
+    const std::string text = head + word + "\nG90 G0 X-20 Y0\n" + contour_of_edge;
+    EXPECT_EQ(refused(text, sinumerik).first, 0) << word;
+    EXPECT_NE(flat(text, sinumerik).find("\n" + word + "\n"), std::string::npos) << word;
+  }
+  EXPECT_EQ(refused(head + "G41 G1 X0 Y0 C=IC(90) F300\nY40\nG40 X-20\nM30\n", sinumerik),
+            std::pair(900003, 2U));
+  EXPECT_EQ(refused(head + "G41 G1 X0 Y0 F300\nY40\nC=IC(90)\nX9\nG40 X-20\nM30\n", sinumerik),
+            std::pair(900003, 4U));
+}
+
+// Variables of the machine builder are set as the program says; what they then hold only the
+// machine knows.
+TEST(MachineCalls, FindTheVariablesOfTheMachineThatTheProgramSets) {
+  const std::string head = "G90 G17 G71 G0 X-20 Y0\n";
+  const auto written = [&](const std::string& line) {
+    const std::string text = flat(head + line + "\n" + contour_of_edge, sinumerik);
+    return text.substr(head.size(), text.find('\n', head.size()) - head.size());
+  };
+  EXPECT_EQ(written("_OFFSET=5"), "_OFFSET=5");
+  EXPECT_EQ(written("DRZ=170 DRR=3"), "DRZ=170 DRR=3");
+  EXPECT_EQ(written("_ZSD[2]=1"), "_ZSD[2]=1");
+  EXPECT_EQ(written("_PROG=\"ABC\""), "_PROG=\"ABC\"");
+  EXPECT_EQ(written("R1=2 R2=3 _ZSD[R1]=R2*4 ; set"), "_ZSD[2]=12 ; set");
+  EXPECT_EQ(refused(head + "_OFFSET=5\nR1=_OFFSET\nM30\n", sinumerik), std::pair(900303, 3U));
+  EXPECT_EQ(
+      refused(head + "_OFFSET=5\nG1 X=_OFFSET Y0 F100\nG91 G41 X5\nY9\nG40 X9\nM30\n", sinumerik),
+      std::pair(900106, 4U));
+  ProgramSessionSetup given = computing_setup(sinumerik);
+  given.session.program.variables["_OFFSET"] = 7;
+  EXPECT_EQ(refusal_of("R1=_OFFSET\n" + head + contour_of_edge, given).first, 0);
+  EXPECT_EQ(refusal_of("_OFFSET=5\n" + head + "X=_OFFSET+1\n" + contour_of_edge, given),
+            std::pair(900303, 3U));
+  EXPECT_EQ(refused(head + "G41 G1 X0 Y0 F300\nY40\n_OFFSET=5\nX9\nG40 X-20\nM30\n", sinumerik),
+            std::pair(900003, 4U));
+  for (const std::string word : {"LEAD=0", "STAT=1", "DISPR=1"}) {
+    EXPECT_EQ(refused(head + word + "\n" + contour_of_edge, sinumerik), std::pair(900003, 2U));
+    given.session.program.pass_words = {word.substr(0, word.find('='))};
+    EXPECT_EQ(refusal_of("R1=5\n" + head + word + "\n" + contour_of_edge, given).first, 0);
+  }
+}
+
 TEST(MachineCalls, OfSinumerikKeepTheirDeclaration) {  // D-95
   EXPECT_EQ(flat("EXTERN TASCHE(REAL)\nG90 G0 X0 Y0\nR1=80\nTASCHE(R1)\nM30\n", sinumerik),
             "EXTERN TASCHE(REAL)\nG90 G0 X0 Y0\nR1=80\nTASCHE(80)\nM30\n");

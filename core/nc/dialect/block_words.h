@@ -212,8 +212,9 @@ struct BlockWords {
   AxisBits forget = 0;
   std::optional<std::uint32_t> unfollowed_word{};  // TURN=, AP=, RP=, ANG=, ,A
   WithoutValue without_value{};
-  std::optional<std::uint32_t> way_round{};  // C=DC(…)
-  bool measures = false;                     // MEAS=, MEAW= of Sinumerik
+  std::optional<std::uint32_t> way_round{};      // C=DC(…)
+  std::optional<std::uint32_t> further_count{};  // C=IC(…), C=AC(…) under G91
+  bool measures = false;                         // MEAS=, MEAW= of Sinumerik
   bool calls_the_machine = false;     // NAME(…) of Sinumerik, which the program does not have
   bool side_of_machine = false;       // G41 or G42 beside a cycle that compensates by itself
   std::optional<bool> masks{};        // CDON; CDOF and CDOF2

@@ -179,7 +179,8 @@ NotWhileActive find_what_is_copied(Reading& reading, BlockWords& block) {
 }
 
 // A line that depends on the motion before it cannot be copied after a motion that TRC changes, and
-// a way round (DC, ACP, ACN), which no number expresses, cannot be rewritten.
+// a way round (DC, ACP, ACN), which no number expresses, cannot be rewritten. Nor can the increment
+// of a further axis whose position is not followed.
 bool check_motion_before(Reading& reading, const ProgramLine& line, const BlockWords& block) {
   const bool selects = block.selects();
   if (reading.gcode.tangent_arcs.in_force && block.axis && reading.gcode.leaves_contour &&
@@ -213,6 +214,10 @@ bool check_motion_before(Reading& reading, const ProgramLine& line, const BlockW
                           TextFault{.code = Code::nc_unsupported,
                                     .begin = *block.way_round,
                                     .detail = "DC, ACP or ACN, a way round, beside a contour"});
+  if (block.further_count && (selects || reading.contour_open()))
+    return reading.refuse(line, TextFault{.code = Code::nc_unsupported,
+                                          .begin = *block.further_count,
+                                          .detail = "AC or IC of a further axis in a contour"});
   return true;
 }
 

@@ -87,9 +87,6 @@ bool read_word_of_index(Reading& reading, const NamedWord& word, ProgramLine& li
                         BlockWords& block) {
   if (const int axis = axis_of_index(reading, word); axis >= 0 && !block.has(GGroup::single_move)) {
     const auto index = static_cast<std::size_t>(axis);
-    if (word.reference != NamedWord::Reference::modal)
-      return refuse_word(reading, line, as_gcode(word), Code::nc_unsupported,
-                         "AC or IC of a further axis");
     block.move.tracking.resize(reading.state.setup().tracking_axes.size());
     if (block.move.tracking[index])
       return refuse_word(reading, line, as_gcode(word), Code::nc_word_twice);
@@ -113,9 +110,8 @@ bool is_point_between(const NamedWord& word) {
 }
 
 // X=AC(10), I=IC(5), I1=IC(5)
-bool take_reference(Reading& reading, const NamedWord& word, const ProgramLine& line,
-                    BlockWords& block) {
-  if (word.reference == NamedWord::Reference::modal) return true;
+void take_reference(const NamedWord& word, BlockWords& block) {
+  if (word.reference == NamedWord::Reference::modal) return;
   const bool incremental = word.reference == NamedWord::Reference::incremental;
   if (is_point_between(word)) {
     block.references.through[static_cast<std::size_t>(word.letter - 'I')] = incremental ? -1 : 1;
@@ -123,10 +119,31 @@ bool take_reference(Reading& reading, const NamedWord& word, const ProgramLine& 
     block.references.end[static_cast<std::size_t>(word.letter - 'X')] = incremental ? -1 : 1;
   } else if (is_center_letter(word.letter)) {
     block.references.center[static_cast<std::size_t>(word.letter - 'I')] = incremental ? -1 : 1;
-  } else if (incremental || reading.incremental) {
-    return refuse_word(reading, line, as_gcode(word), Code::nc_unsupported,
-                       "AC or IC of a further axis");
   }
+}
+
+// C=IC(90), and C=AC(90) under G91: only the control knows where the further axis stands.
+bool is_beside_count_of_line(const Reading& reading, const NamedWord& word) {
+  const bool incremental = word.reference == NamedWord::Reference::incremental;
+  const bool is_main = word.letter >= 'X' && word.letter <= 'Z' && word.index < 0;
+  return word.reference != NamedWord::Reference::modal && !is_main &&
+         !is_center_letter(word.letter) && (incremental || reading.incremental);
+}
+
+// It is copied; beside a contour check_motion_before() refuses it.
+bool copy_further_axis(Reading& reading, const NamedWord& word, ProgramLine& line,
+                       BlockWords& block) {
+  const bool is_axis =
+      word.index >= 0 ? axis_of_index(reading, word) >= 0
+                      : reading.axis_of_letter[static_cast<std::size_t>(word.letter - 'A')] >= 0;
+  if (!is_axis && (word.letter <= 'C' || word.letter >= 'U'))
+    return refuse_word(reading, line, as_gcode(word), Code::nc_axis_unknown);
+  if (!is_axis)
+    return refuse_word(reading, line, as_gcode(word), Code::nc_unsupported,
+                       "a reference that it cannot have");
+  ++block.words;
+  if (!block.further_count) block.further_count = word.begin;
+  add(line, word, WordRole::technology);
   return true;
 }
 
@@ -141,7 +158,7 @@ bool read_named_address(Reading& reading, const NamedWord& word, ProgramLine& li
   if (letter == 'T') reading.gcode.tools.name.clear();
   if (letter == 'L' || letter == 'E') return read_call_by_letter(reading, word, line, block);
   if (is_point_between(word)) {
-    if (!take_reference(reading, word, line, block)) return false;
+    take_reference(word, block);
     block.arc.through[static_cast<std::size_t>(letter - 'I')] = {.value = word.value,
                                                                  .begin = word.begin};
     add(line, word, WordRole::coordinate);
@@ -157,10 +174,11 @@ bool read_named_address(Reading& reading, const NamedWord& word, ProgramLine& li
     add(line, word, WordRole::technology);
     return true;
   }
+  if (is_beside_count_of_line(reading, word)) return copy_further_axis(reading, word, line, block);
   const bool chooses_tool = letter == 'T' || (letter == 'M' && word.value == 6);
   if (word.index >= 0 && !chooses_tool) return read_word_of_index(reading, word, line, block);
   if (word.is_way_round && !block.way_round) block.way_round = word.begin;
-  if (!take_reference(reading, word, line, block)) return false;
+  take_reference(word, block);
   if (letter == 'M' && word.value == 17) {
     line.ends_program = true;
     add(line, word, WordRole::stop);
