@@ -679,6 +679,23 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "einem Satz vor der Kontur."},
     {"G301, chamfer", write_corner, write_corner_in_german},
     {"G302, rounding", write_corner, write_corner_in_german},
+    {"#RND=", write_corner, write_corner_in_german},
+    {"#CHR=", write_corner, write_corner_in_german},
+    {"#OTC",
+     "Take it out, and give the tool its radius with the wear in it: what the control corrects "
+     "while it machines cannot be in the path.",
+     "Es streichen, und dem Werkzeug seinen Radius mit dem Verschleiß geben: was die Steuerung "
+     "beim Fertigen korrigiert, kann nicht im Weg stehen."},
+    {"the contour of a cycle",
+     "The cycle compensates its contour itself: leave G41 and G42 out of it, and end it with "
+     "#CONTOUR END.",
+     "Der Zyklus korrigiert seine Kontur selbst: G41 und G42 darin weglassen, und sie mit "
+     "#CONTOUR END beenden."},
+    {"#CONTOUR ",
+     "Write the contour of the cycle in front of G41 and G42, or behind G40: it does not belong to "
+     "the contour that is cut here.",
+     "Die Kontur des Zyklus vor G41 und G42 schreiben, oder hinter G40: sie gehört nicht zu der "
+     "Kontur, die hier gefräst wird."},
     {"#ROTATION ", "Take it out, and write the coordinates as they are after the rotation.",
      "Es streichen, und die Koordinaten so schreiben, wie sie nach der Drehung sind."},
     {"a sum of a tool radius",

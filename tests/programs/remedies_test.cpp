@@ -73,6 +73,7 @@ const std::string at_start = "G21 G90 G17\nG0 X-10. Y-10.\n";
 // The tool has not left the contour: no motion in the plane follows G40.
 const std::string beside_contour =
     "G71 G90 G17 G0 X-20 Y-20\nG41 G1 X0 Y-10 F500\nY40\nX50\nG40\nG0 Z50\n";
+const std::string in_isg_contour = "G90 G17 G0 X0 Y0\nG41 G1 X5 F100\nY9\n";
 const std::string klartext_start = "BEGIN PGM A MM\nL X-20 Y-20 R0 FMAX\n";
 
 INSTANTIATE_TEST_SUITE_P(
@@ -159,10 +160,15 @@ INSTANTIATE_TEST_SUITE_P(
              "--dialect linuxcnc"},
         Told{isg, "G90\nG777 X3\nM30\n", "2:1 900002", "G777 with axis words",
              "cannot be passed on"},
-        Told{isg, "G90\nG302 I5\nM30\n", "2:1 900003", "G302, rounding",
+        Told{isg, in_isg_contour + "G302 I5\nX9\nM30\n", "4:1 900003", "G302, rounding",
              "Write the corner as blocks of its own"},
-        Told{isg, "G90\n#ROTATION ON [ANGLE=30]\nM30\n", "2:1 900003", "#ROTATION ON",
+        Told{isg, in_isg_contour + "X9 #RND=5\nY5\nM30\n", "4:4 900003", "#RND=5, rounding",
+             "Write the corner as blocks of its own"},
+        Told{isg, in_isg_contour + "#ROTATION ON [ANGLE=30]\nM30\n", "4:1 900003", "#ROTATION ON",
              "write the coordinates as they are after the rotation"},
+        Told{isg, in_isg_contour + "#CONTOUR BEGIN [ID=1]\nM30\n", "4:1 900003", "#CONTOUR BEGIN",
+             "does not belong to the contour that is cut here"},
+        Told{isg, "G90\n#OTC ON\nM30\n", "2:1 900003", "#OTC ON", "give the tool its radius"},
         Told{fanuc, "CC X+0 Y+0\nM30\n", "1:1 900016", "CC", "Else remove the word"},
         Told{isg, "CC X+0 Y+0\nM30\n", "1:1 900016", "CC", "If it is one for ISG"},
         Told{heidenhain, klartext_start + "CC IX+20\nC X+20 Y+40 DR-\nEND PGM A MM\n", "4:1 900003",

@@ -36,6 +36,42 @@ std::pair<int, unsigned> of_contour(DialectName dialect, const std::string& text
   return refusal_of(contour_behind(dialect, text), setup_of(dialect));
 }
 
+// A rounding or a chamfer of ISG cuts a corner of lines that are copied, and leaves their ends. In
+// a contour, and in front of one, it is refused.
+TEST(Unfollowed, AreCornersOfIsg) {
+  const std::string head = "G71 G17 G90 D1\nG00 X0 Y0\nG01 X50 F500\n";
+  const std::string contour = "G41 G01 X0 Y0\nY40\nG40 X-20\nM30\n";
+  for (const std::string corner : {"G302 I5\nG01 Y50\n", "G301 I5 F200\nY50\n", "#RND=5\nY50\n",
+                                   "X60 #CHR=5\nY50\n", "G302 I5 #FRC=100\nY50\n"}) {
+    const std::string lines = head + corner + "G91 X-50\nG90\n";
+    EXPECT_EQ(refusal_of(lines + contour, setup_of(isg)).first, 0) << corner;
+    EXPECT_EQ(flat_of(lines + "M30\n", setup_of(isg)), lines + "M30\n");
+    EXPECT_EQ(refusal_of(head + "Y0\n" + corner.substr(0, corner.find('\n') + 1) + contour,
+                         setup_of(isg)),
+              std::pair(900003, 5U))
+        << corner;
+  }
+  EXPECT_EQ(refusal_of(head + "G302 I5 X9\nM30\n", setup_of(isg)), std::pair(900003, 4U));
+  for (const std::string corner : {"G302 I5", "#RND=5", "X20 #CHR=5", "#CONTOUR BEGIN[ID=1]",
+                                   "#ROTATION ON [ANGLE=30]", "#OTC ON"})
+    EXPECT_EQ(
+        refusal_of(head + "G41 X0 Y0\nY40\n" + corner + "\nX20\nG40 X-20\nM30\n", setup_of(isg)),
+        std::pair(900003, 6U))
+        << corner;
+}
+
+// The contour of a cycle is described, not travelled (D-173).
+TEST(Unfollowed, IsTheContourOfACycleOfIsg) {
+  const std::string head = "G71 G17 G90 D1\nG00 X-20 Y0\n#CONTOUR BEGIN[ID=1]\n";
+  const std::string lines = "G01 X25 Y25 F500\nG302 I5\nG02 X30 Y20 R5\n";
+  const std::string contour = "G41 G01 X0 Y0\nY40\nG40 X-20\nM30\n";
+  const auto refused = [&](const std::string& text) { return refusal_of(text, setup_of(isg)); };
+  EXPECT_EQ(refused(head + lines + "#CONTOUR END\nG00 X-20 Y0\n" + contour).first, 0);
+  EXPECT_EQ(refused(head + lines + "#CONTOUR END\nG91 X5\nG90\n" + contour).first, 900106);
+  EXPECT_EQ(refused(head + lines + contour), std::pair(900003, 7U));
+  EXPECT_EQ(refused(head + "G41\n" + lines + "#CONTOUR END\n" + contour).first, 900003);
+}
+
 TEST(Unfollowed, LastsUpToItsOwnEndInFanuc) {  // D-112
   using Ends = std::vector<std::string>;
   const std::vector<std::pair<std::string, Ends>> modes{

@@ -133,6 +133,13 @@ bool read_g_function(Reading& reading, const Word& word, ProgramLine& line, Bloc
   const auto named = [&](std::string_view why) {
     return std::string("G").append(std::to_string(function->number)).append(why);
   };
+  if (function->number == 301 || function->number == 302) {
+    block.isg.corner = named(function->number == 301 ? ", chamfer" : ", rounding");
+    block.isg.corner_begin = word.begin;
+    block.isg.corner_has_i_word = true;
+    add(line, word, WordRole::technology);
+    return true;
+  }
   // G80 … G89 alone: passing_calls.cpp.
   const bool calls = group == GGroup::single_move && function->number / 10 == 8;
   if (group == GGroup::refused || group == GGroup::spatial_circle || calls) {
@@ -324,6 +331,37 @@ bool read_isg_words(Reading& reading, ProgramLine& line, BlockWords& block) {
   }
 }
 
+// Roundings and chamfers pass while TRC is off: they cut a corner and leave the ends of the blocks
+// beside it. Beside a contour they are refused (D-92, D-173).
+bool take_isg_corner(Reading& reading, ProgramLine& line, BlockWords& block) {
+  WordPlace& open = reading.gcode.corners.open;
+  if (block.selects() && open.source.line > 0)
+    return reading.refuse_at(open, Code::nc_unsupported,
+                             "a rounding or a chamfer in front of the motion that selects TRC");
+  const bool is_corner = !block.isg.corner.empty();
+  const auto refused = [&](std::string_view why) {
+    return reading.refuse(line, TextFault{.code = Code::nc_unsupported,
+                                          .begin = block.isg.corner_begin,
+                                          .detail = block.isg.corner + std::string(why)});
+  };
+  if (is_corner && (reading.contour_open() || block.has(GGroup::side))) return refused("");
+  if (is_corner && block.isg.corner_has_i_word) {
+    if (block.axis) return refused(" with axis words");
+    block.center.reset();
+    block.move.center = {};
+    take_for_technology(line, WordRole::coordinate);
+  }
+  if (open.source.line > 0 && (block.axis || block.center)) {
+    open = {};
+    read_plain_lines_again(reading);
+  }
+  if (is_corner) {
+    open = reading.place_of_word(line, block.isg.corner_begin);
+    reading.reads_plain_lines = false;
+  }
+  return true;
+}
+
 bool check_isg_block(Reading& reading, ProgramLine& line, BlockWords& block) {
   using enum GGroup;
   const auto wrong = [&](Code code, const BlockWords::Function& function, const char* why) {
@@ -383,6 +421,8 @@ bool check_isg_block(Reading& reading, ProgramLine& line, BlockWords& block) {
     take_for_technology(line, WordRole::coordinate);
   }
   take_work_offset(reading, block);
+  if (!take_isg_corner(reading, line, block)) return false;
+  take_contour_of_cycle(reading, line, block);
   if (!copy_thread(reading, line, block)) return false;
   const bool preset = block.of(zero_shift).is(92);
   if (preset && (block.has(motion) || block.center || block.move.radius))

@@ -57,6 +57,8 @@ constexpr auto forbidden_commands = std::to_array<ForbiddenCommand>({
     {"PRESET ", Code::preset_while_active},
     {"PTP OFF", Code::point_to_point_while_active, WhileOff::passes},
     {"PTP ", Code::point_to_point_while_active, WhileOff::refused},
+    {"CONTOUR BEGIN", Code::nc_unsupported, WhileOff::passes},
+    {"CONTOUR END", Code::nc_unsupported, WhileOff::passes},
     {"RT WHILE", Code::real_time_loop_while_active, WhileOff::refused},
 });
 
@@ -70,7 +72,7 @@ constexpr auto passing_commands = std::to_array<std::string_view>(
 // After these commands only the control knows the position or the zero point of an axis.
 constexpr auto unfollowed_commands = std::to_array<std::string_view>(
     {"RTCP ", "TLC ", "KIN ", "WCS ", "ECS ", "BCS ", "CALL AX", "PUT AX", "SET AX", "GANTRY ",
-     "CHANNEL ", "HANDWHEEL", "TRAFO OFF", "ROTATION OFF"});
+     "CHANNEL ", "HANDWHEEL", "TRAFO OFF", "ROTATION "});
 
 // Where a word of the block begins after a command: its motion would pass as text. Names of the
 // command and text in brackets or quotes belong to the command; variables are values.
@@ -170,6 +172,14 @@ bool read_command(Reading& reading, const Word& word, ProgramLine& line, BlockWo
     add(line, word, WordRole::trc);
     return true;
   }
+  // Beside the words of a motion, before the corner that they cut, and the feed there.
+  if (name == "CHR " || name == "RND " || name == "FRC ") {
+    block.isg.has_command = false;
+    block.isg.corner = std::string(command).append(name == "CHR " ? ", chamfer" : ", rounding");
+    block.isg.corner_begin = word.begin;
+    add(line, word, WordRole::technology);
+    return true;
+  }
   if (name == "COMMENT BEGIN") {
     reading.comment_block = line.source.line;
     add(line, word, WordRole::comment);
@@ -180,6 +190,8 @@ bool read_command(Reading& reading, const Word& word, ProgramLine& line, BlockWo
     return wrong(
         {.begin = static_cast<std::uint32_t>(behind), .detail = "a word after a # command"});
   if (name == "TIME " && !is_time(command)) return reading.refuse(line, word, Code::nc_number);
+  if (name == "CONTOUR BEGIN" || name == "CONTOUR END")
+    block.isg.cycle_contour = name == "CONTOUR BEGIN";
   if (name == "DISABLE MODAL") reading.gcode.calls.modal_cycle.reset();
   const bool passes = name == "TIME " || name == "DISABLE MODAL" ||
                       begins_with_any(name, passing_commands) ||

@@ -36,6 +36,20 @@ inline constexpr GFunction compensation_in_space{
 inline constexpr GFunction compensation_in_space_end{.number = 1014,
                                                      .group = GGroup::unfollowed_end};
 
+// #CONTOUR BEGIN of ISG, up to #CONTOUR END.
+inline constexpr GFunction cycle_contour{
+    .number = 1021, .group = GGroup::unfollowed, .meaning = "the contour of a cycle"};
+
+// TRAILON and the like of X, Y or Z, TRAILOF: in the order of the axes.
+inline constexpr std::array coupled_axis{
+    GFunction{.number = 1015, .group = GGroup::unfollowed, .meaning = "a coupled axis X"},
+    GFunction{.number = 1016, .group = GGroup::unfollowed, .meaning = "a coupled axis Y"},
+    GFunction{.number = 1017, .group = GGroup::unfollowed, .meaning = "a coupled axis Z"}};
+inline constexpr std::array coupled_axis_end{
+    GFunction{.number = 1018, .group = GGroup::unfollowed_end},
+    GFunction{.number = 1019, .group = GGroup::unfollowed_end},
+    GFunction{.number = 1020, .group = GGroup::unfollowed_end}};
+
 inline constexpr GFunction cycle{
     .number = 1003, .group = GGroup::single_move, .meaning = "a cycle or motion of its own"};
 inline constexpr GFunction modal_cycle{

@@ -132,17 +132,35 @@ void take_what_is_unfollowed(Reading& reading, const ProgramLine& line, BlockWor
       reading.gcode.coordinates.end_unfollowed(mode);
 }
 
+void read_plain_lines_again(Reading& reading) {
+  reading.reads_plain_lines = reading.faults.empty() && !reading.called_motion &&
+                              !reading.called_dimension &&
+                              reading.gcode.coordinates.unfollowed.empty();
+}
+
+void take_contour_of_cycle(Reading& reading, const ProgramLine& line, BlockWords& block) {
+  if (!block.isg.cycle_contour || reading.contour_open()) return;
+  constexpr int contour = by_name::cycle_contour.tenths();
+  reading.gcode.coordinates.end_unfollowed(contour);
+  block.forget = all_axes;
+  if (*block.isg.cycle_contour)
+    reading.gcode.coordinates.unfollowed.push_back(
+        {.function = contour,
+         .line = line.source.line,
+         .meaning = std::string(by_name::cycle_contour.meaning)});
+  read_plain_lines_again(reading);
+}
+
 bool copy_thread(Reading& reading, ProgramLine& line, BlockWords& block) {
   const bool was_under_thread = !reading.gcode.coordinates.unfollowed.empty();
   take_modal_motion(reading, line, block);
   const bool under_thread = !reading.gcode.coordinates.unfollowed.empty();
-  if (was_under_thread != under_thread)
-    reading.reads_plain_lines = !under_thread && reading.faults.empty() && !reading.called_motion &&
-                                !reading.called_dimension;
+  if (was_under_thread != under_thread) read_plain_lines_again(reading);
   const bool is_position = !block.has(dwell) && !block.of(zero_shift).is(92);
   if (!under_thread || !(block.has(single_move) || (block.axis && is_position))) return true;
   if (reading.contour_open() || block.selects()) {
-    const int number = reading.gcode.coordinates.unfollowed.back().function / 10;
+    const UnfollowedMode& mode = reading.gcode.coordinates.unfollowed.back();
+    const bool is_command = mode.function == by_name::cycle_contour.tenths();
     return reading.refuse(
         line, TextFault{.code = Code::nc_unsupported,
                         .begin = block.has(single_move) ? block.of(single_move).begin : *block.axis,

@@ -8,6 +8,13 @@ namespace trc {
 // Records the function under which coordinates mean something else from here on.
 void take_what_is_unfollowed(Reading& reading, const ProgramLine& line, BlockWords& block);
 
+// #CONTOUR BEGIN and #CONTOUR END of ISG: the lines between are copied, and no contour begins
+// there.
+void take_contour_of_cycle(Reading& reading, const ProgramLine& line, BlockWords& block);
+
+// ISG: reads lines the short way, unless something is in force that they have to be asked about.
+void read_plain_lines_again(Reading& reading);
+
 // Copies threads of ISG, with the lines that continue them: they come out as they stand, and only
 // the control knows where their axes stop (D-117, D-120).
 bool copy_thread(Reading& reading, ProgramLine& line, BlockWords& block);
