@@ -211,9 +211,10 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Es streichen, wo es die Achsen der Ebene nicht bewegt: was neben dem Programm läuft, wird "
      "nicht verfolgt."},
     {"RNDM= beyond the contour",
-     "Write RNDM= into a block after the one with G41 or G42, and RNDM=0 before the one "
-     "with G40.",
-     "RNDM= in einen Satz hinter dem mit G41 oder G42 schreiben, und RNDM=0 vor den mit G40."},
+     "Write RNDM= into a block after the one with G41 or G42, and RNDM=0 into the last block of "
+     "the contour: it ends the corner that this block leads to.",
+     "RNDM= in einen Satz hinter dem mit G41 oder G42 schreiben, und RNDM=0 in den letzten Satz "
+     "der Kontur: es beendet die Ecke, zu der dieser Satz führt."},
     {"an offset of the tool beside its data",
      "Take it out, and give the tool the radius with the offset in it.",
      "Es streichen, und dem Werkzeug den Radius mit der Korrektur darin geben."},

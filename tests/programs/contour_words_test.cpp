@@ -109,7 +109,7 @@ TEST(ContourWords, ACornerIsCutWhereNothingElseMoves) {
   EXPECT_EQ(refused(between + "G0 Z5\nG1 Z-7\nY80\n"),
             "a rounding or a chamfer that is not between two motions of one contour, at feed and "
             "in the plane");
-  expect_same("RNDM=8\nX20\nG1 Z5\nY80\nRNDM=0\n", "X20\nG01 Z5\nY80\n");
+  expect_same("RNDM=8\nX20\nG1 Z5\nY80 RNDM=0\n", "X20\nG01 Z5\nY80\n");
   // Where the contour does not turn there is none.
   expect_same("X20 RND=6\nX40\nY80\n", "X20\nX40\nY80\n");
 }

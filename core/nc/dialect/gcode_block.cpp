@@ -142,9 +142,10 @@ bool may_read_plain_lines(const Reading& reading) {
   const bool plain_centers =
       reading.dialect.name != DialectName::linuxcnc || !reading.state.absolute_center();
   return plain_centers && !reading.gcode.cycle && reading.gcode.coordinates.unfollowed.empty() &&
-         !reading.gcode.tangent_arcs.in_force && !reading.gcode.skipped.dimension &&
-         !reading.gcode.skipped.motion && reading.gcode.skipped.feed == 0 && reading.gcode.seen.y &&
-         reading.faults.empty() && plain_whole_numbers && !reading.gcode.enters_parameters &&
+         !reading.gcode.corners.last_is_round && !reading.gcode.tangent_arcs.in_force &&
+         !reading.gcode.skipped.dimension && !reading.gcode.skipped.motion &&
+         reading.gcode.skipped.feed == 0 && reading.gcode.seen.y && reading.faults.empty() &&
+         plain_whole_numbers && !reading.gcode.enters_parameters &&
          reading.gcode.corners.modal_rounding == 0 && !reading.gcode.soft.approach &&
          !reading.called_motion && !reading.called_dimension && !reading.gcode.tooth_feed &&
          reading.gcode.corners.open.source.line == 0;

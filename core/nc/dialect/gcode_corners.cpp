@@ -61,12 +61,17 @@ bool take_modal_rounding(Reading& reading, ProgramLine& line, BlockWords& block)
         if (word.begin == block.corners.modal_rounding->begin) word.role = WordRole::trc;
   }
   const bool from_outside = selects && !reading.trc_active() && !block.corners.modal_rounding;
-  if (reading.gcode.corners.modal_rounding != 0 && (from_outside || ends))
+  // The corner in front of the departure is that of the block that leads to it: RNDM=0 behind that
+  // block does not end it.
+  const bool rounds_departure = ends && reading.gcode.corners.last_is_round;
+  if (rounds_departure || (reading.gcode.corners.modal_rounding != 0 && (from_outside || ends)))
     return reading.refuse(
         line, TextFault{.code = Code::nc_unsupported,
                         .begin = block.of(side).begin,
                         .detail = "RNDM= beyond the contour: set it after G41, G42, and "
                                   "to 0 before G40"});
+  if (block.axis || block.center)
+    reading.gcode.corners.last_is_round = reading.gcode.corners.modal_rounding != 0 && !selects;
   if (reading.gcode.corners.modal_rounding != 0 && reading.trc_active() && !selects &&
       (block.axis || block.center) && !block.corners.begin && !block.copied)
     block.move.corner = {.form = CornerCut::Form::round,

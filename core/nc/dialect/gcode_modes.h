@@ -154,13 +154,14 @@ struct GcodeModes {
   };
   // Roundings and chamfers.
   struct Corners {
-    WordPlace open{};           // whose next motion is still to come
-    double modal_rounding = 0;  // RNDM=, mm
-    double feed = 0;            // FRCM=, mm/min
+    WordPlace open{};            // whose next motion is still to come
+    double modal_rounding = 0;   // RNDM=, mm
+    double feed = 0;             // FRCM=, mm/min
+    bool last_is_round = false;  // RNDM= applies to the last motion of the contour
 
     template <class Archive>
     void serialize(Archive& archive) {
-      archive(open, modal_rounding, feed);
+      archive(open, modal_rounding, feed, last_is_round);
     }
   };
   // CT, CIP: arcs by name, up to another motion function.
