@@ -15,10 +15,26 @@
 #include "core/geometry/segment.h"
 #include "core/messages/diagnostic_text.h"
 #include "core/nc/dialect/dialect.h"
+#include "core/nc/text/characters.h"
 #include "core/session/contour_reader.h"
 
 namespace trc::cli {
 namespace {
+
+bool begins_with(std::string_view line, std::string_view beginning) {
+  return in_upper_case(line.substr(0, beginning.size())) == beginning;
+}
+
+// The dialect of a line that no other one has: the head of a program of Sinumerik, a cycle of ISG.
+std::optional<DialectName> certainly(std::string_view line) {
+  line = without_blanks_in_front(line);
+  if (begins_with(line, "%_N_") || begins_with(line, ";$PATH=")) return DialectName::sinumerik;
+  if (begins_with(line, "N"))
+    line = without_blanks_in_front(
+        line.substr(std::min(line.find_first_not_of("0123456789", 1), line.size())));
+  if (begins_with(line, "L CYCLE [") || begins_with(line, "L CYCLE[")) return DialectName::isg;
+  return {};
+}
 
 // The dialect that most lines look like; none: no line looks like any.
 std::optional<DialectName> suggestion(const std::string& program) {
@@ -26,6 +42,7 @@ std::optional<DialectName> suggestion(const std::string& program) {
   std::istringstream lines(program);
   for (std::string line; std::getline(lines, line);) {
     if (is_of_okuma(line)) return {};
+    if (const auto name = certainly(line)) return name;
     if (const auto name = looks_like(line)) ++votes[static_cast<std::size_t>(*name)];
   }
   std::size_t most = 0;

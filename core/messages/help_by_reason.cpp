@@ -205,6 +205,11 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Eine der genannten Funktionen schreiben, oder einen Endpunkt mit beiden Achsen der Ebene."},
     {"only feeds per minute are followed", "Write G94 and a feed per minute before it.",
      "Davor G94 und einen Vorschub je Minute schreiben."},
+    {"a synchronized action",
+     "Take it out where it does not move the axes of the plane: what runs beside the program is "
+     "not followed.",
+     "Sie streichen, wo sie die Achsen der Ebene nicht bewegt: was neben dem Programm läuft, wird "
+     "nicht verfolgt."},
     {"not in the program",
      "Take it out where it does not move the axes of the plane: what runs beside the program is "
      "not followed.",
@@ -368,11 +373,11 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Die Kontur vor dem Aufruf mit G40 beenden und dahinter mit G41 oder G42 neu beginnen."},
     {"not programmed anew after",
      "Write G90 (or G91) and G00 or G01 into a block after the call, before the contour: the "
-     "call may have left others in force. In ISG and SINUMERIK a name that changes nothing may be "
-     "declared in pass_words.",
+     "call may have left others in force. In ISG and SINUMERIK a name that changes nothing, though "
+     "not an L with a number, may be declared in pass_words.",
      "G90 (oder G91) und G00 oder G01 in einen Satz hinter dem Aufruf schreiben, vor der Kontur: "
      "nach dem Aufruf können andere gelten. In ISG und SINUMERIK kann ein Name, der nichts ändert, "
-     "in pass_words angegeben werden."},
+     "aber kein L mit einer Zahl, in pass_words angegeben werden."},
     {"because no Y precedes it",
      "A mill: program where its Y axis stands before G41, G42. A lathe: let it compensate the "
      "nose of its tool.",

@@ -324,7 +324,7 @@ TEST(SinumerikRefusals, NameWhatCannotBeFollowed) {
        "SUB, a subprogram without its end"},
       {"DEF AXIS A1\n", Code::nc_unsupported, 1, "AXIS, a type"},
       {"DEF FRAME F1\n", Code::nc_unsupported, 1, "FRAME, a type"},
-      {"ID=1 WHEN $AA_IM[X]>5 DO M8\n", Code::nc_unsupported, 1, "ID, not in the program"},
+      {"ID=1 WHEN $AA_IM[X]>5 DO M8\n", Code::nc_unsupported, 1, "ID, a synchronized action"},
       {"/ R1=5\n", Code::block_skip_undecided, 1, "/, a line to skip that computes"},
       {"SUB\nM30\nPROC SUB SAVE\nG0 X1\nRET\n", Code::nc_unsupported, 1, "SAVE of PROC SUB"},
       {"SUB\nM30\n%_N_SUB_SPF\nM30\n", Code::nc_unsupported, 4, "M30 in a subprogram"},

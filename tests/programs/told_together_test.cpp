@@ -54,6 +54,14 @@ TEST(ToldTogether, AreNoConsequences) {
             "900307 1 #5041\n");
 }
 
+// The lathe is one cause, whatever else of the program shows it.
+TEST(ToldTogether, AreNoFurtherSignsOfALathe) {
+  EXPECT_EQ(told("N10 G18 G54 DIAMON G90\nN40 G0 X60 Z2\nN50 G42 G1 X40 Z0 F0.2\nN60 Z-30\n"
+                 "N70 X50\nN80 G40 G0 X100 Z100\nN90 M30\n",
+                 DialectName::sinumerik),
+            "900018 1 DIAMON\n");
+}
+
 TEST(ToldTogether, OfFanucAreThoseOfSubprograms) {
   EXPECT_EQ(told("#1=#5041\nM98 P100\nG65 P200 A1.\nM30\nO100\nG778\nM99\nO200\nX#1\nG779\nM99\n"
                  "O300\nG780\nM99\n",

@@ -156,8 +156,8 @@ TEST(ToolsOfPrograms, HaveWhatFanucWritesAfterTheWordOfTheirRegister) {
   }
 }
 
-// The tool in the spindle that no word has named is not the one of a D, nor of a later M06: a radius
-// of the setup belongs to one of them (D-65).
+// The tool in the spindle that no word has named is not the one of a D, nor of a later M06: a
+// radius of the setup belongs to one of them (D-65).
 TEST(ToolsOfPrograms, InTheSpindleAreNotThoseOfANumber) {
   const auto two = [](DialectName dialect, const std::string& first, const std::string& second) {
     return "G21 G17 G90\n" + contour_of(dialect, first) + contour_of(dialect, second) + "M2\n";
@@ -176,6 +176,17 @@ TEST(ToolsOfPrograms, InTheSpindleAreNotThoseOfANumber) {
   EXPECT_EQ(distance(two(linuxcnc, "G41 D0", "G41"), setup_of(linuxcnc)), 5);
   // The D of FANUC holds until the next one.
   EXPECT_EQ(distance(two(fanuc, "G41 D2", "G41"), setup_of(fanuc)), 5);
+}
+
+// R of G10 L10 and L11 is the radius, as that of L1 is: they differ in the lengths alone.
+TEST(ToolsOfPrograms, HaveTheRadiusThatLinuxCncWrites) {
+  ProgramSessionSetup table = setup_of(linuxcnc);
+  table.session.program.mode.tool_radius = 0;
+  for (const std::string data : {"G10 L1 P1 R4", "G10 L10 P1 R4", "G10 L11 P1 Z5 R4"})
+    EXPECT_EQ(
+        distance("G21 G17 G90\n" + data + "\n" + contour_of(linuxcnc, "G41 D1") + "M2\n", table), 4)
+        << data;
+  EXPECT_EQ(refusal_of("G21 G17 G90\nG91 G10 L10 P1 R4\nM2\n", table), std::pair(900003, 2U));
 }
 
 // A diameter in the program, or a tool of the table, is not that of the tool in the spindle.

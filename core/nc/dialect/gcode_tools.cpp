@@ -246,7 +246,8 @@ bool take_unnamed_tool(Reading& reading, const ProgramLine& line, BlockWords& bl
   if (reading.gcode.tools.in_spindle != 0 || reading.state.setup().every_radius) return true;
   if (reading.has_one_radius())
     return take_only_register(reading, line, block, unnamed) ||
-           refuse_selection(reading, line, block, Code::tool_unknown, "the tool in the spindle, without T and M6");
+           refuse_selection(reading, line, block, Code::tool_unknown,
+                            "the tool in the spindle, without T and M6");
   const bool is_of_another = !reading.gcode.tools.named && reading.state.tool().radius() &&
                              !reading.state.tool().is_of_setup(no_tool_number);
   return !is_of_another || refuse_selection(reading, line, block, Code::no_tool_radius,

@@ -119,7 +119,7 @@ bool take_tool_data(Reading& reading, ProgramLine& line, BlockWords& block) {
                         .detail = "G10 L" + std::to_string(*data).append(", ").append(why)});
   };
   if (adds && is_wear && *block.move.radius == 0) return true;
-  if ((linuxcnc && data != 1) || !block.p_word || adds) return refused("a sum of a tool radius");
+  if (!block.p_word || adds) return refused("a sum of a tool radius");
   if (!reading.faults.empty()) return true;
   const LengthUnit lengths =
       block.has(unit) ? reading.unit_of(*block.of(unit).function) : reading.unit;

@@ -30,6 +30,9 @@ bool is_turning_tool(std::string_view word) {
 }
 
 bool check_turning(Reading& reading, const ProgramLine& line, const BlockWords& block) {
+  if (std::ranges::find(reading.faults, Code::turning, &Reading::Fault::code) !=
+      reading.faults.end())
+    return true;  // one cause is told once
   const bool selects = block.selects();
   if (selects && reading.gcode.seen.lathe && !reading.gcode.seen.y)
     return refuse_turning(reading, line, block.of(side).begin, of_a_lathe);

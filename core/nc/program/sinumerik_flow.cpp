@@ -293,7 +293,10 @@ bool SinumerikFlow::execute_statement(std::string& flat, std::string_view word,
        {"IF", "CASE", "DEF", "PROC", "EXTERN", "RET", "REPEAT", "REPEATB"})
     is_statement |= word == other;
   if (!is_statement) return true;
-  if (is_beside) return refuse_word(Code::nc_unsupported, begin, behind, ", not in the program");
+  const bool is_before = word == "DEFINE" || word == "REDEF";
+  if (is_beside)
+    return refuse_word(Code::nc_unsupported, begin, behind,
+                       is_before ? ", not in the program" : ", a synchronized action");
   if (head_.to_skip)
     return refuse(Code::block_skip_undecided, 0, "/, a line to skip that computes");
   if (structure != Structure::none) return follow_structure(flat, structure);

@@ -74,6 +74,15 @@ TEST(ProgramInfo, CountsNoLinesOfARefusedProgramThatComputes) {
   EXPECT_NE(one.find("computes: yes, 1 line executed\n"), std::string::npos) << one;
 }
 
+// Words that several dialects have do not outweigh a line that only one has.
+TEST(ProgramInfo, SuggestsTheDialectOfItsLines) {
+  EXPECT_NE(told_about("%_N_A_MPF\n;$PATH=/_N_WKS_DIR/_N_A_WPD\nN4 G00 G90 G53 D0 Z340\nM30\n")
+                .find("looks like sinumerik"),
+            std::string::npos);
+  EXPECT_NE(told_about("N10 L CYCLE [NAME=X.NC @P1=1]\nG00 X0\nM30\n").find("looks like isg"),
+            std::string::npos);
+}
+
 TEST(ProgramInfo, TellsWarningsApartFromWhatRefuses) {
   const std::string text =
       told_about(begins + "G13 I6. K12. Q3. Z-3. D1 F200.\nG41 D7 G1 X0 Y-10. F300.\nM30\n");
