@@ -77,7 +77,7 @@ constexpr auto helps = std::to_array<ReasonHelp>({
     {" beside G66", "Take the word out, or write it into a line of its own: it is no argument.",
      "Das Wort streichen oder in eine eigene Zeile schreiben: es ist kein Argument."},
     {"the tool in the spindle, without T",
-     "Name it: its D beside G41 or G42, or its T with M06 in front of it; and give a table with "
+     "Name it: its D beside G41 or G42, or its T with M06 before it; and give a table with "
      "each tool of the program.",
      "Es benennen: sein D neben G41 oder G42, oder sein T mit M06 davor; und eine Tabelle mit "
      "jedem Werkzeug des Programms angeben."},
@@ -538,7 +538,7 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Take it out. Where the path does not depend on it, it may be declared in pass_words.",
      "Es streichen. Wo der Weg nicht davon abhängt, kann es in pass_words angegeben werden."},
     {"AC or IC of a further axis",
-     "Write where the axis goes, as G90 counts: C90. Or move it in front of the contour.",
+     "Write where the axis goes, as G90 counts: C90. Or move it before the contour.",
      "Schreiben, wohin die Achse fährt, wie G90 zählt: C90. Oder sie vor der Kontur bewegen."},
     {"a variable, while TRC is active", "Write its value in its place.",
      "Ihren Wert an ihre Stelle schreiben."},
@@ -698,7 +698,7 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Der Zyklus korrigiert seine Kontur selbst: G41 und G42 darin weglassen, und sie mit "
      "#CONTOUR END beenden."},
     {"#CONTOUR ",
-     "Write the contour of the cycle in front of G41 and G42, or behind G40: it does not belong to "
+     "Write the contour of the cycle before G41 and G42, or after G40: it does not belong to "
      "the contour that is cut here.",
      "Die Kontur des Zyklus vor G41 und G42 schreiben, oder hinter G40: sie gehört nicht zu der "
      "Kontur, die hier gefräst wird."},

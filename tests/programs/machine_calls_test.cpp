@@ -100,7 +100,7 @@ TEST(MachineCalls, StandBesideIncrementsOfFurtherAxes) {
 }
 
 // Variables of the machine builder are set as the program says; what they then hold only the
-// machine knows.
+// machine knows (D-172).
 TEST(MachineCalls, FindTheVariablesOfTheMachineThatTheProgramSets) {
   const std::string head = "G90 G17 G71 G0 X-20 Y0\n";
   const auto written = [&](const std::string& line) {

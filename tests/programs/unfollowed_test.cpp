@@ -37,7 +37,7 @@ std::pair<int, unsigned> of_contour(DialectName dialect, const std::string& text
 }
 
 // A rounding or a chamfer of ISG cuts a corner of lines that are copied, and leaves their ends. In
-// a contour, and in front of one, it is refused.
+// a contour, and before one, it is refused (D-173).
 TEST(Unfollowed, AreCornersOfIsg) {
   const std::string head = "G71 G17 G90 D1\nG00 X0 Y0\nG01 X50 F500\n";
   const std::string contour = "G41 G01 X0 Y0\nY40\nG40 X-20\nM30\n";

@@ -61,7 +61,7 @@ bool take_modal_rounding(Reading& reading, ProgramLine& line, BlockWords& block)
         if (word.begin == block.corners.modal_rounding->begin) word.role = WordRole::trc;
   }
   const bool from_outside = selects && !reading.trc_active() && !block.corners.modal_rounding;
-  // The corner in front of the departure is that of the block that leads to it: RNDM=0 behind that
+  // The corner before the departure is that of the block that leads to it: RNDM=0 after that
   // block does not end it.
   const bool rounds_departure = ends && reading.gcode.corners.last_is_round;
   if (rounds_departure || (reading.gcode.corners.modal_rounding != 0 && (from_outside || ends)))

@@ -337,7 +337,7 @@ bool take_isg_corner(Reading& reading, ProgramLine& line, BlockWords& block) {
   WordPlace& open = reading.gcode.corners.open;
   if (block.selects() && open.source.line > 0)
     return reading.refuse_at(open, Code::nc_unsupported,
-                             "a rounding or a chamfer in front of the motion that selects TRC");
+                             "a rounding or a chamfer before the motion that selects TRC");
   const bool is_corner = !block.isg.corner.empty();
   const auto refused = [&](std::string_view why) {
     return reading.refuse(line, TextFault{.code = Code::nc_unsupported,

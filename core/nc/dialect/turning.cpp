@@ -1,5 +1,6 @@
 #include "core/nc/dialect/turning.h"
 
+#include <algorithm>
 #include <string>
 
 // Programs of lathes: only these work without Y (D-105).
