@@ -47,7 +47,7 @@ TEST(MachineCalls, OfFanucFindTheVariablesOfTheProgram) {  // D-95
             "G90 G0 X0 Y0\nG66 P9100\n#501=3.\nX1.\nY1.\nG67\nM30\n");
 }
 
-// Procedures of the language change neither modes nor position (D-171), and stay in a contour too.
+// Procedures of the language change neither modes nor position (D-174), and stay in a contour too.
 TEST(MachineCalls, OfTheLanguageOfSinumerikLeaveModesAndPosition) {
   for (const std::string call :
        {"SETPIECE(1)", "GET(C)",           "RELEASE(C)",    "SOFTA(X)",      "BRISKA(X)",
