@@ -134,6 +134,39 @@ std::string list_of(const std::vector<CountedWord>& words) {
   return words.size() > most ? list + ", …" : list;
 }
 
+std::string dialect_of_program(const std::string& program, const Dialect& declared) {
+  std::string dialect = "dialect: " + std::string(declared.spelling);
+  if (is_written_in_din_iso(program))
+    return dialect + ", but it is DIN/ISO of Heidenhain, which is not read";
+  const auto other = suggestion(program);
+  if (!other || *other == declared.name) return dialect;
+  return dialect + ", but it looks like " + std::string(dialect_of(*other).spelling);
+}
+
+std::string lines_of(const std::string& program, std::uint64_t read) {
+  const auto lines = static_cast<std::uint64_t>(std::ranges::count(program, '\n')) +
+                     (program.empty() || program.ends_with('\n') ? 0 : 1);
+  return "lines: " + std::to_string(lines) +
+         (read < lines ? ", read up to " + std::to_string(read) : "");
+}
+
+// First the errors that refuse the program, then the findings to look at.
+void tell_findings(std::vector<Diagnostic> found, bool refused, DialectName dialect,
+                   std::ostream& text) {
+  std::stable_partition(found.begin(), found.end(), [](const Diagnostic& diagnostic) {
+    return diagnostic.severity == Severity::error;
+  });
+  std::string_view heading;
+  for (const Diagnostic& diagnostic : found) {
+    const bool refuses = refused && diagnostic.severity == Severity::error;
+    const std::string_view own = refuses ? "refused:" : "to look at:";
+    if (std::exchange(heading, own) != own) text << told(std::string(own)) << '\n';
+    const DiagnosticTexts texts = texts_of(for_command_line(diagnostic, dialect));
+    text << "  " << told("line " + std::to_string(diagnostic.source.line)) << ": "
+         << static_cast<int>(diagnostic.code) << ' ' << texts.text << " (" << texts.help << ")\n";
+  }
+}
+
 }  // namespace
 
 ProgramInfo describe_program(const std::string& program, ProgramSessionSetup setup) {
@@ -141,12 +174,7 @@ ProgramInfo describe_program(const std::string& program, ProgramSessionSetup set
   std::ostringstream text;
   const Dialect& declared = dialect_of(setup.session.program.dialect);
   const auto say = [&text](const std::string& line) { text << told(line) << '\n'; };
-  std::string dialect = "dialect: " + std::string(declared.spelling);
-  if (is_written_in_din_iso(program))
-    dialect += ", but it is DIN/ISO of Heidenhain, which is not read";
-  else if (const auto other = suggestion(program); other && *other != declared.name)
-    dialect += ", but it looks like " + std::string(dialect_of(*other).spelling);
-  say(dialect);
+  say(dialect_of_program(program, declared));
 
   setup.nc_text = false;
   // The description is about the contours of the program, whatever tool cuts them.
@@ -163,11 +191,7 @@ ProgramInfo describe_program(const std::string& program, ProgramSessionSetup set
   info.refused = session.diagnostics().stopped();
   const Contours contours = contours_of(whole.blocks);
   say("unit: " + units_of(program, setup.session, whole.blocks));
-  const auto lines = static_cast<std::uint64_t>(std::ranges::count(program, '\n')) +
-                     (program.empty() || program.ends_with('\n') ? 0 : 1);
-  const std::uint64_t read = session.lines_read();
-  say("lines: " + std::to_string(lines) +
-      (read < lines ? ", read up to " + std::to_string(read) : ""));
+  say(lines_of(program, session.lines_read()));
   if (!has_tools) say("tools: none are given, so that nothing is said of what fits");
   const PassedWords words = passed_words(whole.blocks, declared.name);
   if (!words.tools.empty()) say("tools of the program (line): " + list_of(words.tools));
@@ -184,19 +208,7 @@ ProgramInfo describe_program(const std::string& program, ProgramSessionSetup set
   std::vector<Diagnostic> found = whole.diagnostics;
   if (missing && !info.refused) found.insert(found.begin(), *missing);
   if (found.empty()) say("nothing to refuse");
-  // First the errors that refuse the program, then the findings to look at.
-  std::stable_partition(found.begin(), found.end(), [](const Diagnostic& diagnostic) {
-    return diagnostic.severity == Severity::error;
-  });
-  std::string_view heading;
-  for (const Diagnostic& diagnostic : found) {
-    const bool refuses = info.refused && diagnostic.severity == Severity::error;
-    const std::string_view own = refuses ? "refused:" : "to look at:";
-    if (std::exchange(heading, own) != own) say(std::string(own));
-    const DiagnosticTexts texts = texts_of(for_command_line(diagnostic, declared.name));
-    text << "  " << told("line " + std::to_string(diagnostic.source.line)) << ": "
-         << static_cast<int>(diagnostic.code) << ' ' << texts.text << " (" << texts.help << ")\n";
-  }
+  tell_findings(std::move(found), info.refused, declared.name, text);
   info.text = text.str();
   return info;
 }

@@ -134,7 +134,13 @@ class Connections::Connection {
   // Bytes of messages that are not complete yet.
   [[nodiscard]] double unfinished() const { return unfinished_; }
 
-  void call_ended(bool early) {
+  // `carried`: bytes of messages of the call.
+  void call_ended(Call::End end, std::uint64_t carried) {
+    // What is on its way is let pass, but not much for a call that has carried little.
+    constexpr std::uint64_t times_carried = 4;
+    const bool early = end == Call::End::early;
+    if (end == Call::End::refused)
+      sent_ahead_ += std::min(all_.limits_.read_ahead_of_call, times_carried * carried);
     const std::lock_guard lock(mutex_);
     const Clock::time_point now = Clock::now();
     if (now - window_begin_ > window) {
@@ -196,13 +202,14 @@ class Connections::Connection {
     const double seconds = std::chrono::duration<double>(now - looked_at_).count();
     const auto more = static_cast<double>(exchanged->received - received_);
     const auto carried = static_cast<double>(carried_.exchange(0));
+    const auto sent_ahead = static_cast<double>(sent_ahead_.exchange(0));
     looked_at_ = now;
     received_ = exchanged->received;
     count_unheard(*exchanged);
-    overhead_ += more - bytes_for_a_byte * carried -
+    overhead_ += more - bytes_for_a_byte * carried - sent_ahead -
                  seconds * static_cast<double>(all_.limits_.overhead_bytes_per_s);
     overhead_ = std::max(overhead_, 0.0);
-    unfinished_ += more - bytes_for_a_byte * carried - seconds * bytes_of_second -
+    unfinished_ += more - bytes_for_a_byte * carried - sent_ahead - seconds * bytes_of_second -
                    static_cast<double>(messages_.exchange(0)) * bytes_of_message -
                    static_cast<double>(calls_ended_.exchange(0)) * bytes_of_call;
     unfinished_ = std::max(unfinished_, 0.0);
@@ -241,6 +248,7 @@ class Connections::Connection {
   const Use use_;
   std::atomic<std::uint32_t> calls_ = 0;
   std::atomic<std::uint64_t> carried_ = 0;
+  std::atomic<std::uint64_t> sent_ahead_ = 0;  // bytes of calls that were refused meanwhile
   std::atomic<std::uint64_t> messages_ = 0;
   std::atomic<std::uint64_t> calls_ended_ = 0;
   std::atomic<bool> shut_ = false;
@@ -267,11 +275,12 @@ class Connections::Connection {
 Connections::Call::~Call() {
   if (connection_ != nullptr) connection_->call_done();
 }
-void Connections::Call::carried(std::uint64_t bytes) const {
+void Connections::Call::carried(std::uint64_t bytes) {
+  carried_ += bytes;
   if (connection_ != nullptr) connection_->carried(bytes);
 }
-void Connections::Call::ended(bool early) const {
-  if (connection_ != nullptr) connection_->call_ended(early);
+void Connections::Call::ended(End end) const {
+  if (connection_ != nullptr) connection_->call_ended(end, carried_);
 }
 
 bool Connections::add(int descriptor, std::size_t most_of_one_address, Use use) {

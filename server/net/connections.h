@@ -57,13 +57,19 @@ class Connections {
     Call(Call&&) = default;
     Call& operator=(Call&&) = delete;
 
+    enum class End : std::uint8_t {
+      done,
+      refused,  // by the server: the client may have sent more, which nobody takes
+      early,    // reset by the client before there was anything to answer
+    };
+
     // A message of this size has come.
-    void carried(std::uint64_t bytes) const;
-    // `early`: reset by the client before there was anything to answer.
-    void ended(bool early) const;
+    void carried(std::uint64_t bytes);
+    void ended(End end) const;
 
    private:
     std::shared_ptr<Connection> connection_;  // none: not one of TCP
+    std::uint64_t carried_ = 0;
   };
 
   enum class Use : std::uint8_t {

@@ -67,8 +67,11 @@ void CallRecord::ended(const Ending& ending) noexcept {
   try {
     const double seconds = seconds_since(started_);
     // A call that has given an answer or run for a while was not an early cancel.
-    call_.ended(ending.status.error_code() == grpc::StatusCode::CANCELLED && blocks_out_ == 0 &&
-                seconds < 1);
+    using End = Connections::Call::End;
+    const bool cancelled = ending.status.error_code() == grpc::StatusCode::CANCELLED;
+    call_.ended(cancelled && blocks_out_ == 0 && seconds < 1 ? End::early
+                : ending.status.ok() || cancelled            ? End::done
+                                                             : End::refused);
     metrics_.handling->Observe(seconds);
     telemetry_.metrics.count_handled(method_, name_of(ending.status.error_code()));
     if (!ending.reason.empty()) telemetry_.metrics.count_error(ending.reason);

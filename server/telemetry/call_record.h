@@ -23,7 +23,7 @@ class CallRecord {
   [[nodiscard]] const Trace& trace() const { return trace_; }
 
   // A message of so many bytes has come.
-  void carried(std::uint64_t bytes) const { call_.carried(bytes); }
+  void carried(std::uint64_t bytes) { call_.carried(bytes); }
   void received(std::uint64_t blocks);
   // Blocks of a request that were not known when it was received.
   void taken(std::uint64_t blocks);

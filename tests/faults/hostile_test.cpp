@@ -230,5 +230,44 @@ TEST(Hostile, ManyLargeProgramsOnOneConnectionAreLeftAlone) {
   EXPECT_EQ(closed_for(server, "overhead"), 0);
 }
 
+// What a client has sent ahead when its program is refused is no flood either: it did not know.
+TEST(Hostile, ManyRefusedProgramsOnOneConnectionAreLeftAlone) {
+  const ServerProcess server({"--admin-listen", "127.0.0.1:0"});
+  const auto channel = channel_to(server.address());
+  std::vector<std::string> texts(1);
+  const auto add = [&](const std::string& line) {
+    constexpr std::size_t message_bytes = 64U << 10U;
+    if (texts.back().size() + line.size() > message_bytes) texts.emplace_back();
+    texts.back() += line;
+  };
+  const auto motion = [](int i) {
+    return "G1 X" + std::to_string(i) + ".125 Y" + std::to_string(i % 7) + ".25\n";
+  };
+  add("F500\n");
+  for (int i = 0; i < 20'000; ++i) add(motion(i));
+  add("G999\n");
+  for (int i = 0; i < 60'000; ++i) add(motion(i));
+  std::vector<v1::CompensateProgramRequest> requests{server::setup_request(v1::ProgramSetup())};
+  std::uint64_t at = 0;
+  for (const std::string& text : texts) {
+    requests.push_back(server::text_request(at, text, &text == &texts.back()));
+    at += text.size();
+  }
+  std::vector<std::future<int>> clients;
+  for (int client = 0; client < 8; ++client)
+    clients.push_back(std::async(std::launch::async, [&] {
+      int refused = 0;
+      for (int i = 0; i < 25; ++i)
+        refused += server::call_program(channel, requests).status.error_code() ==
+                   grpc::StatusCode::INVALID_ARGUMENT;
+      return refused;
+    }));
+  int refused = 0;
+  for (auto& client : clients) refused += client.get();
+  EXPECT_EQ(refused, 200);
+  for (const char* reason : {"overhead", "unfinished"})
+    EXPECT_EQ(closed_for(server, reason), 0) << reason;
+}
+
 }  // namespace
 }  // namespace trc::faults

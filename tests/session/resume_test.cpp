@@ -137,7 +137,7 @@ TEST(ResumedSession, StateDoesNotGrowWithTheContour) {
     return size;
   };
   EXPECT_EQ(largest(2000), largest(20));
-  EXPECT_LT(largest(20), 4096U);
+  EXPECT_LT(largest(20), 4608U);  // mostly the modes of all dialects
 }
 
 // With a window, what contour masking and loop removal hold of a selection is bounded by it

@@ -21,7 +21,9 @@ std::optional<Refusal> ProgramState::check_circle_words(const MoveRequest& reque
             "an arc directly after G40 under G239, where the tool stands at the compensated point",
         .point = standing_point()};
   const PlaneAxes axes = axes_of(mode_.plane);
-  if (request.center[axes.third])
+  // Some write all three, with 0 for the one across the plane.
+  const double standing = absolute_center_ ? position_[axes.third] : 0;
+  if (request.center[axes.third].value_or(standing) != standing)
     return Refusal{.code = Code::nc_unsupported, .detail = center_words[axes.third]};
   const bool has_center = request.center[axes.first] || request.center[axes.second];
   if (has_center && request.radius) return Refusal{.code = Code::center_and_radius_together};

@@ -110,6 +110,12 @@ TEST(Dialect, AHelixTravelsAcrossThePlane) {
   EXPECT_EQ(reading.last_motion().normal, (AxisTravel{.from = 0, .to = 20}));
 }
 
+// As programs of CAM systems have it that write all three words.
+TEST(Dialect, ACentreMayHaveNothingAcrossThePlane) {
+  EXPECT_EQ(last_arc(read("G17 X0 Y0 Z7\nG02 X10 I5 J0 K0")).center, Point(5, 0));
+  EXPECT_EQ(last_arc(read("G17 G161 X0 Y0 Z7\nG02 X10 I5 J0 K7")).center, Point(5, 0));
+}
+
 TEST(Dialect, ARadiusWordGivesTheShorterOrTheLongerArc) {
   EXPECT_NEAR(last_arc(read("G02 X10 R10")).sweep, -pi / 3, 1e-12);
   EXPECT_NEAR(last_arc(read("G02 X10 R-10")).sweep, -5 * pi / 3, 1e-12);
