@@ -105,20 +105,40 @@ bool names_axis(const ProgramLine& line) {
   return false;
 }
 
-bool read_g_function(Reading& reading, const Word& word, ProgramLine& line, BlockWords& block) {
-  const GFunction* function =
-      word.has_argument || word.whole ? find_g_function(word.value) : nullptr;
-  if (function == nullptr && passes_word(reading.state.setup(), line.text, word.begin)) {
+bool read_unknown_function(Reading& reading, const Word& word, ProgramLine& line,
+                           BlockWords& block) {
+  if (passes_word(reading.state.setup(), line.text, word.begin)) {
     block.isg.passed_function = word.begin;
     add(line, word, WordRole::technology);
     return true;
   }
-  if (function == nullptr) {
-    const bool is_of_another = !reading.isg_word_seen && looks_like(line.text);
-    std::string detail(line.word({.begin = word.begin, .end = word.end}));
-    if (!is_of_another && names_axis(line)) detail += " with axis words";
-    return reading.refuse(line, word, Code::nc_unknown_function, std::move(detail));
-  }
+  const bool is_of_another = !reading.isg_word_seen && looks_like(line.text);
+  std::string detail(line.word({.begin = word.begin, .end = word.end}));
+  if (!is_of_another && names_axis(line)) detail += " with axis words";
+  return reading.refuse(line, word, Code::nc_unknown_function, std::move(detail));
+}
+
+std::string named(const GFunction& function, std::string_view why) {
+  return std::string("G").append(std::to_string(function.number)).append(why);
+}
+
+bool refuse_function(Reading& reading, const Word& word, const GFunction& function,
+                     ProgramLine& line) {
+  Code code = Code::nc_unsupported;
+  if (function.group == GGroup::spatial_circle && reading.state.mode().active())
+    code = Code::spatial_circle_while_active;
+  else if (function.group == GGroup::spatial_circle && reading.state.just_deselected())
+    code = Code::spatial_circle_after_deselection;
+  TextFault fault{
+      .code = code, .begin = word.begin, .detail = named(function, ", ").append(function.meaning)};
+  if (function.number == 21) fault.slip = {.kind = SlipKind::unit_of_another, .instead = "G71"};
+  return reading.refuse(line, fault);
+}
+
+bool read_g_function(Reading& reading, const Word& word, ProgramLine& line, BlockWords& block) {
+  const GFunction* function =
+      word.has_argument || word.whole ? find_g_function(word.value) : nullptr;
+  if (function == nullptr) return read_unknown_function(reading, word, line, block);
   const GGroup group = function->group;
   reading.isg_word_seen |= is_of_isg_alone(group);
   reading.gcode.seen.lathe |= function->number == 96;
@@ -130,11 +150,8 @@ bool read_g_function(Reading& reading, const Word& word, ProgramLine& line, Bloc
                                     .begin = word.begin,
                                     .detail = "G20, inch in fanuc and linuxcnc",
                                     .slip = {.kind = SlipKind::unit_of_another, .instead = "G70"}});
-  const auto named = [&](std::string_view why) {
-    return std::string("G").append(std::to_string(function->number)).append(why);
-  };
   if (function->number == 301 || function->number == 302) {
-    block.isg.corner = named(function->number == 301 ? ", chamfer" : ", rounding");
+    block.isg.corner = named(*function, function->number == 301 ? ", chamfer" : ", rounding");
     block.isg.corner_begin = word.begin;
     block.isg.corner_has_i_word = true;
     add(line, word, WordRole::technology);
@@ -142,22 +159,13 @@ bool read_g_function(Reading& reading, const Word& word, ProgramLine& line, Bloc
   }
   // G80 … G89 alone: passing_calls.cpp.
   const bool calls = group == GGroup::single_move && function->number / 10 == 8;
-  if (group == GGroup::refused || group == GGroup::spatial_circle || calls) {
-    Code code = Code::nc_unsupported;
-    if (group == GGroup::spatial_circle && reading.state.mode().active())
-      code = Code::spatial_circle_while_active;
-    else if (group == GGroup::spatial_circle && reading.state.just_deselected())
-      code = Code::spatial_circle_after_deselection;
-    TextFault fault{
-        .code = code, .begin = word.begin, .detail = named(", ").append(function->meaning)};
-    if (function->number == 21) fault.slip = {.kind = SlipKind::unit_of_another, .instead = "G71"};
-    return reading.refuse(line, fault);
-  }
+  if (group == GGroup::refused || group == GGroup::spatial_circle || calls)
+    return refuse_function(reading, word, *function, line);
   if (group == GGroup::zero_shift && reading.contour_open() &&
       reading.gcode.coordinates.work_offset != function->tenths())
     return reading.refuse(
         line, word, Code::nc_unsupported,
-        named(reading.trc_active() ? " while TRC is active" : behind_lost_retract));
+        named(*function, reading.trc_active() ? " while TRC is active" : behind_lost_retract));
   constexpr int homing = 74;
   block.isg.homes |= function->number == homing;
   const bool may_have_argument = group == GGroup::zero_shift || group == GGroup::technology ||
@@ -362,16 +370,15 @@ bool take_isg_corner(Reading& reading, ProgramLine& line, BlockWords& block) {
   return true;
 }
 
-bool check_isg_block(Reading& reading, ProgramLine& line, BlockWords& block) {
+namespace {
+
+// Words that may not stand in one block, or look like those of another dialect.
+bool check_isg_words(Reading& reading, const ProgramLine& line, const BlockWords& block) {
   using enum GGroup;
   const auto wrong = [&](Code code, const BlockWords::Function& function, const char* why) {
     return reading.refuse(
         line,
-        TextFault{
-            .code = code,
-            .begin = function.begin,
-            .detail =
-                std::string("G").append(std::to_string(function.function->number)).append(why)});
+        TextFault{.code = code, .begin = function.begin, .detail = named(*function.function, why)});
   };
   if (block.isg.passed_function && (block.axis || block.center))
     return reading.refuse(line,
@@ -405,6 +412,14 @@ bool check_isg_block(Reading& reading, ProgramLine& line, BlockWords& block) {
                                             .begin = g52->begin,
                                             .detail = "G52 with axis words"});
   }
+  return true;
+}
+
+}  // namespace
+
+bool check_isg_block(Reading& reading, ProgramLine& line, BlockWords& block) {
+  using enum GGroup;
+  if (!check_isg_words(reading, line, block)) return false;
   // The retract of a mill may lift it.
   const AxisBits retracting = block.deselects() ? main_axis_bit(2) : AxisBits{0};
   note_axes(reading, static_cast<AxisBits>(block.named_axes() & ~retracting));
@@ -426,7 +441,10 @@ bool check_isg_block(Reading& reading, ProgramLine& line, BlockWords& block) {
   if (!copy_thread(reading, line, block)) return false;
   const bool preset = block.of(zero_shift).is(92);
   if (preset && (block.has(motion) || block.center || block.move.radius))
-    return wrong(Code::nc_unsupported, block.of(zero_shift), " with a motion");
+    return reading.refuse(
+        line, TextFault{.code = Code::nc_unsupported,
+                        .begin = block.of(zero_shift).begin,
+                        .detail = named(*block.of(zero_shift).function, " with a motion")});
   return check_feed(reading, line, block) && take_tool_data(reading, line, block);
 }
 
