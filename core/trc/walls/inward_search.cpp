@@ -197,8 +197,8 @@ class InwardSearch {
   // Calls visit(place, place) along two ways, at the ends of their blocks and between these, as
   // long as it returns true. Returns whether it always has.
   template <class Visit>
-  bool go_together(ContourPlace begin, double later, ContourPlace end, double on,
-                   const Visit& visit) const {
+  [[nodiscard]] bool go_together(ContourPlace begin, double later, ContourPlace end, double on,
+                                 const Visit& visit) const {
     const auto go_on_together = [&](double share) {
       go_on(begin, later, share);
       go_on(end, on, share);
