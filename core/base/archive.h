@@ -52,10 +52,10 @@ void serialize(Archive& archive, Slip& slip) {
 // waits, and without the texts of another sender.
 template <class Archive>
 void serialize(Archive& archive, Diagnostic& diagnostic) {
-  auto& [code, severity, source, column, detail, values, point, calls, found_together, entry_help,
-         slip, inch, language, words, texts] = diagnostic;
-  archive(code, severity, source, column, detail, values, point, calls, found_together, slip, inch,
-          language, words);
+  auto& [code, severity, source, column, detail, values, point, calls, found_together, told_after,
+         entry_help, slip, inch, language, words, texts] = diagnostic;
+  archive(code, severity, source, column, detail, values, point, calls, found_together, told_after,
+          slip, inch, language, words);
 }
 
 }  // namespace trc

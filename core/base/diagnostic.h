@@ -185,6 +185,9 @@ struct Diagnostic {
   // The subprogram it is in, what calls it, and so on out to the program; empty in the program.
   std::vector<CallPlace> calls{};
   bool found_together = false;  // one of several errors of one run
+  // The Source::index of the item that it is told after, where that comes after its own place: an
+  // earlier word is at fault, which only that item needs.
+  std::optional<std::uint64_t> told_after{};
   // Proposals in place of a selection or deselection block that was refused; only with such an
   // error.
   std::shared_ptr<const EntryHelp> entry_help{};

@@ -16,6 +16,10 @@ CompensatorSetup compensator_setup(const SessionSetup& setup) {
   return result;
 }
 
+std::uint64_t item_of(const Diagnostic& found) {
+  return found.told_after.value_or(found.source.index);
+}
+
 }  // namespace
 
 ProgramSetup program_setup(const SessionSetup& setup) {
@@ -55,9 +59,9 @@ void PathSession::work_off(std::uint64_t end, Answers& out) {
   const std::uint64_t tell_before = found_.stopped() ? end : std::min(end, held_from);
   const std::uint64_t compensated_before = std::min(end, held_from);
   std::size_t told = 0;
-  while (told < to_tell_.size() && to_tell_[told].source.index < tell_before) {
+  while (told < to_tell_.size() && item_of(to_tell_[told]) < tell_before) {
     Diagnostic& next = to_tell_[told++];
-    const std::uint64_t item = next.source.index;
+    const std::uint64_t item = item_of(next);
     compensate_before(std::min(item, compensated_before), out);
     // If no contour is open, all blocks given before an error are certain (D-144).
     if (next.severity == Severity::error && !program_.contour_open()) this->end(out);

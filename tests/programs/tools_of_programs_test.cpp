@@ -47,6 +47,32 @@ TEST(MissingTool, IsToldBehindTheSameOutputHoweverTheTextIsCut) {
     EXPECT_EQ(ran.text, before) << piece;
     EXPECT_EQ(ran.codes(), "900013 at line 1") << piece;
   }
+  // Of two tools that one radius cannot serve, the second is told where its contour needs it.
+  const std::string wall = "Y40.\nG40 X-20.\n";
+  const std::string second = "T2 M6\nS900\nG0 X-20. Y0.\n";
+  for (const std::size_t piece : {0U, 1U, 7U, 30U}) {
+    const ProgramRun ran = to_text(
+        "T1 M6\nG0 X-20. Y0.\nG41 G1 X0. F300.\n" + wall + second + "G41 G1 X0.\n" + wall + "M30\n",
+        setup_of(fanuc), piece);
+    EXPECT_TRUE(ran.text.ends_with(second)) << piece << '\n' << ran.text;
+    EXPECT_EQ(ran.codes(), "900013 at line 6") << piece;
+  }
+}
+
+// The chain of calls is that of the word, not of the contour.
+TEST(MissingTool, IsToldWithTheCallThatItStandsIn) {
+  const ProgramSessionSetup setup = [] {
+    ProgramSessionSetup given = computing_setup(isg, 0);
+    given.session.program.tools = {{1, ToolRow(2)}};
+    return given;
+  }();
+  const ProgramRun ran = to_text(
+      "%L TOOLS\nN2 T3 D3\nM17\n%MAIN\nN10 G00 X-20 Y-20\nN20 LL TOOLS\nN30 G41 G01 X0 Y0 F300\n"
+      "N40 Y50\nN50 G40 X-20\nM30\n",
+      setup);
+  ASSERT_EQ(ran.codes(), "900013 at line 2");
+  ASSERT_EQ(ran.diagnostics.front().calls.size(), 1U);
+  EXPECT_EQ(ran.diagnostics.front().calls.front().subprogram, "TOOLS");
 }
 
 // How far the tool is from the wall of the last contour; -1: it was refused.

@@ -5,9 +5,6 @@
 
 namespace trc {
 
-// Enters each word into `block`.
-bool read_isg_words(Reading& reading, ProgramLine& line, BlockWords& block);
-
 // Checks the words of a block together: which need another word, which must stand alone, and where
 // axis letters are no positions.
 bool check_isg_block(Reading& reading, ProgramLine& line, BlockWords& block);

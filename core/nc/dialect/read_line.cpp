@@ -9,6 +9,7 @@
 #include "core/nc/dialect/gcode_block_words.h"
 #include "core/nc/dialect/heidenhain.h"
 #include "core/nc/dialect/isg_block.h"
+#include "core/nc/dialect/isg_block_words.h"
 #include "core/nc/dialect/isg_command.h"
 #include "core/nc/dialect/klartext_block.h"
 #include "core/nc/dialect/klartext_labels.h"

@@ -136,6 +136,7 @@ bool Reading::is_within_slip(const Diagnostic& found) const {
 bool Reading::refuse_at(const WordPlace& place, Code code, std::string detail) {
   Diagnostic refused = diagnostic(code, place.source, std::move(detail));
   refused.column = place.column;
+  refused.told_after = blocks_read;
   return collect(std::move(refused));
 }
 
@@ -188,7 +189,8 @@ bool Reading::collect(Diagnostic fault) {
                     .last_line = fault.source.line,
                     .calls = fault.calls.empty() ? diagnostics.calls().of(fault.source.index)
                                                  : std::move(fault.calls),
-                    .values = std::move(fault.values)});
+                    .values = std::move(fault.values),
+                    .told_after = fault.told_after});
   return faults.size() >= limits.most_faults && report_faults();
 }
 
@@ -208,6 +210,7 @@ std::vector<Diagnostic> Reading::told_faults() const {
     found.slip = fault.slip;
     found.calls = fault.calls;
     found.values = fault.values;
+    found.told_after = fault.told_after;
     if (fault.lines > 1) found.values.push_back({"lines", static_cast<double>(fault.lines)});
     all.push_back(std::move(found));
   }

@@ -44,10 +44,11 @@ struct Reading {
     // Only for programs that compute, whose state is never saved while they are executed.
     std::vector<CallPlace> calls{};
     std::vector<DiagnosticValue> values{};
+    std::optional<std::uint64_t> told_after{};
 
     template <class Archive>
     void serialize(Archive& archive) {
-      archive(code, source, column, detail, slip.kind, slip.instead, lines, last_line);
+      archive(code, source, column, detail, slip.kind, slip.instead, lines, last_line, told_after);
     }
   };
 

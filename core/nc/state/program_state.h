@@ -47,6 +47,9 @@ inline constexpr int last_motion_function = 3;
 [[nodiscard]] constexpr MotionKind motion_of_function(int g_number) {
   return static_cast<MotionKind>(g_number);
 }
+[[nodiscard]] constexpr bool is_circle(MotionKind kind) {
+  return kind == MotionKind::clockwise || kind == MotionKind::counter_clockwise;
+}
 
 // One programmed motion before position, plane and circle rules are applied.
 // Main axes in the order X Y Z and I J K, mm. An absent coordinate keeps its value.
@@ -275,6 +278,9 @@ class ProgramState {
   }
 
  private:
+  static constexpr std::array<const char*, 3> axis_words{"X", "Y", "Z"};
+
+  // known_position.cpp
   void forget_what_stands_beside(const Source& source);
   void forget_axis(std::size_t axis, const Source& source, Unknown why);
   bool report(const Source& source, Code code, std::string detail = {},
