@@ -65,6 +65,13 @@ inline ProgramSessionSetup computing_setup(DialectName name, double tool_radius 
   return setup;
 }
 
+// With the tool 1.
+inline ProgramSessionSetup setup_with_tool(DialectName name, double tool_radius = 2) {
+  ProgramSessionSetup setup = computing_setup(name, tool_radius);
+  setup.session.program.tools = {{1, ToolRow(tool_radius)}};
+  return setup;
+}
+
 // The flat program: the output of a program in which nothing is compensated.
 inline std::string flat_of(const std::string& text, const ProgramSessionSetup& setup) {
   const ProgramRun ran = to_text(text, setup);

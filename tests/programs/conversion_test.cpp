@@ -401,17 +401,19 @@ TEST(Conversion, LeavesOutTheRegisterOfTheRadiusAlone) {
   }
 }
 
+// What is told of the converted program, and its text; T1 and T2 have a radius.
+std::string to(const std::string& text, DialectName from, DialectName other) {
+  ProgramSetup setup;
+  setup.dialect = from;
+  setup.decimals = 3;
+  setup.tools = {{1, 5.0}, {2, 5.0}};
+  const ConvertedProgram written = convert_program(text, setup, other);
+  return told(written) + written.text;
+}
+
 // The length of a tool is in force where it was, by the word that the other control has for it.
 TEST(Conversion, KeepsTheLengthOfTheTool) {  // D-94
   const std::string by_d = "T1 M6\nD1\nS1000 M3\nG0 X-20 Y-20\nZ5\nG1 Z-5 F100\nM30\n";
-  const auto to = [](const std::string& text, DialectName from, DialectName other) {
-    ProgramSetup setup;
-    setup.dialect = from;
-    setup.decimals = 3;
-    setup.tools = {{1, 5.0}, {2, 5.0}};
-    const ConvertedProgram written = convert_program(text, setup, other);
-    return told(written) + written.text;
-  };
   using enum DialectName;
   EXPECT_EQ(to(by_d, sinumerik, fanuc),
             "G17 G21 G40 G90 G94\nT1 M6\nS1000 M3\nG00 X-20. Y-20.\nG00 Z5. G43 H1\n"
@@ -447,14 +449,6 @@ TEST(Conversion, KeepsTheLengthOfTheTool) {  // D-94
 // Where a length comes with its tool, a motion across the plane has none unless the program does.
 TEST(Conversion, PutsNoLengthInForceThatTheProgramHasNot) {  // D-94
   using enum DialectName;
-  const auto to = [](const std::string& text, DialectName from, DialectName other) {
-    ProgramSetup setup;
-    setup.dialect = from;
-    setup.decimals = 3;
-    setup.tools = {{1, 5.0}, {2, 5.0}};
-    const ConvertedProgram written = convert_program(text, setup, other);
-    return told(written) + written.text;
-  };
   const std::string head = "G17 G71 G40 G90 G94\nT1 M6\n";
   const std::string without = "T1 M6\nG49\nG0 X0 Y0 Z10.\nZ5.\nM30\n";
   EXPECT_EQ(to(without, fanuc, sinumerik), head + "D0\nG00 X0 Y0 Z10\nG00 Z5\nM30\n");

@@ -15,12 +15,6 @@ namespace {
 
 using enum DialectName;
 
-ProgramSessionSetup setup_of(DialectName dialect) {
-  ProgramSessionSetup setup = computing_setup(dialect, 2);
-  setup.session.program.tools = {{1, ToolRow(2)}};
-  return setup;
-}
-
 std::string contour_behind(DialectName dialect, const std::string& text) {
   const bool fanuc_words = dialect == fanuc;
   const std::string head = fanuc_words ? "G21 G17 G90 G40 G54\nT1 M6\nG0 X0. Y0.\n"
@@ -33,7 +27,7 @@ std::string contour_behind(DialectName dialect, const std::string& text) {
 }
 
 std::pair<int, unsigned> of_contour(DialectName dialect, const std::string& text) {
-  return refusal_of(contour_behind(dialect, text), setup_of(dialect));
+  return refusal_of(contour_behind(dialect, text), setup_with_tool(dialect));
 }
 
 // A rounding or a chamfer of ISG cuts a corner of lines that are copied, and leaves their ends. In
@@ -44,19 +38,19 @@ TEST(Unfollowed, AreCornersOfIsg) {
   for (const std::string corner : {"G302 I5\nG01 Y50\n", "G301 I5 F200\nY50\n", "#RND=5\nY50\n",
                                    "X60 #CHR=5\nY50\n", "G302 I5 #FRC=100\nY50\n"}) {
     const std::string lines = head + corner + "G91 X-50\nG90\n";
-    EXPECT_EQ(refusal_of(lines + contour, setup_of(isg)).first, 0) << corner;
-    EXPECT_EQ(flat_of(lines + "M30\n", setup_of(isg)), lines + "M30\n");
+    EXPECT_EQ(refusal_of(lines + contour, setup_with_tool(isg)).first, 0) << corner;
+    EXPECT_EQ(flat_of(lines + "M30\n", setup_with_tool(isg)), lines + "M30\n");
     EXPECT_EQ(refusal_of(head + "Y0\n" + corner.substr(0, corner.find('\n') + 1) + contour,
-                         setup_of(isg)),
+                         setup_with_tool(isg)),
               std::pair(900003, 5U))
         << corner;
   }
-  EXPECT_EQ(refusal_of(head + "G302 I5 X9\nM30\n", setup_of(isg)), std::pair(900003, 4U));
+  EXPECT_EQ(refusal_of(head + "G302 I5 X9\nM30\n", setup_with_tool(isg)), std::pair(900003, 4U));
   for (const std::string corner : {"G302 I5", "#RND=5", "X20 #CHR=5", "#CONTOUR BEGIN[ID=1]",
                                    "#ROTATION ON [ANGLE=30]", "#OTC ON"})
-    EXPECT_EQ(
-        refusal_of(head + "G41 X0 Y0\nY40\n" + corner + "\nX20\nG40 X-20\nM30\n", setup_of(isg)),
-        std::pair(900003, 6U))
+    EXPECT_EQ(refusal_of(head + "G41 X0 Y0\nY40\n" + corner + "\nX20\nG40 X-20\nM30\n",
+                         setup_with_tool(isg)),
+              std::pair(900003, 6U))
         << corner;
 }
 
@@ -65,7 +59,9 @@ TEST(Unfollowed, IsTheContourOfACycleOfIsg) {
   const std::string head = "G71 G17 G90 D1\nG00 X-20 Y0\n#CONTOUR BEGIN[ID=1]\n";
   const std::string lines = "G01 X25 Y25 F500\nG302 I5\nG02 X30 Y20 R5\n";
   const std::string contour = "G41 G01 X0 Y0\nY40\nG40 X-20\nM30\n";
-  const auto refused = [&](const std::string& text) { return refusal_of(text, setup_of(isg)); };
+  const auto refused = [&](const std::string& text) {
+    return refusal_of(text, setup_with_tool(isg));
+  };
   EXPECT_EQ(refused(head + lines + "#CONTOUR END\nG00 X-20 Y0\n" + contour).first, 0);
   EXPECT_EQ(refused(head + lines + "#CONTOUR END\nG91 X5\nG90\n" + contour).first, 900106);
   EXPECT_EQ(refused(head + lines + contour), std::pair(900003, 7U));
@@ -91,9 +87,9 @@ TEST(Unfollowed, LastsUpToItsOwnEndInFanuc) {  // D-112
       }
   // What it is stands there in both languages.
   for (const std::string mode : {"G43.1 H1", "G43.5 H1", "G234 H1", "G112"})
-    EXPECT_TRUE(to_text(contour_behind(fanuc, mode), setup_of(fanuc)).stopped) << mode;
+    EXPECT_TRUE(to_text(contour_behind(fanuc, mode), setup_with_tool(fanuc)).stopped) << mode;
   for (const auto& [mode, own_ends] : modes)
-    EXPECT_TRUE(to_text(contour_behind(fanuc, mode), setup_of(fanuc)).stopped) << mode;
+    EXPECT_TRUE(to_text(contour_behind(fanuc, mode), setup_with_tool(fanuc)).stopped) << mode;
   // Two functions in one line, in either order, and one within the other.
   EXPECT_EQ(of_contour(fanuc, "G51 X0 Y0 P2.\nG16\nG15 G50").first, 0);
   EXPECT_EQ(of_contour(fanuc, "G51 X0 Y0 P2.\nG16\nG50 G15").first, 0);
@@ -237,10 +233,10 @@ TEST(Unfollowed, IsAnIncrementFromAHeightThatIsNotKnown) {
     const std::string text =
         "G21 G90 G17\nT1 M6\nG91 G0 X-10. Z-5.\nG90 G0 X-20. Y0. Z2.\nG41 D1 G1 X0. F100.\n"
         "Y40.\nG40 X-20.\nM30\n";
-    EXPECT_EQ(refusal_of(text, setup_of(dialect)).first, 0)
-        << to_text(text, setup_of(dialect)).report();
+    EXPECT_EQ(refusal_of(text, setup_with_tool(dialect)).first, 0)
+        << to_text(text, setup_with_tool(dialect)).report();
     const std::string counted = "G21 G90 G17\nT1 M6\nG91 G0 X-10. Z-5.\nX5.\nG90\nM30\n";
-    EXPECT_EQ(refusal_of(counted, setup_of(dialect)), std::pair(900106, 4U));
+    EXPECT_EQ(refusal_of(counted, setup_with_tool(dialect)), std::pair(900106, 4U));
   }
 }
 
@@ -248,7 +244,7 @@ TEST(Unfollowed, IsAnIncrementFromAHeightThatIsNotKnown) {
 TEST(Unfollowed, IsToldByTheChangeOfItsOwnAxis) {
   const std::string text =
       "G21 G90 G17\nG0 X0. Y0. Z5.\nG53 G0 X0.\nT1 M6\nG91 G1 X5. F100.\nM30\n";
-  const ProgramRun ran = to_text(text, setup_of(fanuc));
+  const ProgramRun ran = to_text(text, setup_with_tool(fanuc));
   ASSERT_TRUE(ran.stopped);
   EXPECT_TRUE(ran.diagnostics.front().detail.starts_with("X, unknown since the change in line 3"))
       << ran.report();
@@ -259,14 +255,14 @@ TEST(Unfollowed, IsTheAxisAloneWhoseWordHasAVariable) {
   const auto behind = [](const std::string& line) {
     return refusal_of(
         "G71 G17 G90\nT1 D1\nG0 X-20 Y0 Z5\n" + line + "\nG41 G1 X0 F100\nY40\nG40 X-20\nM30\n",
-        setup_of(sinumerik));
+        setup_with_tool(sinumerik));
   };
   EXPECT_EQ(behind("G0 Z=TIEFE").first, 0);
   EXPECT_EQ(behind("G1 Z=R1 F100").first, 0);
   EXPECT_EQ(behind("G0 X=TIEFE"), std::pair(900106, 5U));
   EXPECT_EQ(behind("G0 Y=TIEFE"), std::pair(900106, 5U));
   const ProgramRun ran =
-      to_text("G71 G90\nT1 D1\nG0 X0 Y0\nX=TIEFE\nG41 G1 Y9 F9\nM30\n", setup_of(sinumerik));
+      to_text("G71 G90\nT1 D1\nG0 X0 Y0\nX=TIEFE\nG41 G1 Y9 F9\nM30\n", setup_with_tool(sinumerik));
   ASSERT_TRUE(ran.stopped);
   EXPECT_TRUE(ran.diagnostics.front().detail.starts_with("X, unknown since the variable in line 4"))
       << ran.report();

@@ -11,14 +11,8 @@ namespace {
 
 using enum DialectName;
 
-ProgramSessionSetup tool_in_force(DialectName dialect) {
-  ProgramSessionSetup setup = computing_setup(dialect, 2);
-  setup.session.program.tools = {{1, ToolRow(2)}};
-  return setup;
-}
-
 int code_of(DialectName dialect, const std::string& text) {
-  return refusal_of(text, tool_in_force(dialect)).first;
+  return refusal_of(text, setup_with_tool(dialect)).first;
 }
 
 std::string lines(const std::string& approach) {
@@ -35,13 +29,13 @@ TEST(UnknownStart, LeavesADirectApproachAsItIs) {
                                         {sinumerik, "ATRANS X10 Y20\n"},
                                         {sinumerik, "ROT RPL=30\n"}}) {
     const std::string contour = lines("G41 D1 G0 X0. Y-10.\n");
-    EXPECT_EQ(flat_of(head + change + "G0 X-20. Y-10.\n" + contour, tool_in_force(dialect)),
+    EXPECT_EQ(flat_of(head + change + "G0 X-20. Y-10.\n" + contour, setup_with_tool(dialect)),
               head + change + "G0 X-20. Y-10.\n" +
-                  flat_of(head + "G0 X-20. Y-10.\n" + contour, tool_in_force(dialect))
+                  flat_of(head + "G0 X-20. Y-10.\n" + contour, setup_with_tool(dialect))
                       .substr(head.size() + std::string("G0 X-20. Y-10.\n").size()))
         << change;
-    EXPECT_EQ(flat_of(head + change + contour, tool_in_force(dialect)),
-              head + change + flat_of(head + contour, tool_in_force(dialect)).substr(head.size()))
+    EXPECT_EQ(flat_of(head + change + contour, setup_with_tool(dialect)),
+              head + change + flat_of(head + contour, setup_with_tool(dialect)).substr(head.size()))
         << change;
   }
 }
@@ -51,8 +45,9 @@ TEST(UnknownStart, LeavesTheApproachOfKlartextAsItIs) {
   const std::string shift = "CYCL DEF 7.0 DATUM SHIFT\nCYCL DEF 7.1 X+10\nCYCL DEF 7.2 Y+5\n";
   const std::string contour =
       "L X+0 Y-10 RL FMAX\nL Z-5 F200\nL Y+40\nL X+30\nL Y+0\nL X+60 R0\nM30\n";
-  EXPECT_EQ(flat_of(head + shift + contour, tool_in_force(heidenhain)),
-            head + shift + flat_of(head + contour, tool_in_force(heidenhain)).substr(head.size()));
+  EXPECT_EQ(
+      flat_of(head + shift + contour, setup_with_tool(heidenhain)),
+      head + shift + flat_of(head + contour, setup_with_tool(heidenhain)).substr(head.size()));
 }
 
 TEST(UnknownStart, IsRefusedWhereTheApproachDependsOnIt) {

@@ -21,9 +21,8 @@ std::optional<Refusal> ProgramState::check_circle_words(const MoveRequest& reque
             "an arc directly after G40 under G239, where the tool stands at the compensated point",
         .point = standing_point()};
   const PlaneAxes axes = axes_of(mode_.plane);
-  // Some write all three, with 0 for the one across the plane.
-  const double standing = absolute_center_ ? position_[axes.third] : 0;
-  if (request.center[axes.third].value_or(standing) != standing)
+  // 0 is no pitch, nor a centre that lies elsewhere (D-87).
+  if (request.center[axes.third].value_or(0) != 0)
     return Refusal{.code = Code::nc_unsupported, .detail = center_words[axes.third]};
   const bool has_center = request.center[axes.first] || request.center[axes.second];
   if (has_center && request.radius) return Refusal{.code = Code::center_and_radius_together};

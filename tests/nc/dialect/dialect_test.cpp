@@ -113,6 +113,9 @@ TEST(Dialect, AHelixTravelsAcrossThePlane) {
 // As programs of CAM systems have it that write all three words.
 TEST(Dialect, ACentreMayHaveNothingAcrossThePlane) {
   EXPECT_EQ(last_arc(read("G17 X0 Y0 Z7\nG02 X10 I5 J0 K0")).center, Point(5, 0));
+  const std::string contour = "G17 X0 Y0 Z7\nG41 G01 X10\nG02 X20 I5 J0 ";
+  EXPECT_EQ(last_arc(read(contour + "K0")).center, Point(15, 0));
+  EXPECT_EQ(read(contour + "K7").code(), Code::nc_unsupported);
 }
 
 TEST(Dialect, ARadiusWordGivesTheShorterOrTheLongerArc) {
