@@ -3,6 +3,7 @@
 #include <chrono>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -36,7 +37,7 @@ struct Call {
   unsigned jobs = 1;
   std::string format = "nc";
   std::string output;
-  std::uint32_t decimals = 4;
+  std::optional<std::uint32_t> decimals{};  // nothing: as the program has them
   std::string record;
   std::string to;
   bool force = false;
@@ -61,7 +62,7 @@ bool may_write(const Call& call) {
 bool setup_for(const Call& call, v1::ProgramSetup& setup) {
   if (!setup_of(call.program, setup)) return false;
   report_clearance(setup);
-  setup.set_decimals(call.decimals);
+  if (call.decimals) setup.set_decimals(*call.decimals);
   return true;
 }
 
@@ -214,9 +215,12 @@ void add_output_options(CLI::App& command, Call& call) {
                      "File to write, else standard output. An NC program appears there, too, only "
                      "when all of it was compensated");
   command.add_flag("--force", call.force, "Let -o replace the program itself");
-  command.add_option("--decimals", call.decimals, "Decimal places of coordinates, 1 to 8")
-      ->check(CLI::Range(1, 8))
-      ->capture_default_str();
+  command
+      .add_option(
+          "--decimals", call.decimals,
+          "Decimal places of coordinates, 1 to 8; in an NC program 4, or those of the program "
+          "where it has more")
+      ->check(CLI::Range(1, 8));
 }
 
 // Returns the option that names the folder.

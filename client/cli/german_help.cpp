@@ -129,7 +129,11 @@ constexpr auto rows = std::to_array<Row>({
      "Zieldatei, sonst Standardausgabe. Ein NC-Programm erscheint auch dort erst, wenn "
      "es ganz korrigiert ist"},
     {"Let -o replace the program itself", "-o darf das Programm selbst ersetzen"},
-    {"Decimal places of coordinates, 1 to 8", "Nachkommastellen der Koordinaten, 1 bis 8"},
+    {"Decimal places of coordinates, 1 to 8; in an NC program 4, or those of the program where it "
+     "has "
+     "more",
+     "Nachkommastellen der Koordinaten, 1 bis 8; in einem NC-Programm 4, oder so viele, wie das "
+     "Programm hat, wenn das mehr sind"},
     {"Dialect to write: motions, feeds, M, S and T in its words, absolute and in mm. A "
      "program that says more is refused by the word",
      "Dialekt der Ausgabe: Wege, Vorschübe, M, S und T in seinen Wörtern, absolut und "

@@ -1,6 +1,7 @@
 #include "client/cli/result_text.h"
 
 #include "core/nc/state/program_state.h"
+#include "core/nc/text/number_format.h"
 #include "core/trc/result/listing.h"
 #include "proto/wire/compensated_block.h"
 
@@ -19,7 +20,7 @@ ResultText::ResultText(const std::string& format, v1::ProgramSetup& setup)
     : as_json_(format == "jsonl"),
       as_nc_(format == "nc"),
       axes_(axis_names(setup)),
-      decimals_(static_cast<int>(setup.decimals())) {
+      decimals_(setup.has_decimals() ? static_cast<int>(setup.decimals()) : default_decimals) {
   setup.set_output(as_nc_ ? v1::PROGRAM_OUTPUT_NC : v1::PROGRAM_OUTPUT_BLOCKS);
 }
 

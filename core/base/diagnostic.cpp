@@ -291,6 +291,11 @@ constexpr auto rows = std::to_array<CodeRow>({
      "the approach or the retract leads through the contour",
      "Start from the side of the contour the tool runs on, leave to that side, or lift the tool "
      "before it crosses."},
+    {Code::line_beyond_control, error, "LINE_BEYOND_CONTROL",
+     "the control does not take a line as long as this one would be in the result, or a number of "
+     "so many digits",
+     "Divide the words of the line, or shorten its comment; where it is a number, write fewer "
+     "decimals (decimals)."},
     {Code::too_many_lines_executed, error, "TOO_MANY_LINES_EXECUTED",
      "more lines are executed than allowed",
      "Look for a loop that never ends. A program that is meant to be so long needs a larger "

@@ -118,6 +118,7 @@ enum class Code : std::int32_t {
   machine_compensates = 900227,
   given_value_kept = 900228,
   way_crosses_contour = 900229,
+  line_beyond_control = 900235,
 
   // programs that compute
   too_many_lines_executed = 900301,

@@ -151,6 +151,22 @@ constexpr auto rows = std::to_array<Explanation>({
                 "N80 Y30\n"
                 "N90 G40 X120 Y42\n"
                 "N100 M30\n"},
+    {.code = Code::line_beyond_control,
+     .meaning = "Older controls of Fanuc take eight digits in a number, LinuxCNC 255 characters in "
+                "a line, Sinumerik 512, ISG 4000. A line that is written anew may not become "
+                "longer.",
+     .causes = {"A line of the contour has a long comment.",
+                "A position beyond 10 m has four decimals."},
+     .on_command_line = "Divide the words of the line, or shorten its comment; where it is a "
+                        "number, write fewer decimals with --decimals.",
+     .example = "G21 G90 G17\n"
+                "T1 M6\n"
+                "G0 X11980. Y-20.\n"
+                "G41 D1 G1 X12000. Y0. F300.\n"
+                "Y40.\n"
+                "G40 X11980.\n"
+                "M30\n",
+     .options = "--dialect fanuc --radius 5.1234"},
 });
 
 static_assert(std::ranges::is_sorted(rows, {}, &Explanation::code));

@@ -402,6 +402,14 @@ constexpr auto rows = std::to_array<GermanRow>({
      .title = "der An- oder Abfahrweg führt durch die Kontur",
      .help = "Auf der Seite der Kontur beginnen und enden, auf der das Werkzeug läuft, oder das "
              "Werkzeug abheben, bevor es kreuzt."},
+    {.code = Code::line_beyond_control,
+     .title =
+         "so lang, wie diese Zeile im Ergebnis würde, nimmt die Steuerung keine an, oder keine "
+         "Zahl mit so vielen Stellen",
+     .help = "Die Wörter der Zeile aufteilen oder ihren Kommentar kürzen; ist es eine Zahl, mit "
+             "weniger Nachkommastellen schreiben (decimals).",
+     .on_command_line = "Die Wörter der Zeile aufteilen oder ihren Kommentar kürzen; ist es eine "
+                        "Zahl, mit --decimals weniger Nachkommastellen schreiben."},
     {.code = Code::too_many_lines_executed,
      .title = "es werden mehr Zeilen ausgeführt als erlaubt",
      .help = "Nach einer Schleife suchen, die nie endet. Ein Programm, das so lang sein soll, "

@@ -450,6 +450,13 @@ constexpr auto rows = std::to_array<GermanExplanation>({
      .causes = {"G40 führt geradewegs zum nächsten Ort, quer durch das Teil.",
                 "Das Werkzeug beginnt auf der anderen Seite der Kontur, oder die Seite ist "
                 "falsch."}},
+    {.code = Code::line_beyond_control,
+     .meaning =
+         "Alte Steuerungen von Fanuc nehmen acht Stellen in einer Zahl, LinuxCNC 255 Zeichen "
+         "in einer Zeile, Sinumerik 512, ISG 4000. Eine Zeile, die neu geschrieben wird, "
+         "darf nicht länger werden.",
+     .causes = {"Ein langer Kommentar steht in einer Zeile der Kontur.",
+                "Eine Position über 10 m hat vier Nachkommastellen."}},
     {.code = Code::too_many_lines_executed,
      .meaning = "Schleifen, Sprüngen und Aufrufen wird gefolgt, und jede ausgeführte Zeile wird "
                 "eine Zeile des flachen Programms. Eine Grenze verhindert, dass eine Schleife "

@@ -66,6 +66,7 @@ void LinesToWriter::advance() {
     path_.advance(path_out());
   else
     path_.advance_before(next_item_, path_out());
+  if (writer_.excess()) path_.end_item(path_out());
   writer_.release_lines([this](LinePointer line) { reader_.recycle(std::move(line)); });
   if (!writes_text() && output_->blocks().size() >= Compensator::blocks_per_portion)
     output_->portion();
@@ -132,9 +133,21 @@ void LinesToWriter::end() {
   if (goes_on && writes_text()) writer_.finish(output_->text());
 }
 
+void LinesToWriter::refuse_line(const Source& source) {
+  const NcWriter::Excess& excess = *writer_.excess();
+  Diagnostic refused = diagnostic(Code::line_beyond_control, source);
+  refused.values = {{excess.of == NcWriter::Excess::Of::digits ? "digits" : "characters",
+                     static_cast<double>(excess.count)},
+                    {"limit", static_cast<double>(excess.limit)}};
+  path_.stop(std::move(refused));
+}
+
 bool LinesToWriter::write(Answer& part) {
   std::string& text = output_->text();
-  for (const CompensatedBlock& block : part.blocks) writer_.write(block, text);
+  for (const CompensatedBlock& block : part.blocks) {
+    if (!writer_.excess()) writer_.write(block, text);
+    if (writer_.excess() && !path_.diagnostics().stopped()) refuse_line(block.source);
+  }
   output_->tell(std::move(part.diagnostics));
   return output_->wanted();
 }

@@ -45,6 +45,8 @@ class LinesToWriter {
   bool release_silent_lines(const ProgramLine& line);
   bool end_program(const ProgramLine& line);
   bool write(Answer& part);
+  // The control does not take the line that the writer has just made.
+  void refuse_line(const Source& source);
   [[nodiscard]] bool writes_text() const { return form_ == Form::nc_text; }
   // The answers that the path appends to.
   [[nodiscard]] Answers& path_out() { return writes_text() ? to_writer_ : *output_; }

@@ -29,7 +29,7 @@ struct ProgramSession::Parts {
         lines(setup.session.program,
               setup.nc_text ? LinesToWriter::Form::nc_text : LinesToWriter::Form::blocks, path,
               reader) {
-    const int decimals = setup.session.program.decimals;
+    const int decimals = setup.session.program.decimals.value_or(default_decimals);
     if (decimals >= 0 && decimals < most_decimals) return;
     Diagnostic invalid = diagnostic(Code::field_invalid, {}, "decimals");
     invalid.values = {{"decimals", static_cast<double>(decimals)}};

@@ -288,8 +288,7 @@ void to_proto(const ProgramSettings& settings, v1::ProgramSetup& message) {
   if (!settings.nc_text) message.set_output(outputs.to_proto(false));
   message.set_file_name(settings.file_name);
   const ProgramSetup& program = settings.path.session.program;
-  if (program.decimals != ProgramSetup{}.decimals)
-    message.set_decimals(static_cast<std::uint32_t>(program.decimals));
+  if (program.decimals) message.set_decimals(static_cast<std::uint32_t>(*program.decimals));
   if (program.inch) message.set_unit(units.to_proto(true));
   if (program.copies_unknown_words) message.set_unknown_words(unknown_words.to_proto(true));
   message.mutable_variables()->insert(program.variables.begin(), program.variables.end());

@@ -210,7 +210,11 @@ void add_settings(const Route& route, Struct& operation) {
               "units, increments");
   add_setting(
       operation,
-      {.key = "decimals", .meaning = "decimal places of coordinates", .least = 1, .most = 8},
+      {.key = "decimals",
+       .meaning = "decimal places of coordinates; not given: 4, or those of the program where it "
+                  "has more",
+       .least = 1,
+       .most = 8},
       "a whole number");
   add_setting(operation, {.key = "name", .meaning = "name of the program in diagnostics"}, "text");
 }

@@ -169,7 +169,7 @@ void motions(benchmark::State& state) {
   require(compensator.feed(blocks, compensated));
   blocks = part().lap_blocks;
   require(compensator.feed(blocks, compensated));
-  const MotionWriter writer(4, "");
+  MotionWriter writer(4, "");
   TextBuffer text;
   WrittenState written;
   const TrackingTravel none;

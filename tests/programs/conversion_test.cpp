@@ -150,6 +150,24 @@ class PlateProgram {
   std::string text_{};
 };
 
+TEST(Conversion, HasTheDecimalsOfTheProgram) {  // D-180
+  const std::string program = "G0 X1.123456 Y2\nG1 X3.12 F100\nM30\n";
+  EXPECT_EQ(convert_program(program, {}, DialectName::linuxcnc).text,
+            "G17 G21 G40 G90 G91.1 G94\nG00 X1.123456 Y2\nG01 X3.12 F100\nM30\n");
+  EXPECT_NE(convert_program(program, {}, DialectName::heidenhain).text.find("X+1.12346"),
+            std::string::npos);
+}
+
+TEST(Conversion, RefusesWhatTheControlDoesNotTake) {  // D-180
+  const std::string comment(249, 'x');
+  const std::string end = ")\nM30\n";
+  EXPECT_EQ(told(convert_program("G0 X1\nM5 (" + comment + end, {}, DialectName::linuxcnc)), "");
+  EXPECT_EQ(told(convert_program("G0 X1\nM5 (xy" + comment + end, {}, DialectName::linuxcnc)),
+            "a line of 256 characters, of which the control takes 255 2\n");
+  EXPECT_EQ(told(convert_program("G0 X1\nX123.4\nX123.456789\nM30\n", {}, DialectName::fanuc)),
+            "a number of 9 digits, of which the control takes 8 3\n");
+}
+
 // Compensated and converted, a program is the same path in each dialect: written with 7 decimals,
 // to 1e-6 mm, whichever dialect it has been written in.
 TEST(Conversion, OfEveryPairOfDialectsIsTheSamePathTo1e6) {

@@ -321,6 +321,104 @@ TEST(Refusals, DecimalsOutOfRange) {
   }
 }
 
+ProgramSessionSetup of_dialect(DialectName dialect, double radius) {
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = dialect;
+  setup.session.program.mode.tool_radius = radius;
+  setup.session.program.mode.selection = Selection::direct;
+  return setup;
+}
+
+// The third of a millimetre shows how many decimals a number has.
+constexpr double third = 1.0 / 3;
+
+TEST(Decimals, AreThoseOfTheProgramFromItsFirstLineThatHasMore) {
+  const std::string program =
+      "G0 X-10.1234567 Y-5\nG41 G1 X0 Y0 F100\nY10.12345\nX10.1\nY0.1234567\nG40 X20\nX30.3\n";
+  const std::string wanted =
+      "G0 X-10.1234567 Y-5\nG01 X-0.3333 Y0 F100\nG01 X-0.33333 Y10.45678\n"
+      "G01 X10.43333 Y10.45678\nG01 X10.4333333 Y0.1234567\nG01 X20 Y0.1234567\nX30.3\n";
+  for (const std::size_t piece : {0U, 1U, 7U, 40U}) {
+    const ProgramRun run = to_text(program, of_dialect(DialectName::isg, third), piece);
+    EXPECT_FALSE(run.stopped) << run.report();
+    EXPECT_EQ(run.text, wanted) << piece;
+  }
+}
+
+TEST(Decimals, AreThoseOfTheSettingWhereItIsGiven) {
+  ProgramSessionSetup setup = of_dialect(DialectName::isg, third);
+  setup.session.program.decimals = 3;
+  EXPECT_EQ(to_text("G0 X-10 Y0\nG41 G1 X0.123456 F100\nY10\nG40 X-20\n", setup).text,
+            "G0 X-10 Y0\nG01 X-0.21 Y0 F100\nG01 X-0.21 Y10\nG01 X-20 Y10\n");
+}
+
+TEST(Decimals, OfAnInchAreOneMore) {
+  ProgramSessionSetup setup = of_dialect(DialectName::linuxcnc, third * mm_per_inch);
+  const std::string line = "G20 G0 X-10 Y0\nG41 G1 X0";
+  EXPECT_NE(to_text(line + " F10\nY1.12345\nG40 X-3\n", setup).text.find("X-0.33333 Y1.12345\n"),
+            std::string::npos);
+  EXPECT_NE(to_text(line + " F10\nY1.123456\nG40 X-3\n", setup).text.find("X-0.333333 Y1.123456\n"),
+            std::string::npos);
+}
+
+// A computed value has eight, which nobody wrote.
+TEST(Decimals, OfComputedValuesDoNotCount) {
+  const ProgramRun run = to_text("#1=20\nG0 X-10. Y0.\nG41 G1 X0. F100.\nY[#1/3]\nG40 X-20.\n",
+                                 of_dialect(DialectName::fanuc, third));
+  EXPECT_FALSE(run.stopped) << run.report();
+  EXPECT_EQ(run.text,
+            "G0 X-10. Y0.\nG01 X-0.3333 Y0. F100.\nG01 X-0.3333 Y6.6667\nG01 X-20. Y6.6667\n");
+}
+
+TEST(LongLines, ThatTheControlDoesNotTakeAreRefused) {
+  const std::string comment = " (" + std::string(240, 'x') + ")";
+  const std::string before = "G0 X-10 Y0" + comment + comment + "\nG41 G1 X0 F100\n";
+  const std::string line = "Y10" + comment;
+  for (const std::size_t piece : {0U, 1U, 50U}) {
+    const ProgramRun run = to_text(before + line + "\nG40 X-20\nM2\n",
+                                   of_dialect(DialectName::linuxcnc, third), piece);
+    EXPECT_EQ(run.codes(), "900235 at line 3") << piece;
+    EXPECT_EQ(run.text, before.substr(0, before.find("G41")) + "G01 X-0.3333 Y0 F100\n") << piece;
+    ASSERT_EQ(run.diagnostics.back().values.size(), 2U);
+    EXPECT_EQ(run.diagnostics.back().values[0].value, 259);  // G01 X-0.3333 Y10 and the comment
+    EXPECT_EQ(run.diagnostics.back().values[1].value, 255);
+  }
+  const ProgramRun fits =
+      to_text(before + line + "\nG40 X-20\nM30\n", of_dialect(DialectName::sinumerik, third));
+  EXPECT_FALSE(fits.stopped) << fits.report();
+}
+
+TEST(LongNumbers, ThatTheControlDoesNotTakeAreRefused) {
+  const std::string program = "G0 X11990. Y0.\nG41 G1 X12000. F100.\nY10.\nG40 X11980.\n";
+  EXPECT_EQ(to_text(program, of_dialect(DialectName::fanuc, third)).codes(), "900235 at line 2");
+  ProgramSessionSetup coarse = of_dialect(DialectName::fanuc, third);
+  coarse.session.program.decimals = 3;
+  EXPECT_FALSE(to_text(program, coarse).stopped);
+  EXPECT_FALSE(to_text(program, of_dialect(DialectName::linuxcnc, third)).stopped);
+  // The control has read such a number before.
+  EXPECT_FALSE(to_text("G0 X11990. Y0.\nG41 G1 X12000.1234 F100.\nY10.\nG40 X11980.\n",
+                       of_dialect(DialectName::fanuc, third))
+                   .stopped);
+}
+
+TEST(Decimals, OfHeidenhainAreFiveAtMost) {
+  const ProgramRun run = to_text(
+      "BEGIN PGM A MM\nL X-10 Y+0 FMAX\nL X+0 RL F100\nL Y+10.1234567\nL X-20 R0\nEND PGM A MM\n",
+      of_dialect(DialectName::heidenhain, third));
+  EXPECT_NE(run.text.find("L X-0.33333 Y+10.12346"), std::string::npos) << run.text;
+}
+
+// A feed that is computed has fewer decimals before it has too many digits.
+TEST(LongNumbers, AFeedIsRounded) {
+  ProgramSessionSetup setup = of_dialect(DialectName::fanuc, third);
+  setup.session.program.mode.feed_adaptation = FeedAdaptation::on;
+  setup.session.program.mode.transition = Transition::circular;
+  const ProgramRun run = to_text(
+      "G0 X-10. Y0.\nG41 G1 X0. F12345.\nY10.\nG3 X-7. Y17. I-7. J0.\nG40 G1 X-20.\n", setup);
+  EXPECT_FALSE(run.stopped) << run.report();
+  EXPECT_NE(run.text.find("F11757.143\n"), std::string::npos) << run.text;
+}
+
 TEST(Memory, LinesThatGiveNoBlockDoNotPileUp) {
   ProgramSession session({});
   std::string written;

@@ -151,7 +151,7 @@ TEST(Setup, EmptyMessageMeansTheInitialState) {
   EXPECT_EQ(read.path.session.compensator.limits.passive_blocks, Limits{}.passive_blocks);
   EXPECT_EQ(read.path.response_layout, Layout::blocks);
   EXPECT_TRUE(read.nc_text);
-  EXPECT_EQ(read.path.session.program.decimals, 4);
+  EXPECT_EQ(read.path.session.program.decimals, std::nullopt);
 }
 
 // A double would show other digits of the first, and the bounds of any double for the second.

@@ -46,6 +46,7 @@ class Conversion {
  private:
   bool write_line(const ProgramLine& line, std::vector<Block>& blocks);
   void write_text(const std::string& text, RoleSet roles = 0);
+  void note_excess(const NcWriter::Excess& excess);
   bool write_tool(const ProgramLine& line, PlainWords& words);
   bool take_length(const ProgramLine& line, const PlainWords& words);
   bool check_length_of_motion(const ProgramLine& line, const std::vector<Block>& blocks);
@@ -87,6 +88,8 @@ class Conversion {
   std::int64_t length_taken_ = 0;
   bool has_feed_ = false;
   bool ended_ = false;
+  std::uint32_t line_ = 1;  // of the given program, which is being written
+  std::optional<ConvertedProgram::Fault> too_long_{};
 };
 
 LinePointer Conversion::new_line() {
@@ -105,6 +108,8 @@ void Conversion::write_text(const std::string& text, RoleSet roles) {
   LinePointer line = new_line();
   line->text = text;
   line->roles = roles;
+  if (text.size() > to_.limits.characters)
+    note_excess({.count = text.size(), .limit = to_.limits.characters});
   writer_.take(std::move(line), {});
 }
 
@@ -286,12 +291,25 @@ bool Conversion::write_motions(const ProgramLine& line, const std::vector<Block>
     has_feed_ |= motion.feed > 0;
   }
   meaning.end = place_;
+  writer_.follow_decimals(line);
   writer_.take(std::move(written), meaning);
   for (const CompensatedBlock& motion : motions) writer_.write(motion, result_.text);
+  if (writer_.excess()) note_excess(*writer_.excess());
   return true;
 }
 
+// The first one is told.
+void Conversion::note_excess(const NcWriter::Excess& excess) {
+  const bool digits = excess.of == NcWriter::Excess::Of::digits;
+  if (!too_long_)
+    too_long_ = {.word = std::string(digits ? "a number of " : "a line of ") +
+                         std::to_string(excess.count) + (digits ? " digits" : " characters") +
+                         ", of which the control takes " + std::to_string(excess.limit),
+                 .line = line_};
+}
+
 bool Conversion::write_line(const ProgramLine& line, std::vector<Block>& blocks) {
+  line_ = line.source.line;
   PlainWords words;
   const bool said = words_.read(line, words);
   ended_ |= words.ends_program;
@@ -363,6 +381,7 @@ ConvertedProgram Conversion::run(std::string_view program) {
   if (!words_.faults().empty()) return {.faults = std::move(words_.faults())};
   end();
   writer_.finish(result_.text);
+  if (too_long_) return {.faults = {std::move(*too_long_)}};
   return std::move(result_);
 }
 

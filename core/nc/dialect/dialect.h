@@ -10,6 +10,7 @@
 #include "core/nc/state/dialect_name.h"
 #include "core/nc/state/program_state.h"
 #include "core/nc/state/trc_mode.h"
+#include "core/nc/text/line_limits.h"
 
 namespace trc {
 
@@ -33,6 +34,8 @@ struct Dialect {
   bool zero_is_a_radius = false;
   // An arc may lead to the contour.
   bool arcs_to_the_contour = false;
+  // What its controls take in a line that is written anew.
+  LineLimits limits{};
 
   // Sets the modes that hold at the start of a program (D-62).
   void begin(TrcMode& mode) const;

@@ -182,6 +182,7 @@ ProgramLine& Interpreter::append_line(std::string_view text, std::string_view li
   line.has_words = line.is_motion = line.has_trc_words = false;
   line.klartext.reset();
   line.third_set.reset();
+  line.is_computed = reading_.reads_flat && !reading_.knows_columns;
   forget_words(line);
   return line;
 }

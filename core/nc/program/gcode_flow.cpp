@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/nc/dialect/dialect.h"
 #include "core/nc/text/characters.h"
+#include "core/nc/text/number_format.h"
 
 namespace trc::program {
 namespace {
@@ -215,14 +217,24 @@ bool GcodeFlow::rounds_places() const {
   return !says(10, 10) && !says(20, 21) && !says(41, 42) && !says(70, 71) && !says(91, 91);
 }
 
+int GcodeFlow::decimals_of(const ComputedWord& word) const {
+  int decimals = decimals_of(word.letter);
+  const int digits = dialect_of(grammar_.dialect).limits.digits;
+  if (setup_.decimals || digits > most_decimals) return decimals;
+  while (decimals > 0 && std::abs(to_units(word.value.number, decimals)) >= units_per_one(digits))
+    --decimals;
+  return decimals;
+}
+
 int GcodeFlow::decimals_of(char letter) const {
   const bool is_place = std::string_view("XYZUVWABCQR").find(letter) != std::string_view::npos;
   // The digits of a feed that a control accepts: 1e-4 mm or 1e-6 inch a minute.
   if (letter == 'F' && grammar_.dialect == DialectName::fanuc)
     return modes_.unit == LengthUnit::inch ? 6 : 4;
   if (!is_place || !rounds_places()) return decimals_of_values;
-  return std::clamp(setup_.decimals + (modes_.unit == LengthUnit::inch ? 1 : 0), 0,
-                    decimals_of_values);
+  return std::clamp(
+      setup_.decimals.value_or(default_decimals) + (modes_.unit == LengthUnit::inch ? 1 : 0), 0,
+      decimals_of_values);
 }
 
 void GcodeFlow::write_as_it_is(std::string& flat) {
@@ -259,7 +271,7 @@ bool GcodeFlow::write_line(std::string& flat) {
       if (!is_first) flat.append(line_.substr(behind, word.begin - behind));
       if (word.computed) {
         flat.append(line_.substr(word.begin, line_[word.begin] == ',' ? 2 : 1));
-        append_value(flat, word.value.number, style_of(word.letter), decimals_of(word.letter));
+        append_value(flat, word.value.number, style_of(word.letter), decimals_of(word));
       } else if (!word.instead.empty()) {
         flat.append(word.instead);
       } else {

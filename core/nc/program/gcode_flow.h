@@ -85,6 +85,8 @@ class GcodeFlow : public Flow, protected Variables {
   // Whether positions in the line, which has been read, need no more decimals than the output has.
   [[nodiscard]] bool rounds_places() const;
   [[nodiscard]] int decimals_of(char letter) const;
+  // As many, or those that the control takes.
+  [[nodiscard]] int decimals_of(const ComputedWord& word) const;
 
   const Grammar& grammar_;
 };

@@ -99,6 +99,8 @@ struct ProgramLine {
   double feed_it_takes = 0;
   // G92: the position of the third axis after the line, mm, though nothing has moved.
   std::optional<double> third_set{};
+  // Its values are the result of a computation, with more decimals than anybody wrote.
+  bool is_computed = false;
   // It calls a text that only the machine has, which may rely on the words that TRC resolves.
   bool calls_the_machine = false;
 

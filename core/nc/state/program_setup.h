@@ -90,7 +90,9 @@ struct ProgramSetup {
   std::set<std::string, std::less<>> pass_words{};
   Encoding encoding = Encoding::of_dialect;
   bool renumbers = false;  // the blocks of NC text that comes out
-  int decimals = 4;        // of its coordinates, mm; one more for inch
+  // Of its coordinates, mm; one more for inch. Nothing: 4, and as many as the program has where
+  // that is more (D-180).
+  std::optional<int> decimals{};
 
   [[nodiscard]] LengthUnit length_unit() const { return inch ? LengthUnit::inch : LengthUnit::mm; }
   [[nodiscard]] bool demands_utf8() const {

@@ -97,13 +97,13 @@ void serialize(Archive& archive, WordRange& word) {
 template <class Archive>
 void serialize(Archive& archive, ProgramLine& line) {
   auto& [source, text, line_end, words, roles, names_other_axes, main_axes, has_words, is_motion,
-         has_trc_words, ends_program, feed_it_takes, third_set, calls_the_machine, motion,
-         incremental, unit, feed_unit, absolute_center, plane, feed, klartext] = line;
+         has_trc_words, ends_program, feed_it_takes, third_set, is_computed, calls_the_machine,
+         motion, incremental, unit, feed_unit, absolute_center, plane, feed, klartext] = line;
   archive(source, text);
   serialize_line_end(archive, line_end);
   archive(words, roles, names_other_axes, main_axes, has_words, is_motion, has_trc_words,
-          ends_program, feed_it_takes, third_set, calls_the_machine, motion, incremental, unit,
-          feed_unit, absolute_center, plane, feed, klartext);
+          ends_program, feed_it_takes, third_set, is_computed, calls_the_machine, motion,
+          incremental, unit, feed_unit, absolute_center, plane, feed, klartext);
 }
 
 }  // namespace trc

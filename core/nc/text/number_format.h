@@ -11,6 +11,7 @@ namespace trc {
 // numbers are integers of these units, so that sums and differences of them are
 // exact.
 inline constexpr int most_decimals = 9;
+inline constexpr int default_decimals = 4;  // of mm
 
 inline constexpr std::array<std::int64_t, most_decimals + 1> units_per_one_by_decimals{
     1, 10, 100, 1'000, 10'000, 100'000, 1'000'000, 10'000'000, 100'000'000, 1'000'000'000};

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <limits>
 #include <numbers>
+#include <string>
 #include <utility>
 
 #include "core/geometry/turn.h"
@@ -131,16 +134,26 @@ std::array<Arc, 2> halves_of(const Arc& arc) {
 }
 
 MotionWriter::MotionWriter(int decimals, std::string tracking_letters, Spelling spelling,
-                           std::vector<std::string> tracking_names)
-    : decimals_(decimals),
-      last_decimal_of_mm_(from_units(1, decimals)),
-      last_decimal_of_inch_(from_units(1, decimals + 1) * mm_per_inch),
-      tracking_letters_(std::move(tracking_letters)),
+                           std::vector<std::string> tracking_names, int most_digits)
+    : tracking_letters_(std::move(tracking_letters)),
       tracking_names_(std::move(tracking_names)),
       spelling_(spelling) {
+  write_at_least(decimals);
+  allow_digits(most_digits);
   tracking_names_.resize(tracking_letters_.size());
   for (const std::string& name : tracking_names_)
     longest_name_ = std::max(longest_name_, name.size());
+}
+
+void MotionWriter::write_at_least(int decimals) {
+  decimals_ = std::max(decimals_, decimals);
+  last_decimal_of_mm_ = from_units(1, decimals_);
+  last_decimal_of_inch_ = from_units(1, decimals_ + 1) * mm_per_inch;
+}
+
+void MotionWriter::allow_digits(int most) {
+  largest_units_ =
+      most > most_decimals ? std::numeric_limits<std::int64_t>::max() : units_per_one(most) - 1;
 }
 
 std::optional<std::size_t> MotionWriter::axis_named(std::string_view name) const {
@@ -164,8 +177,15 @@ char* MotionWriter::room_of_motion(TextBuffer& out, const TrackingTravel& tracki
   return out.room((6 + tracking.size()) * (room_of_word + longest_name_));
 }
 
-inline char* MotionWriter::write_word(char* at, char letter, std::int64_t units,
-                                      int decimals) const {
+// Zeros after the point do not come out.
+void MotionWriter::count_digits(std::int64_t units, int decimals) {
+  for (; decimals > 0 && units % 10 == 0; --decimals) units /= 10;
+  const int digits = static_cast<int>(std::to_string(std::abs(units)).size());
+  if (std::abs(units) > largest_units_) digits_written_ = std::max(digits_written_, digits);
+}
+
+inline char* MotionWriter::write_word(char* at, char letter, std::int64_t units, int decimals) {
+  if (std::abs(units) > largest_units_) count_digits(units, decimals);
   *at++ = ' ';
   *at++ = letter;
   if (spelling_.klartext && units >= 0 && letter != 'F') *at++ = '+';
@@ -243,7 +263,7 @@ bool MotionWriter::moves(const Position& end, const TrackingTravel& tracking,
 }
 
 char* MotionWriter::write_axes(char* at, const Axes& axes, const KnownNumbers& known,
-                               WrittenState& state) const {
+                               WrittenState& state) {
   const auto write_axis = [&](char letter, AxisSet bit, double target, LengthUnit unit,
                               const Written* number, double& position, std::string_view name = {}) {
     if ((axes.never & bit) != 0) return;
@@ -273,7 +293,7 @@ char* MotionWriter::write_axes(char* at, const Axes& axes, const KnownNumbers& k
 }
 
 void MotionWriter::append_line(TextBuffer& out, MotionKind kind, const Axes& axes,
-                               WrittenState& state) const {
+                               WrittenState& state) {
   char* at = room_of_motion(out, axes.tracking);
   at = spelling_.klartext ? write_name(at, " L")
                           : write_function(at, kind == MotionKind::rapid ? '0' : '1');
@@ -284,7 +304,7 @@ void MotionWriter::append_line(TextBuffer& out, MotionKind kind, const Axes& axe
 }
 
 void MotionWriter::append_arc(TextBuffer& out, const NumberedArc& numbered, const Axes& given,
-                              WrittenState& state) const {
+                              WrittenState& state) {
   if (spelling_.klartext) return append_klartext_arc(out, numbered, given, state);
   const Arc& arc = numbered.arc;
   const ArcNumbers& numbers = numbered.numbers;
@@ -318,7 +338,7 @@ void MotionWriter::append_arc(TextBuffer& out, const NumberedArc& numbered, cons
 }
 
 void MotionWriter::append_pole(TextBuffer& out, const Point& pole, Plane plane,
-                               WrittenState& state) const {
+                               WrittenState& state) {
   const PlaneAxes axes = axes_of(plane);
   const Written first = written(pole.x(), state.unit);
   const Written second = written(pole.y(), state.unit);
@@ -337,7 +357,7 @@ void MotionWriter::append_pole(TextBuffer& out, const Point& pole, Plane plane,
 
 // The arc after its CC. A helix is written with its sweep, as C has no third axis.
 void MotionWriter::append_klartext_arc(TextBuffer& out, const NumberedArc& numbered,
-                                       const Axes& given, WrittenState& state) const {
+                                       const Axes& given, WrittenState& state) {
   const Arc& arc = numbered.arc;
   const ArcNumbers& numbers = numbered.numbers;
   const bool clockwise = arc.sweep < 0;
@@ -380,6 +400,7 @@ MotionWriter::WrittenFeed MotionWriter::written_feed(double feed, LengthUnit uni
   const double value = feed / feed_unit(unit);
   int decimals = decimals_of(unit);
   while (decimals < most_decimals && to_units(value, decimals) < least_feed_units) ++decimals;
+  while (decimals > 0 && to_units(value, decimals) > largest_units_) --decimals;
   const std::int64_t units = std::max<std::int64_t>(to_units(value, decimals), 1);
   const double number = from_units(units, decimals);
   return {.units = units, .decimals = decimals, .read = number * feed_unit(unit)};
@@ -389,7 +410,7 @@ bool MotionWriter::same_feed(double a, double b, LengthUnit unit) const {
   return a == b || written_feed(a, unit).read == written_feed(b, unit).read;
 }
 
-void MotionWriter::append_feed(TextBuffer& out, double feed, WrittenState& state) const {
+void MotionWriter::append_feed(TextBuffer& out, double feed, WrittenState& state) {
   const WrittenFeed word = written_feed(feed, state.feed_unit);
   out.end_at(write_word(out.room(room_of_word), 'F', word.units, word.decimals));
   state.feed = word.read;

@@ -10,6 +10,7 @@
 
 #include "core/base/length_unit.h"
 #include "core/nc/state/program_line.h"
+#include "core/nc/text/line_limits.h"
 #include "core/nc/text/number_format.h"
 #include "core/nc/text/text_buffer.h"
 #include "core/trc/result/compensated_block.h"
@@ -63,9 +64,21 @@ struct Spelling {
 class MotionWriter {
  public:
   // `tracking_letters`: one letter per tracking axis, `tracking_names` those of more than one
-  // character. 0 <= decimals < most_decimals.
+  // character. 0 <= decimals < most_decimals. Numbers of more than `most_digits` digits are told by
+  // digits_written().
   MotionWriter(int decimals, std::string tracking_letters, Spelling spelling = {},
-               std::vector<std::string> tracking_names = {});
+               std::vector<std::string> tracking_names = {},
+               int most_digits = LineLimits::any_number);
+
+  // From here on numbers have at least so many decimals, of mm.
+  void write_at_least(int decimals);
+  [[nodiscard]] int decimals_of(LengthUnit unit) const {
+    return unit == LengthUnit::inch ? decimals_ + 1 : decimals_;
+  }
+  // From here on numbers may have so many digits.
+  void allow_digits(int most);
+  // The most digits that a number has had, where that is more than `most_digits`; else 0.
+  [[nodiscard]] int digits_written() const { return digits_written_; }
 
   // The tracking axis with that name of more than one character; nothing: there is none.
   [[nodiscard]] std::optional<std::size_t> axis_named(std::string_view name) const;
@@ -119,16 +132,23 @@ class MotionWriter {
 
   // Append the motion function, the axes and, for an arc, both plane axes and the centre. Each word
   // has a blank before it.
-  void append_line(TextBuffer& out, MotionKind kind, const Axes& axes, WrittenState& state) const;
-  void append_arc(TextBuffer& out, const NumberedArc& arc, const Axes& axes,
-                  WrittenState& state) const;
+  void append_line(TextBuffer& out, MotionKind kind, const Axes& axes, WrittenState& state);
+  void append_arc(TextBuffer& out, const NumberedArc& arc, const Axes& axes, WrittenState& state);
 
   // In Klartext the centre is a block of its own, before the arc: CC.
-  void append_pole(TextBuffer& out, const Point& pole, Plane plane, WrittenState& state) const;
+  void append_pole(TextBuffer& out, const Point& pole, Plane plane, WrittenState& state);
 
   // Whether two feeds are written alike, mm/min.
   [[nodiscard]] bool same_feed(double a, double b, LengthUnit unit) const;
-  void append_feed(TextBuffer& out, double feed, WrittenState& state) const;
+  void append_feed(TextBuffer& out, double feed, WrittenState& state);
+
+  // Decimals and digits are all that changes.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    int decimals = decimals_;
+    archive(decimals, largest_units_);
+    write_at_least(decimals);
+  }
 
  private:
   [[nodiscard]] Written written(double value, LengthUnit unit) const {
@@ -151,21 +171,19 @@ class MotionWriter {
     double read = 0;  // mm/min
   };
   [[nodiscard]] WrittenFeed written_feed(double feed, LengthUnit unit) const;
-  [[nodiscard]] int decimals_of(LengthUnit unit) const {
-    return unit == LengthUnit::inch ? decimals_ + 1 : decimals_;
-  }
   // One unit of the last decimal, mm.
   [[nodiscard]] double last_decimal(LengthUnit unit) const {
     return unit == LengthUnit::inch ? last_decimal_of_inch_ : last_decimal_of_mm_;
   }
 
-  [[nodiscard]] char* write_word(char* at, char letter, std::int64_t units, int decimals) const;
+  [[nodiscard]] char* write_word(char* at, char letter, std::int64_t units, int decimals);
+  void count_digits(std::int64_t units, int decimals);
   // Klartext counts feeds in tenths of an inch.
   [[nodiscard]] double feed_unit(LengthUnit unit) const {
     return unit == LengthUnit::inch ? mm_per_inch / (spelling_.klartext ? 10 : 1) : 1;
   }
   void append_klartext_arc(TextBuffer& out, const NumberedArc& arc, const Axes& axes,
-                           WrittenState& state) const;
+                           WrittenState& state);
 
   [[nodiscard]] char* room_of_motion(TextBuffer& out, const TrackingTravel& tracking) const;
   // The unit of a tracking axis.
@@ -173,11 +191,13 @@ class MotionWriter {
   // `known`: the numbers of main axes that are known already.
   using KnownNumbers = std::array<const Written*, 3>;
   [[nodiscard]] char* write_axes(char* at, const Axes& axes, const KnownNumbers& known,
-                                 WrittenState& state) const;
+                                 WrittenState& state);
 
-  int decimals_;
-  double last_decimal_of_mm_;    // mm
-  double last_decimal_of_inch_;  // mm
+  int decimals_ = 0;
+  std::int64_t largest_units_ = 0;  // of as many digits as a number may have
+  int digits_written_ = 0;
+  double last_decimal_of_mm_ = 0;    // mm
+  double last_decimal_of_inch_ = 0;  // mm
   std::string tracking_letters_;
   std::vector<std::string> tracking_names_;
   std::size_t longest_name_ = 0;

@@ -22,7 +22,10 @@ constexpr RoleSet roles_behind =
 }  // namespace
 
 NcWriter::NcWriter(const Setup& setup)
-    : motions_(setup.decimals, setup.tracking_letters, setup.spelling, setup.tracking_names),
+    : motions_(setup.decimals, setup.tracking_letters, setup.spelling, setup.tracking_names,
+               setup.limits.digits),
+      follows_decimals_(setup.follows_decimals),
+      limits_(setup.limits),
       klartext_(setup.spelling.klartext),
       tracking_letters_(setup.tracking_letters),
       center_letters_are_axes_(setup.tracking_letters.find_first_of("IJKR") != std::string::npos),
@@ -167,7 +170,11 @@ void NcWriter::write_pole_handed_on(const ProgramLine& line, std::string& out) {
 }
 
 void NcWriter::write_motion(const CompensatedBlock& block, std::string& out) {
-  if (own_ != nullptr) enter_modes(*own_);
+  if (own_ != nullptr) {
+    enter_modes(*own_);
+    follow_decimals(*own_->line);
+    follow_digits(*own_->line);
+  }
   const Arc* arc = std::get_if<Arc>(&block.path);
   if (arc == nullptr) return write_piece(block, block.path, nullptr, 1, out);
   const Plane plane = state_.plane;

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -29,7 +30,9 @@ namespace trc {
 class NcWriter {
  public:
   struct Setup {
-    int decimals = 4;                       // mm; one more for inch; below most_decimals
+    int decimals = default_decimals;  // mm; one more for inch; at most those of `limits`
+    bool follows_decimals = false;    // more of them where the program has more (D-180)
+    LineLimits limits{};
     Position start{};                       // mm
     MotionKind motion = MotionKind::rapid;  // of lines that do not say it
     bool absolute_center = false;
@@ -60,6 +63,18 @@ class NcWriter {
   void take(LinePointer line, const Meaning& meaning);
   // The next block of the path: appends the text that has become certain.
   void write(const CompensatedBlock& block, std::string& out);
+  // From here on coordinates have as many decimals as those of the line, if the setup says so.
+  // Lines that are written anew are counted without being asked for.
+  void follow_decimals(const ProgramLine& line);
+  // A line written anew that the control does not take. It has not come out, and nothing after it
+  // does.
+  struct Excess {
+    enum class Of : std::uint8_t { characters, digits };
+    Of of = Of::characters;
+    std::size_t count = 0;
+    std::size_t limit = 0;
+  };
+  [[nodiscard]] const std::optional<Excess>& excess() const { return excess_; }
   // Appends the waiting lines if none of them gives a block.
   void write_silent_lines(std::string& out);
   // No more blocks: appends all waiting lines.
@@ -80,7 +95,7 @@ class NcWriter {
   void serialize(Archive& archive) {
     archive(state_, feed_is_programmed_, waiting_, first_, waiting_for_blocks_, silent_bytes_,
             rewritten_index_, copied_index_, line_end_missing_, next_number_, numbered_, removed_,
-            open_feed_, open_feed_holds_);
+            open_feed_, open_feed_holds_, motions_, limits_.digits);
     serialize_line_end(archive, line_end_);
   }
 
@@ -156,6 +171,9 @@ class NcWriter {
   }
   // Whether the feed of the block is in force without a word for it.
   [[nodiscard]] bool has_feed(const CompensatedBlock& block) const;
+  void follow_digits(const ProgramLine& line);
+  // Whether the control takes the line of output that stands in words_.
+  bool check_limits();
   void write_words(std::string_view line_end, std::string& out);
   void write_text(std::string_view text, std::string_view line_end, std::string& out);
   void end_line_before(std::string& out) {
@@ -172,6 +190,9 @@ class NcWriter {
   [[nodiscard]] AxisSet all_axes_named_in(const ProgramLine& line) const;
 
   MotionWriter motions_;
+  bool follows_decimals_;
+  LineLimits limits_;
+  std::optional<Excess> excess_{};
   bool klartext_;
   std::string tracking_letters_;
   bool center_letters_are_axes_;  // I J K R among them

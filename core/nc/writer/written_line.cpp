@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "core/nc/text/characters.h"
 #include "core/nc/writer/nc_writer.h"
 #include "core/nc/writer/written_block.h"
@@ -5,6 +7,16 @@
 // Makes lines of the output from words, with block number and line end.
 
 namespace trc {
+namespace {
+
+// The digits after the point of a number at the end of the word.
+int decimals_in(std::string_view word) {
+  std::size_t begin = word.size();
+  while (begin > 0 && is_digit(word[begin - 1])) --begin;
+  return begin > 0 && word[begin - 1] == '.' ? static_cast<int>(word.size() - begin) : 0;
+}
+
+}  // namespace
 
 // In a continued block words may follow a `;` comment, and each line may have an N word: the first
 // one is that of the block.
@@ -56,8 +68,42 @@ std::string NcWriter::take_number() {
   return std::to_string(number);
 }
 
+void NcWriter::follow_decimals(const ProgramLine& line) {
+  if (!follows_decimals_ || line.is_computed) return;
+  int most = 0;
+  for (const WordRange& range : line.words)
+    if (range.role == WordRole::coordinate) most = std::max(most, decimals_in(line.word(range)));
+  const int more = most - motions_.decimals_of(line.unit);
+  if (more > 0)
+    motions_.write_at_least(
+        std::min(motions_.decimals_of(LengthUnit::mm) + more, limits_.decimals));
+}
+
+// A control that has read a number of the program reads others like it.
+void NcWriter::follow_digits(const ProgramLine& line) {
+  if (limits_.digits == LineLimits::any_number || line.is_computed) return;
+  const int before = limits_.digits;
+  for (const WordRange& range : line.words)
+    if (range.role == WordRole::coordinate)
+      limits_.digits = std::max(
+          limits_.digits, static_cast<int>(std::ranges::count_if(line.word(range), is_digit)));
+  if (limits_.digits > before) motions_.allow_digits(limits_.digits);
+}
+
+bool NcWriter::check_limits() {
+  const std::size_t characters = words_.empty() ? 0 : words_.view().size() - 1;
+  if (characters > limits_.characters)
+    excess_ = {.of = Excess::Of::characters, .count = characters, .limit = limits_.characters};
+  else if (motions_.digits_written() > 0)
+    excess_ = {.of = Excess::Of::digits,
+               .count = static_cast<std::size_t>(motions_.digits_written()),
+               .limit = static_cast<std::size_t>(limits_.digits)};
+  return !excess_;
+}
+
 void NcWriter::write_words(std::string_view line_end, std::string& out) {
   if (!last_comment_.empty()) words_.append(last_comment_.view());
+  if (excess_ || !check_limits()) return;
   if (line_end.empty()) return write_text(words_.view().substr(1), line_end, out);
   end_line_before(out);
   if (line_end.size() == 1) {
@@ -70,6 +116,7 @@ void NcWriter::write_words(std::string_view line_end, std::string& out) {
 }
 
 void NcWriter::write_text(std::string_view text, std::string_view line_end, std::string& out) {
+  if (excess_) return;
   end_line_before(out);
   out += text;
   out += line_end;

@@ -61,7 +61,10 @@ TEST(Record, ShowsWhatWasTamperedWith) {
   const std::string record = folder.path("part.json");
   // With coordinates that fewer decimals would change.
   write_file(part, std::regex_replace(demo, std::regex("Y20"), "Y20.1234"));
-  ASSERT_EQ(trc({"compensate", part, "-o", folder.path("out"), "--record", record}).code, 0);
+  ASSERT_EQ(
+      trc({"compensate", part, "-o", folder.path("out"), "--decimals", "4", "--record", record})
+          .code,
+      0);
   const std::string filed = content_of(record);
   const auto expect_shown = [&](const std::string& tampered, const char* what) {
     ASSERT_NE(tampered, filed) << what;

@@ -42,7 +42,7 @@ WrittenState at_start(const Arc& arc, int places) {
 }
 
 TEST(ArcForm, OrdinaryArcsStayArcs) {
-  const MotionWriter writer(4, "");
+  MotionWriter writer(4, "");
   for (const double sweep : {0.01, 1.0, pi, 4.0, 6.0, 2 * pi})
     for (const double sense : {1.0, -1.0}) {
       const Arc arc = arc_from({12.345678, -3.14159}, 20.123456, 0.7, sense * sweep);
@@ -54,7 +54,7 @@ TEST(ArcForm, OrdinaryArcsStayArcs) {
 // An arc one step behind its start would be read as a short one the other way round, or as a
 // full circle, or with its centre shifted far along the short chord.
 TEST(ArcForm, AlmostFullCircleIsWrittenInHalves) {
-  const MotionWriter writer(4, "");
+  MotionWriter writer(4, "");
   int halves = 0;
   for (double gap = 1e-5; gap < 2e-3; gap *= 1.3) {
     const Arc arc = arc_from({0.12345, 0.54321}, 50, 1.1, 2 * pi - gap / 50);
@@ -66,7 +66,7 @@ TEST(ArcForm, AlmostFullCircleIsWrittenInHalves) {
 }
 
 TEST(ArcForm, ArcWithoutLengthAfterRoundingIsNoCircle) {
-  const MotionWriter writer(3, "");
+  MotionWriter writer(3, "");
   for (const double radius : {0.3, 5.0, 500.0}) {
     const Arc arc = arc_from({1, 1}, radius, 0.3, 2e-4 / radius);
     EXPECT_EQ(writer.numbers_of(arc, Plane::xy, at_start(arc, 3)).form, ArcForm::line) << radius;
@@ -75,7 +75,7 @@ TEST(ArcForm, ArcWithoutLengthAfterRoundingIsNoCircle) {
 
 // Four decimals tell its ends apart; a control that has three would make a full circle of it.
 TEST(ArcForm, ArcWithoutLengthInThousandthsIsNoCircle) {
-  const MotionWriter writer(4, "");
+  MotionWriter writer(4, "");
   for (const double radius : {0.3, 5.0, 105.0}) {
     const Arc arc = arc_from({100, 0}, radius, 3.1, 4e-4 / radius);
     EXPECT_EQ(writer.numbers_of(arc, Plane::xy, at_start(arc, 4)).form, ArcForm::line) << radius;
@@ -86,7 +86,7 @@ TEST(ArcForm, ArcWithoutLengthInThousandthsIsNoCircle) {
 }
 
 TEST(ArcForm, CircleSmallerThanAUnitIsNoCircle) {
-  const MotionWriter writer(2, "");
+  MotionWriter writer(2, "");
   const Arc arc = arc_from({1, 1}, 0.002, 0, 2 * pi);
   EXPECT_EQ(writer.numbers_of(arc, Plane::xy, at_start(arc, 2)).form, ArcForm::line);
 }
@@ -113,7 +113,7 @@ TEST(ArcForm, IsFoundTheShortWayToo) {
       if (random.chance(0.2)) position += random.between(-3, 3) * unit;
     state.absolute_center = random.chance(0.5);
     if (random.chance(0.2)) state.unit = LengthUnit::inch;
-    const MotionWriter writer(places, "");
+    MotionWriter writer(places, "");
     const MotionWriter::ArcNumbers numbers = writer.numbers_of(arc, Plane::xy, state);
     ASSERT_EQ(numbers.form, writer.form_of(arc, numbers, Plane::xy, state))
         << "seed " << seed << ", step " << i;
@@ -140,7 +140,7 @@ TEST(ArcForm, WhatIsAnArcIsReadAsTheSameArc) {
     WrittenState state = at_start(arc, places);
     state.absolute_center = random.chance(0.5);
     state.incremental = random.chance(0.5);
-    const MotionWriter writer(places, "");
+    MotionWriter writer(places, "");
     const MotionWriter::ArcNumbers numbers = writer.numbers_of(arc, Plane::xy, state);
     if (numbers.form != ArcForm::arc) continue;
     ++arcs;
@@ -185,7 +185,7 @@ TEST(Halves, ShareTheirJointAndTheSweep) {
 }
 
 TEST(MotionWords, RotaryAxesHaveNoInch) {
-  const MotionWriter writer(4, "AU");
+  MotionWriter writer(4, "AU");
   WrittenState state{.unit = LengthUnit::inch, .tracking = {0, 0}};
   TextBuffer text;
   const TrackingTravel tracking{{.from = 0, .to = 30}, {.from = 0, .to = 50.8}};
