@@ -12,6 +12,7 @@
 #include "client/cli/passed_words.h"
 #include "client/cli/reporter.h"
 #include "client/cli/speech.h"
+#include "core/base/length_unit.h"
 #include "core/geometry/segment.h"
 #include "core/messages/diagnostic_text.h"
 #include "core/nc/dialect/dialect.h"
@@ -107,19 +108,24 @@ std::string rounded(double value) {
   return text.str();
 }
 
-// What lengths count in, with the lines from which on another unit holds.
-std::string units_of(const std::string& program, const SessionSetup& setup,
-                     const std::vector<CompensatedBlock>& blocks) {
+// What lengths count in: at first, and with the lines from which on another unit holds.
+struct Units {
+  bool inch = false;
+  std::string told{};
+};
+
+Units units_of(const std::string& program, const SessionSetup& setup,
+               const std::vector<CompensatedBlock>& blocks) {
   ContourReader reader(setup);
   reader.read(program, [](const std::vector<Block>&) { return true; });
   bool inch = reader.is_inch(blocks.empty() ? 0 : blocks.front().source.index);
-  std::string told = inch ? "inch" : "mm";
+  Units units{.inch = inch, .told = inch ? "inch" : "mm"};
   for (const CompensatedBlock& block : blocks) {
     if (reader.is_inch(block.source.index) == inch) continue;
     inch = !inch;
-    told += (inch ? ", inch (" : ", mm (") + std::to_string(block.source.line) + ")";
+    units.told += (inch ? ", inch (" : ", mm (") + std::to_string(block.source.line) + ")";
   }
-  return told;
+  return units;
 }
 
 // "T3 (4), T5 (20, 2x)": the line of the first one, and how many there are.
@@ -140,6 +146,8 @@ std::string dialect_of_program(const std::string& program, const Dialect& declar
     return dialect + ", but it is DIN/ISO of Heidenhain, which is not read";
   const auto other = suggestion(program);
   if (!other || *other == declared.name) return dialect;
+  // What looks like Fanuc may as well be of LinuxCNC.
+  if (*other == DialectName::fanuc && declared.name == DialectName::linuxcnc) return dialect;
   return dialect + ", but it looks like " + std::string(dialect_of(*other).spelling);
 }
 
@@ -190,7 +198,8 @@ ProgramInfo describe_program(const std::string& program, ProgramSessionSetup set
   const Answer whole = answers.take();
   info.refused = session.diagnostics().stopped();
   const Contours contours = contours_of(whole.blocks);
-  say("unit: " + units_of(program, setup.session, whole.blocks));
+  const Units units = units_of(program, setup.session, whole.blocks);
+  say("unit: " + units.told);
   say(lines_of(program, session.lines_read()));
   if (!has_tools) say("tools: none are given, so that nothing is said of what fits");
   const PassedWords words = passed_words(whole.blocks, declared.name);
@@ -203,7 +212,8 @@ ProgramInfo describe_program(const std::string& program, ProgramSessionSetup set
                            (executed == 1 ? " line executed" : " lines executed"));
   say(std::string(info.refused ? "selections before the fault: " : "selections: ") +
       std::to_string(contours.selections) + ", " + std::to_string(contours.blocks) + " blocks, " +
-      rounded(contours.length) + " mm");
+      rounded(contours.length / mm_of(units.inch ? LengthUnit::inch : LengthUnit::mm)) +
+      (units.inch ? " in" : " mm"));
   if (!words.passed.empty()) say("passed on (line): " + list_of(words.passed));
   std::vector<Diagnostic> found = whole.diagnostics;
   if (missing && !info.refused) found.insert(found.begin(), *missing);

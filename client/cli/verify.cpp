@@ -17,18 +17,13 @@
 #include "client/cli/speech.h"
 #include "client/cli/untouched_walls.h"
 #include "client/cli/verbose_text.h"
+#include "core/base/length_unit.h"
 #include "core/base/tolerances.h"
 #include "core/nc/text/number_format.h"
 #include "core/verify/clearance.h"
 
 namespace trc::cli {
 namespace {
-
-std::string mm(double value) {
-  std::string text;
-  append_fixed(text, value, 4);
-  return text;
-}
 
 std::string percent(double share) {
   std::string text;
@@ -43,27 +38,49 @@ std::string block_name(const Source& source) {
          (name.empty() ? "" : ")");
 }
 
-std::string worst_line(const verify::Clearance& worst) {
-  return "smallest clearance " + mm(worst.distance) + " mm of " + mm(worst.required) + " mm at X" +
-         mm(worst.place[0]) + " Y" + mm(worst.place[1]) + " Z" + mm(worst.place[2]) + ", path of " +
-         block_name(worst.path) + " beside contour block " + block_name(worst.contour);
-}
+// Lengths in the unit that the program counts in (D-46).
+class VerifyText {
+ public:
+  explicit VerifyText(LengthUnit unit) : unit_(unit) {}
 
-void print_share(const UntouchedWalls::Share& share, const char* what) {
+  [[nodiscard]] std::string worst_line(const verify::Clearance& worst) const {
+    return "smallest clearance " + with_unit(worst.distance) + " of " + with_unit(worst.required) +
+           " at X" + length(worst.place[0]) + " Y" + length(worst.place[1]) + " Z" +
+           length(worst.place[2]) + ", path of " + block_name(worst.path) +
+           " beside contour block " + block_name(worst.contour);
+  }
+  // Prints how much of the walls the path touches, and why the rest is not touched.
+  void print_coverage(const verify::ClearanceReport& report, const UntouchedWalls& untouched) const;
+
+ private:
+  [[nodiscard]] std::string length(double mm) const {
+    std::string text;
+    append_fixed(text, mm / mm_of(unit_), unit_ == LengthUnit::inch ? 5 : 4);
+    return text;
+  }
+  [[nodiscard]] std::string with_unit(double mm) const {
+    return length(mm) + (unit_ == LengthUnit::inch ? " in" : " mm");
+  }
+  void print_share(const UntouchedWalls::Share& share, const char* what) const;
+
+  LengthUnit unit_;
+};
+
+void VerifyText::print_share(const UntouchedWalls::Share& share, const char* what) const {
   if (share.stretches == 0) return;
-  std::cout << told("  " + mm(share.length) + " mm " + what + ": " +
+  std::cout << told("  " + with_unit(share.length) + " " + what + ": " +
                     std::to_string(share.stretches) +
                     (share.stretches == 1 ? " stretch" : " stretches") + ", the longest " +
-                    mm(share.longest) + " mm of " + block_name(share.longest_at))
+                    with_unit(share.longest) + " of " + block_name(share.longest_at))
             << '\n';
 }
 
-// Prints how much of the walls the path touches, and why the rest is not touched.
-void print_coverage(const verify::ClearanceReport& report, const UntouchedWalls& untouched) {
+void VerifyText::print_coverage(const verify::ClearanceReport& report,
+                                const UntouchedWalls& untouched) const {
   if (report.wall_length <= 0) return;
   using Reason = UntouchedWalls::Reason;
   std::cout << told("the path touches " + percent(report.coverage()) + " of " +
-                    mm(report.wall_length) + " mm of wall")
+                    with_unit(report.wall_length) + " of wall")
             << '\n';
   print_share(untouched.of(Reason::inside_corner),
               "lie in inside corners, into which a round tool does not reach");
@@ -180,14 +197,15 @@ Exit run(const ProgramOptions& options) {
     std::cout << told("nothing to verify: no compensated contour") << '\n';
     return Exit::done;
   }
+  const VerifyText text(paths.inch ? LengthUnit::inch : LengthUnit::mm);
   std::cout << told(std::to_string(report.checked) + " blocks of the path checked, " +
-                    worst_line(*report.worst))
+                    text.worst_line(*report.worst))
             << '\n';
   if (report.worst->margin() < -allowed &&
       (!report.gouge ||
        report.worst->margin() < report.gouge->margin() - verify::margin_resolution))
     std::cout << told("the contour closes there: that is a touch, no gouge") << '\n';
-  print_coverage(report, untouched);
+  text.print_coverage(report, untouched);
   for (const verify::CrossedWall& crossed : report.crossed)
     std::cerr << told(printable(input.name()) + ':' + std::to_string(crossed.way.line) +
                       ": the approach or the retract leads through the contour at line " +
@@ -198,7 +216,7 @@ Exit run(const ProgramOptions& options) {
   std::cerr << told(printable(input.name()) + ':' + std::to_string(gouge.path.line) +
                     ": gouge: " + std::to_string(report.gouging) +
                     (report.gouging == 1 ? " block comes" : " blocks come") +
-                    " nearer to the contour than the tool radius, " + worst_line(gouge))
+                    " nearer to the contour than the tool radius, " + text.worst_line(gouge))
             << '\n';
   return Exit::refused;
 }

@@ -38,6 +38,7 @@ TEST(ProgramInfo, SaysUnitsToolsAndWhatIsPassedOn) {
       "G81 X5. Z-1. R1. F9.\nG80\nG41 D1 G1 X0 Y0 F10.\nY4.\nG40 X-1.\nT4 M6\nG21\n"
       "T3 M6\nM30\n%\n");
   EXPECT_NE(text.find("unit: inch, mm (15)\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("selections: 1, 3 blocks, 6.1 in\n"), std::string::npos) << text;
   EXPECT_NE(text.find("tools of the program (line): T3 (4, 2x), T4 (13)\n"), std::string::npos)
       << text;
   EXPECT_NE(text.find("passed on (line): G54 (3), M6 (4, 3x), M3 (5), G43 (7), G81 (8), G80 (9), "

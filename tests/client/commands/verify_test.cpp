@@ -25,6 +25,18 @@ TEST(Verify, FindsTheToolRadiusOnAGoodPath) {
       << ended.out;
 }
 
+TEST(Verify, CountsInTheUnitOfTheProgram) {
+  const Ended ended = trc({"verify", "-", "--dialect", "linuxcnc", "--radius", "6.35"},
+                          "G20 G17 G90 G40\nG0 X-1 Y-1\nG41 G1 X0 Y0 F10\nY2\nX3\nY0\nX0\n"
+                          "G40 X-1 Y-1\nM2\n");
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_NE(ended.out.find("smallest clearance 0.25000 in of 0.25000 in at X-0.25000 Y0.00000"),
+            std::string::npos)
+      << ended.out;
+  EXPECT_NE(ended.out.find("the path touches 100.0 % of 10.00000 in of wall\n"), std::string::npos)
+      << ended.out;
+}
+
 TEST(Verify, FindsAGougeThatWasIgnored) {
   const Ended ended = trc({"verify", "-", "--set", "ignore_cont_damage=1"}, violating);
   EXPECT_EQ(ended.code, 1) << ended.out;
