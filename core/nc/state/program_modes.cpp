@@ -58,6 +58,9 @@ bool ProgramState::select(Side side, const Source& source) {
 bool ProgramState::deselect(const Source& source) {
   const bool tangential = std::exchange(tangential_requested_, false);
   if (!mode_.active()) return true;
+  if (tangential && !retracts_in_a_block(mode_.selection))
+    return report(source, Code::not_available,
+                  mode_.selection == Selection::perpendicular ? "G05 with G237" : "G05 with G239");
   if (lead_) return refuse_open_lead();
   // The next motion refuses a corner that is cut.
   if (!corner_.is_asked_for()) corner_.release(blocks_);

@@ -96,6 +96,9 @@ struct TrcMode {
   TrcOptions options{};
 
   [[nodiscard]] bool active() const { return side != Side::off; }
+  // G05 makes an arc of the selection or deselection block; SUPPRESS_TRC keeps the programmed path
+  // (D-155).
+  [[nodiscard]] bool becomes_arc() const { return tangential && !options.suppress_trc; }
   // Violating loops are taken out of the whole contour, instead of blocks masked one by one. Not
   // below the nominal radius of wear mode: a smaller tool keeps clear of the part wherever the
   // nominal one does, and the centre path it leaves towards the part is no wall.

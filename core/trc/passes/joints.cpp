@@ -67,7 +67,7 @@ JointResult approach(const PathBlock& before, const PathBlock& after, const Corn
                      const Tolerances& tolerances) {
   // The mode of the selection block; the block after the corner decides the transition (D-149).
   const TrcMode& mode = before.mode();
-  if (mode.tangential) {
+  if (mode.becomes_arc()) {
     auto path = selection::tangential_entry(start_of(before.programmed.path), corner.after.anchor,
                                             corner.after.tangent, tolerances);
     if (path) return JoinedBlocks{selection::approach_direct(corner), path};
@@ -102,7 +102,7 @@ JointResult approach(const PathBlock& before, const PathBlock& after, const Corn
 
 JointResult retract(const PathBlock& after, Selection mode, const Corner& corner,
                     const Tolerances& tolerances) {
-  if (after.mode().tangential) {
+  if (after.mode().becomes_arc()) {
     const Point& target = end_of(after.programmed.path);
     auto path =
         selection::tangential_exit(corner.before.anchor, corner.before.tangent, target, tolerances);

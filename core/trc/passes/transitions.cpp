@@ -76,7 +76,7 @@ void insert(const Segment& segment, Origin origin, PathBlockPtr inserted, PathBl
 bool may_split(const Corner& corner, const PathBlock& block, Selection selection,
                const Tolerances& tolerances) {
   const TrcMode& mode = block.mode();
-  if (mode.options.split.where == SplitOption::Where::off || mode.tangential ||
+  if (mode.options.split.where == SplitOption::Where::off || mode.becomes_arc() ||
       is_arc(block.programmed.path))
     return false;
   const double angle = transition_angle(corner, tolerances);
@@ -357,7 +357,7 @@ void Transitions::keep_refused_way(const Corner& corner, const PathBlock& after)
                   .shift = corner.shift,
                   .cut_at_start = leaves ? before.cut_at_start : 0};
   // The arc of G05 needs another direction, not a length.
-  if (block.mode().tangential) return;
+  if (block.mode().becomes_arc()) return;
   const selection::AroundCorner around = selection::around_corner(block.mode());
   const auto needed = [&](const Segment& path, const Vector& tangent) {
     return leaves ? selection::needed_off_path(corner, path, tangent, around, tolerances_)
