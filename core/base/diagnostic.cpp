@@ -296,6 +296,10 @@ constexpr auto rows = std::to_array<CodeRow>({
      "so many digits",
      "Divide the words of the line, or shorten its comment; where it is a number, write fewer "
      "decimals (decimals)."},
+    {Code::selection_stands_still, warning, "SELECTION_STANDS_STILL",
+     "the motion that selects TRC does not move, so that the next one is the approach",
+     "Start beside the contour and lead in with a motion of its own, else the tool cuts into the "
+     "first wall; or take the words that do not move out."},
     {Code::too_many_lines_executed, error, "TOO_MANY_LINES_EXECUTED",
      "more lines are executed than allowed",
      "Look for a loop that never ends. A program that is meant to be so long needs a larger "

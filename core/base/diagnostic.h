@@ -119,6 +119,7 @@ enum class Code : std::int32_t {
   given_value_kept = 900228,
   way_crosses_contour = 900229,
   line_beyond_control = 900235,
+  selection_stands_still = 900236,
 
   // programs that compute
   too_many_lines_executed = 900301,

@@ -17,7 +17,7 @@ namespace trc {
 // Compensation: the contour from selection to deselection, and what of it is masked, 900201 to
 // 900218.
 [[nodiscard]] std::span<const Explanation> explanations_of_contour();
-// Compensation: the tool, its radius and what else is taken as given, 900219 to 900235.
+// Compensation: the tool, its radius and what else is taken as given, 900219 to 900236.
 [[nodiscard]] std::span<const Explanation> explanations_of_tool();
 // Programs that compute: from 900301.
 [[nodiscard]] std::span<const Explanation> explanations_of_computing();

@@ -167,6 +167,22 @@ constexpr auto rows = std::to_array<Explanation>({
                 "G40 X11980.\n"
                 "M30\n",
      .options = "--dialect fanuc --radius 5.1234"},
+    {.code = Code::selection_stands_still,
+     .meaning = "The first block after G41 or G42 that moves in the plane is the approach: at its "
+                "start the centre of the tool is still on the programmed path. Where the block of "
+                "the selection stands at its end already, that is the next one, which was meant "
+                "to be the first wall.",
+     .causes = {"The tool has gone to the first point of the contour before the selection.",
+                "The program comes from a generator that makes no lead-in."},
+     .example = "N10 G00 X10 Y10 F300\n"
+                "N20 V.G.WZ_AKT.R = 5\n"
+                "N30 G42 G01 X10 Y10\n"
+                "N40 X90\n"
+                "N50 Y90\n"
+                "N60 X10\n"
+                "N70 Y10\n"
+                "N80 G40 X0 Y0\n"
+                "N90 M30\n"},
 });
 
 static_assert(std::ranges::is_sorted(rows, {}, &Explanation::code));

@@ -410,6 +410,10 @@ constexpr auto rows = std::to_array<GermanRow>({
              "weniger Nachkommastellen schreiben (decimals).",
      .on_command_line = "Die Wörter der Zeile aufteilen oder ihren Kommentar kürzen; ist es eine "
                         "Zahl, mit --decimals weniger Nachkommastellen schreiben."},
+    {.code = Code::selection_stands_still,
+     .title = "die Bewegung, die die WRK anwählt, bewegt nichts, so dass erst die nächste anfährt",
+     .help = "Neben der Kontur beginnen und mit einer eigenen Bewegung anfahren, sonst fährt das "
+             "Werkzeug in die erste Wand; oder die Wörter weglassen, die nichts bewegen."},
     {.code = Code::too_many_lines_executed,
      .title = "es werden mehr Zeilen ausgeführt als erlaubt",
      .help = "Nach einer Schleife suchen, die nie endet. Ein Programm, das so lang sein soll, "

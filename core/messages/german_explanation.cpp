@@ -457,6 +457,13 @@ constexpr auto rows = std::to_array<GermanExplanation>({
          "darf nicht länger werden.",
      .causes = {"Ein langer Kommentar steht in einer Zeile der Kontur.",
                 "Eine Position über 10 m hat vier Nachkommastellen."}},
+    {.code = Code::selection_stands_still,
+     .meaning = "Der erste Satz nach G41 oder G42, der sich in der Ebene bewegt, fährt die Kontur "
+                "an: an seinem Anfang steht die Mitte des Werkzeugs noch auf der programmierten "
+                "Bahn. Steht der Satz der Anwahl schon in seinem Ziel, ist das der nächste, der "
+                "die erste Wand sein soll.",
+     .causes = {"Das Werkzeug ist vor der Anwahl zum ersten Punkt der Kontur gefahren.",
+                "Das Programm stammt aus einem Generator ohne Anfahrweg."}},
     {.code = Code::too_many_lines_executed,
      .meaning = "Schleifen, Sprüngen und Aufrufen wird gefolgt, und jede ausgeführte Zeile wird "
                 "eine Zeile des flachen Programms. Eine Grenze verhindert, dass eine Schleife "

@@ -173,8 +173,18 @@ bool ProgramState::move_straight(const MoveRequest& request, const Position& end
   }
   // The tool would go along the contour itself (D-156, D-170).
   if (assumed) return refuse_assumed_start(request.source, *assumed);
+  if (stands_still_at_selection(request) &&
+      !report(request.source, Code::selection_stands_still))
+    return false;
   append_passive(request, end, std::move(tracking));
   return true;
+}
+
+// The motion after it then is the approach, also where it is meant to be the first wall (D-181).
+bool ProgramState::stands_still_at_selection(const MoveRequest& request) const {
+  const PlaneAxes axes = axes_of(mode_.plane);
+  return awaits_approach() && !lead_ && mode_.selection != Selection::perpendicular &&
+         (request.end[axes.first] || request.end[axes.second]);
 }
 
 // Nearly all motions have no word for a corner, before or after them.

@@ -328,6 +328,7 @@ class ProgramState {
   [[nodiscard]] TrackingTravel standing_tracking() const;
   void travel_across(const MoveRequest& request);
   void come_down(const PendingLead& pending);
+  [[nodiscard]] bool stands_still_at_selection(const MoveRequest& request) const;
   [[nodiscard]] bool leads_back(const MoveRequest& request, const Position& end) const;
   [[nodiscard]] bool is_above_left_contour(const Position& end) const;
   [[nodiscard]] bool find_end(const MoveRequest& request, Position& end) const;
