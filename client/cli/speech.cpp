@@ -189,6 +189,7 @@ constexpr auto rows = std::to_array<Sentence>({
      "eine Zahl von {} Stellen, von denen die Steuerung {} nimmt"},
     {"G43 without the number of a tool", "G43 ohne Werkzeugnummer"},
     {"M6 without a tool", "M6 ohne Werkzeug"},
+    {"TOOL CALL without a tool", "TOOL CALL ohne Werkzeug"},
     {"a feed that is no number per minute", "einen Vorschub, der keine Zahl je Minute ist,"},
     {"{} with the length of a tool", "{} mit der Länge eines Werkzeugs"},
     {"{} in an arc", "{} in einem Bogen"},

@@ -392,6 +392,19 @@ TEST(Conversion, RefusesByNameWhatMeansSomethingElseThere) {
   }
 }
 
+// The words of a copied block of Klartext mean something only together.
+TEST(Conversion, RefusesABlockOfKlartextOnce) {
+  const auto refused = [](const std::string& lines) {
+    return told(converted("0 BEGIN PGM A MM\n" + lines + "9 END PGM A MM\n",
+                          DialectName::heidenhain, DialectName::fanuc));
+  };
+  EXPECT_EQ(refused("1 L M140 MB MAX ; up\n2 L Z-1 R0 FMAX M91\n3 L Z-1 R0 FMAX M91\n"),
+            "L M140 MB MAX 2\nL Z-1 R0 FMAX M91 3\n");
+  EXPECT_EQ(refused("1 CC X+10 Z+10\n2 L Z+5 F200 M25 M36\n"), "CC X+10 Z+10 2\nM25 3\nM36 3\n");
+  EXPECT_EQ(refused("1 TOOL CALL \"MILL 8\" Z S200\n2 TOOL CALL\n"),
+            "\"MILL 8\" of TOOL CALL 2\nTOOL CALL without a tool 3\n");
+}
+
 TEST(Conversion, TellsAllThatItRefusesAtOnce) {
   const std::string text =
       "G0 X1\nG54 G43 H1 Z5\nT1 G28 Z0 M6\nM6\nG81 X2 Z-3 R1\nG54\nG80\nG0 X1\nM30\n";

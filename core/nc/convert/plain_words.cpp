@@ -31,6 +31,24 @@ bool says_how_trc_goes(std::string_view word) {
   return std::ranges::find(words, word) != words.end();
 }
 
+// M25 of a block of Klartext says something alone; L, MB and X+5 of a copied one do not.
+bool belongs_to_others(const WordRange& range, std::string_view word) {
+  return range.role == WordRole::technology && whole_behind(word, 'M') < 0 &&
+         !word.starts_with("TOOLCALL");
+}
+
+// Of a block of Klartext, without its comment.
+std::string_view statement_within(const ProgramLine& line) {
+  auto begin = static_cast<std::uint32_t>(line.text.size());
+  std::uint32_t end = 0;
+  for (const WordRange& word : line.words) {
+    if (word.role == WordRole::comment || word.role == WordRole::number) continue;
+    begin = std::min(begin, word.begin);
+    end = std::max(end, word.end);
+  }
+  return std::string_view(line.text).substr(begin, end - begin);
+}
+
 // The number of an S word, without sign.
 bool is_speed(std::string_view text) {
   return !text.empty() && text.find_first_not_of("0123456789.") == std::string_view::npos;
@@ -85,6 +103,12 @@ bool PlainWordsReader::read_tool_call(const ProgramLine& line, std::string_view 
   bool first = true;
   for (KlartextToolWord word = reader.next(); word.kind != KlartextToolWord::Kind::end;
        word = reader.next()) {
+    // The statement has no names, only the line does.
+    if (word.kind == KlartextToolWord::Kind::text) {
+      const std::size_t name = given.find('"');
+      const std::size_t end = given.find('"', name + 1);
+      return fail(line, std::string(given.substr(name, end - name + 1)) + " of TOOL CALL");
+    }
     const bool is_tool = std::exchange(first, false) && word.kind == KlartextToolWord::Kind::number;
     const bool has_number = word.has == KlartextToolWord::Value::number;
     const std::string text = in_capitals(word.text);
@@ -100,7 +124,7 @@ bool PlainWordsReader::read_tool_call(const ProgramLine& line, std::string_view 
       return fail(line, text + " of TOOL CALL");
     }
   }
-  return true;
+  return !first || fail(line, "TOOL CALL without a tool");
 }
 
 // G43 H2, G49, D2 of ISG and D1 of SINUMERIK: whether the word selects a length.
@@ -181,7 +205,18 @@ bool PlainWordsReader::read(const ProgramLine& line, PlainWords& words) {
   if (from_.name == DialectName::fanuc && has('S') && has('G', "G50"))
     return fail(line, "G50 with S, a limit of the speed");
   bool said = true;
-  for (const WordRange& range : line.words) said &= read_word(line, range, words);
+  bool refused_whole = false;
+  const std::size_t faults_before = faults_.size();
+  for (const WordRange& range : line.words) {
+    if (read_word(line, range, words)) continue;
+    said = false;
+    refused_whole |= from_.name == DialectName::heidenhain &&
+                     belongs_to_others(range, in_capitals(line.word(range)));
+  }
+  if (refused_whole) {
+    faults_.resize(faults_before);
+    return fail(line, std::string(statement_within(line)));
+  }
   const bool is_alone = words.length && !words.begins_length && from_.name != DialectName::isg;
   return is_alone ? fail(line, "H" + std::to_string(*words.length)) : said;
 }
