@@ -37,7 +37,7 @@ TEST(KeptLines, OfAContourOfKlartextWithoutARadius) {
       text_of(before + "2 L X+0 Y+0 RL F100\n" + contour + "5 CC X+50 Y+50\n6 C X+60 Y+50 DR-\n" +
                   behind + "9 L X-20 R0\n10 END PGM A MM\n",
               setup),
-      before + "2 L X+0 Y+0 F100\n" + contour + "CC X+50 Y+50\n6 C X+60 Y+50 DR-\n" + behind +
+      before + "2 L X+0 Y+0 F100\n" + contour + "5 CC X+50 Y+50\n6 C X+60 Y+50 DR-\n" + behind +
           "9 L X-20 Y+0\n10 END PGM A MM\n");
 }
 

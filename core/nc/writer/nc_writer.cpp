@@ -128,10 +128,12 @@ void NcWriter::write_without_motion(const WaitingLine& own, std::string& out) {
           word.role != WordRole::number && !(klartext_ && word.role == WordRole::motion);
       append(line, word);
     }
-    if (has_more_than_number)
+    if (has_more_than_number) {
       write_words(line.line_end, out);
-    else
+    } else {
       next_number_ = number;
+      keep_number_of_pole(line);
+    }
   }
   enter_modes(own);
   const bool copied = !line.has_trc_words && !line.is_motion;
@@ -154,9 +156,20 @@ void NcWriter::enter_klartext(const ProgramLine& line, LineForm form) {
   state_.has_pole = true;
 }
 
+// The pole of an arc takes the place of the CC of the program that stood before it.
+void NcWriter::keep_number_of_pole(const ProgramLine& line) {
+  if (renumbers_ || !line.klartext || !line.klartext->sets_pole) return;
+  const auto number = std::ranges::find(line.words, WordRole::number, &WordRange::role);
+  number_of_pole_ = number == line.words.end() ? "" : line.word(*number);
+}
+
 void NcWriter::write_pole(const Point& pole, Plane plane, std::string& out) {
   begin_words();
   append_number_of_inserted();
+  if (own_ != nullptr && !number_of_pole_.empty()) {
+    words_.append(' ');
+    words_.append(std::exchange(number_of_pole_, {}));
+  }
   motions_.append_pole(words_, pole, plane, state_);
   write_words(line_end_, out);
   state_.pole_written = true;
@@ -250,6 +263,7 @@ void NcWriter::write_piece(const CompensatedBlock& block, const Segment& piece,
   append_feed_and_rest(block);
   write_words(own_ != nullptr ? own_->line->line_end : line_end_, out);
   if (own_ != nullptr) rewritten_index_ = own_->line->source.index;
+  if (own_ != nullptr) number_of_pole_.clear();
   own_ = nullptr;
 }
 

@@ -95,7 +95,7 @@ class NcWriter {
   void serialize(Archive& archive) {
     archive(state_, feed_is_programmed_, waiting_, first_, waiting_for_blocks_, silent_bytes_,
             rewritten_index_, copied_index_, line_end_missing_, next_number_, numbered_, removed_,
-            open_feed_, open_feed_holds_, motions_, limits_.digits);
+            open_feed_, open_feed_holds_, motions_, limits_.digits, number_of_pole_);
     serialize_line_end(archive, line_end_);
   }
 
@@ -137,6 +137,8 @@ class NcWriter {
   void enter_klartext(const ProgramLine& line, LineForm form);
   void write_pole_handed_on(const ProgramLine& line, std::string& out);
   void write_pole(const Point& pole, Plane plane, std::string& out);
+  // Of a CC of the program that does not come out.
+  void keep_number_of_pole(const ProgramLine& line);
 
   void write_motion(const CompensatedBlock& block, std::string& out);
   void write_arc(const CompensatedBlock& block, const Arc& arc, double from, double to,
@@ -203,6 +205,8 @@ class NcWriter {
   // written anew after a feed that holds for some blocks only.
   std::string open_feed_{};
   bool open_feed_holds_ = false;  // it is the last F word that has come out
+  // The block number of the last CC that has not come out, of Klartext, up to the next motion.
+  std::string number_of_pole_{};
   // A TRC mode that is in force in the program and missing in the output.
   struct RemovedWord {
     char group = ' ';  // a later one of the same group takes its place
