@@ -46,6 +46,20 @@ TEST(ToldTogether, OfAnotherDialectIsThatAlone) {
   EXPECT_EQ(all.find("900003"), std::string::npos) << all;
 }
 
+// A section that is repeated has each of its lines once.
+TEST(ToldTogether, OfASectionThatIsRepeatedAreItsLines) {
+  const std::string text =
+      "0 BEGIN PGM A MM\n1 TOOL CALL 1 Z S2000\n2 LBL 1\n3 L X-30 Y+20 R0 FMAX\n"
+      "4 L X+0 Y+20 RL F300\n5 FL PR+10\n6 FL PR+10\n7 L X-30 Y+20 R0\n8 CALL LBL 1 REP 4\n"
+      "9 L X+5 Y+5 RL F300\n10 FL PR+10\n11 L X-30 R0\n12 END PGM A MM\n";
+  const ProgramRun ran = to_text(text, computing_setup(DialectName::heidenhain));
+  ASSERT_TRUE(ran.stopped);
+  const std::vector<DiagnosticValue>& values = ran.diagnostics.at(0).values;
+  ASSERT_EQ(values.size(), 1U) << ran.report();
+  EXPECT_EQ(values[0].name, "lines");
+  EXPECT_EQ(values[0].value, 3) << ran.report();
+}
+
 // While a value is unknown, what depends on it is no error.
 TEST(ToldTogether, AreNoConsequences) {
   EXPECT_EQ(told("#1=#5041\n#2=1/[#1-1]\nGOTO#1\nM98 P#1\nIF [#1 EQ 1] THEN #3000=1(NO)\n"

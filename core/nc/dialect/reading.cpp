@@ -169,15 +169,27 @@ void Reading::guard_against_other_dialects(const ProgramLine& line, Diagnostic& 
   fault.detail.append(", as in ").append(dialect_of(*other).spelling);
 }
 
+bool Reading::Fault::counts(std::uint32_t line, const std::vector<CallPlace>& chain) {
+  const bool has_own_text = !chain.empty() && chain.front().line_within > 0;
+  std::vector<bool>& of_text = counted[has_own_text ? chain.front().subprogram : ""];
+  const std::uint32_t at = has_own_text ? chain.front().line_within : line;
+  if (of_text.size() <= at) of_text.resize(at + 1);
+  const bool is_new = !of_text[at];
+  of_text[at] = true;
+  return is_new;
+}
+
 bool Reading::collect(Diagnostic fault) {
   if (limits.most_faults <= 1) return diagnostics.report(std::move(fault));
   if (faults.empty()) scanned_trc = state.contour_open();
   reads_plain_lines = false;
+  if (fault.calls.empty()) fault.calls = diagnostics.calls().of(fault.source.index);
   const auto alike = std::ranges::find_if(faults, [&](const Fault& known) {
     return known.code == fault.code && known.detail == fault.detail;
   });
   if (alike != faults.end()) {
-    if (alike->last_line != fault.source.line) ++alike->lines;
+    const bool may_count = reads_flat || alike->last_line != fault.source.line;
+    if (may_count && alike->counts(fault.source.line, fault.calls)) ++alike->lines;
     alike->last_line = fault.source.line;
     return false;
   }
@@ -187,10 +199,11 @@ bool Reading::collect(Diagnostic fault) {
                     .detail = std::move(fault.detail),
                     .slip = std::move(fault.slip),
                     .last_line = fault.source.line,
-                    .calls = fault.calls.empty() ? diagnostics.calls().of(fault.source.index)
-                                                 : std::move(fault.calls),
+                    .calls = std::move(fault.calls),
                     .values = std::move(fault.values),
                     .told_after = fault.told_after});
+  Fault& told = faults.back();
+  told.counts(told.source.line, told.calls);
   return faults.size() >= limits.most_faults && report_faults();
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -45,7 +46,12 @@ struct Reading {
     std::vector<CallPlace> calls{};
     std::vector<DiagnosticValue> values{};
     std::optional<std::uint64_t> told_after{};
+    // The lines counted in `lines`, by number, of the program ("") and of each subprogram with a
+    // text of its own: lines may be executed more than once.
+    std::map<std::string, std::vector<bool>> counted{};
 
+    // Marks the line as counted; false: it is so already.
+    bool counts(std::uint32_t line, const std::vector<CallPlace>& chain);
     template <class Archive>
     void serialize(Archive& archive) {
       archive(code, source, column, detail, slip.kind, slip.instead, lines, last_line, told_after);
