@@ -272,6 +272,7 @@ constexpr auto fragments = std::to_array<Fragment>({
     {"or", "oder"},
     {"a line without a number", "eine Zeile ohne Nummer"},
     {"the rest of the block above", "der Rest des Satzes darüber"},
+    {"the motion before it has no length", "die Bewegung davor hat keine Länge"},
     {"RND as a smooth approach", "RND als weiches Anfahren"},
     {"RND as a smooth departure", "RND als weiches Abfahren"},
     {"where a contour begins", "wo eine Kontur beginnt"},

@@ -504,6 +504,11 @@ constexpr auto helps = std::to_array<ReasonHelp>({
     {"a line without a number, the rest of the block above",
      "Write it at the end of the line above, as one line, or ~ at the end of that.",
      "Sie an das Ende der Zeile darüber schreiben, als eine Zeile, oder ~ an deren Ende."},
+    {"the motion before it has no length",
+     "Let the tool come to the start of the arc in a straight line: before the selection it has to "
+     "stand elsewhere.",
+     "Das Werkzeug in einer Geraden zum Anfang des Bogens fahren: vor der Anwahl muss es an "
+     "anderer Stelle stehen."},
     {"RND as a smooth approach",
      "Write APPR CT with the first point of the contour, CCA90, the radius as R, and RL or RR, in "
      "place of the motion with RL or RR and of RND.",

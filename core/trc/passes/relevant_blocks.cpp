@@ -58,6 +58,9 @@ bool RelevantBlocks::drain(PathBlocks& out) {
 }
 
 bool RelevantBlocks::attach_passive(PassiveBlock&& block, PathBlocks& out) {
+  // A motion to where the tool stands.
+  if (!block.moves && block.text.empty() && block.mode->active() && !last_.active)
+    without_length_ = block.source;
   if (!held_) {
     auto carrier = std::make_unique<PathBlock>();
     carrier->role = Role::passive;
@@ -87,6 +90,7 @@ bool RelevantBlocks::follow(MotionBlock&& motion, PathBlocks& out) {
   block->programmed = std::move(motion);
   if (!classify(*block)) return false;
   last_ = block->at_end;
+  if (!last_.active) without_length_ = {};
   if (last_mode_ != block->programmed.mode) last_mode_ = block->programmed.mode;
   last_path_ = block->programmed.path;
   if (block->at_end.active) {
@@ -103,7 +107,7 @@ bool RelevantBlocks::release(const TrcMode* next, PathBlocks& out) {
   PathBlock& block = *released;
   const TrcMode& mode = block.mode();
   const bool contour_follows = goes_on_with_contour(mode, next);
-  if (is_circle_for_line(block, next)) return refuse(Code::circular_selection_block, block);
+  if (is_circle_for_line(block, next)) return refuse_circle(block);
   if (block.role == Role::side_change && !contour_follows)
     return refuse(Code::side_change_without_contour, block);
   if (block.role == Role::approach && !contour_follows) {
@@ -235,6 +239,15 @@ bool RelevantBlocks::warn_of_corner(const PathBlock& block) {
                     {"tool_radius", block.mode().cutting_radius()}};
   warning.point = DiagnosticPoint{.x = corner[0], .y = corner[1], .z = corner[2]};
   return diagnostics_.report(std::move(warning));
+}
+
+bool RelevantBlocks::refuse_circle(const PathBlock& block) {
+  Diagnostic refused = diagnostic(Code::circular_selection_block, block.programmed.source);
+  if (without_length_.line > 0) {
+    refused.detail = "the motion before it has no length";
+    append_place(refused.values, "selection", without_length_);
+  }
+  return diagnostics_.report(std::move(refused));
 }
 
 bool RelevantBlocks::refuse(Code code, const PathBlock& block, std::string detail) {

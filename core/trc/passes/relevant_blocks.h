@@ -46,7 +46,7 @@ class RelevantBlocks {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(held_, last_, last_mode_, last_path_, end_mode_, contour_blocks_);
+    archive(held_, last_, last_mode_, last_path_, end_mode_, contour_blocks_, without_length_);
   }
 
  private:
@@ -64,6 +64,7 @@ class RelevantBlocks {
   bool warn_of_corner(const PathBlock& block);
   void count_for_window(const PathBlock& block);
   bool refuse(Code code, const PathBlock& block, std::string detail = {});
+  bool refuse_circle(const PathBlock& block);
   // For a circle where only a line is allowed: keeps what is known of the contour next to it.
   void keep_refused_approach(const MotionBlock& next);
   void keep_refused_retract(const PathBlock& retract);
@@ -82,6 +83,7 @@ class RelevantBlocks {
   // The mode the program ended in.
   std::optional<TrcMode> end_mode_;
   std::size_t contour_blocks_ = 0;  // of the selection, where a window counts them
+  Source without_length_{};         // a motion under TRC before its first block
 };
 
 }  // namespace trc
