@@ -365,7 +365,7 @@ TEST(ObstaclesOfADialect, AreToldOnceWithTheLineOfTheirCause) {
 
   const auto scaled = told(
       "BEGIN PGM A MM\nTOOL CALL 1 Z\nL X-9 Y-9 R0 FMAX\nCYCL DEF 11.0 SCALING\n"
-      "CYCL DEF 11.1 SCL 0.99\nL X+0 Y+0 RL F100\nL Y+20\nL X+20\nL X+40 R0\nEND PGM A MM\n",
+      "CYCL DEF 11.1 SCL Q5\nL X+0 Y+0 RL F100\nL Y+20\nL X+20\nL X+40 R0\nEND PGM A MM\n",
       DialectName::heidenhain);
   ASSERT_EQ(scaled.size(), 1U);
   EXPECT_EQ(scaled[0].source.line, 6U);
@@ -731,6 +731,62 @@ TEST(MotionsBeforeAnyFunction, AreThoseOfTheControlOrRefused) {
     const ProgramRun said = to_blocks("G1\n" + words + "G40 X80. Y60.\nM30\n", setup);
     EXPECT_FALSE(said.stopped) << dialect.spelling << said.report();
   }
+}
+
+// Lists have the positions of a pattern in lines of their own.
+TEST(Klartext, CopiesTheLinesOfAPattern) {
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = DialectName::heidenhain;
+  const std::string text =
+      "BEGIN PGM A MM\nPATTERN DEF\nPOS1( X+25 Y+33.5 Z+0 )\n  POS2 (X+15 IY+6,5 Z+0)\n"
+      "PATTERN DEF\nCIRC1 (X+25 Y+33 D80 START+45 NUM8 Z+0)\nCYCL CALL PAT FMAX M3\n"
+      "END PGM A MM\n";
+  const ProgramRun copied = to_text(text, setup);
+  EXPECT_EQ(copied.text, text) << copied.report();
+  EXPECT_TRUE(to_text("BEGIN PGM A MM\nPOS X+25\nEND PGM A MM\n", setup).stopped);
+}
+
+// A circle cannot lead to the contour, and the line in front of it leads nowhere.
+TEST(Klartext, NamesTheMotionWithoutLengthInFrontOfACircle) {
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = DialectName::heidenhain;
+  setup.session.program.mode.tool_radius = 4;
+  dialect_of(DialectName::heidenhain).begin(setup.session.program.mode);
+  const auto refused = [&](const std::string& in_front) {
+    const ProgramRun ran = to_text("BEGIN PGM A MM\nL X+0 Y+20 R0 FMAX\nCC X+20 Y+20\n" + in_front +
+                                       "C X+0 Y+20 DR-\nL X-30 R0\nEND PGM A MM\n",
+                                   setup);
+    return ran.report();
+  };
+  const std::string named = refused("L X+0 Y+20 RL F300\n");
+  EXPECT_NE(named.find("the motion before it has no length"), std::string::npos) << named;
+  EXPECT_NE(named.find("selection block line 4"), std::string::npos) << named;
+  for (const char* other : {"L RL F300\n", "L RL F300\nM8\n", "L RL F300\nL Z-5\n"}) {
+    const std::string plain = refused(other);
+    EXPECT_NE(plain.find("90008"), std::string::npos) << other << plain;
+    EXPECT_EQ(plain.find("no length"), std::string::npos) << other << plain;
+  }
+}
+
+// The CC of an arc stands where that of the program stood, and has its number.
+TEST(Klartext, KeepsTheNumberOfAPole) {
+  ProgramSessionSetup setup;
+  setup.session.program.dialect = DialectName::heidenhain;
+  setup.session.program.mode.tool_radius = 5;
+  dialect_of(DialectName::heidenhain).begin(setup.session.program.mode);
+  const std::string text =
+      "0 BEGIN PGM A MM\n1 L X-20 Y-20 R0 FMAX\n2 L X+0 Y+0 RL F300\n3 L Y+40\n4 CC X+20 Y+40\n"
+      "5 C X+40 Y+40 DR-\n6 L Y+20\n7 CC X+45 Y+20\n8 ; a corner of its own\n9 L X+60\n"
+      "10 CC X+60 Y+10 ; the last\n11 C X+60 Y+0 DR-\n12 L X-20 R0\n13 END PGM A MM\n";
+  const ProgramRun written = to_text(text, setup);
+  ASSERT_FALSE(written.stopped) << written.report();
+  EXPECT_EQ(written.text,
+            "0 BEGIN PGM A MM\n1 L X-20 Y-20 R0 FMAX\n2 L X-5 Y+0 F300\n3 L X-5 Y+40\n"
+            "4 CC X+20 Y+40\n5 C X+45 Y+40 DR-\n6 L X+45 Y+25\n8 ; a corner of its own\n"
+            "9 L X+60 Y+25\n10 ; the last\nCC X+60 Y+10\n11 C X+60 Y-5 DR-\n"
+            "12 L X-20 Y+0\n13 END PGM A MM\n");
+  EXPECT_EQ(to_text(text, setup, 1).text, written.text);
+  EXPECT_EQ(run_resumed(text, setup, 7).text, written.text);
 }
 
 // The feed of TOOL CALL holds until another one is programmed.

@@ -98,28 +98,6 @@ bool moves_along_one_axis(std::string_view statement) {
   return axes == 1;
 }
 
-// Lists of older controls break a block where their screen does:
-//
-//     5   L   X-20.000  Y-20.000
-//                         R0 F9999 M03
-//
-// Where the block ends only its next line says, so that it is not read.
-bool is_rest_of_block(const Reading& reading, const ProgramLine& line, std::string_view statement) {
-  const bool is_indented = line.text.front() == ' ' || line.text.front() == '\t';
-  const bool has_number = line.source.number != Source::no_number;
-  if (!reading.klartext_modes.after_number || has_number || !is_indented) return false;
-  const std::string_view first = statement.substr(0, statement.find(' '));
-  constexpr auto alone = std::to_array<std::string_view>({"F", "FMAX", "R", "R0", "RL", "RR", "S"});
-  if (std::ranges::find(alone, first) != alone.end()) return true;
-  constexpr auto names =
-      std::to_array<std::string_view>({"DR", "IPA", "IPR", "PA", "PR", "A", "B", "C", "F", "IX",
-                                       "IY", "IZ",  "R",   "S",  "U",  "V", "W", "X", "Y", "Z"});
-  return std::ranges::any_of(names, [&](std::string_view name) {
-    return first.size() > name.size() && first.starts_with(name) &&
-           std::string_view("+-0123456789.Q").find(first[name.size()]) != std::string_view::npos;
-  });
-}
-
 // `at`: where the statement begins.
 bool read_statement(Reading& reading, ProgramLine& line, KlartextBlock& block, std::size_t at) {
   const std::string_view rest = line.text;
@@ -138,10 +116,17 @@ bool read_statement(Reading& reading, ProgramLine& line, KlartextBlock& block, s
     return true;
   }
   const std::string statement = statement_of(rest.substr(at));
-  if (is_rest_of_block(reading, line, statement))
-    return refuse_klartext(reading, line, at,
-                           "a line without a number, the rest of the block above");
-  reading.klartext_modes.after_number = line.source.number != Source::no_number;
+  KlartextModes& modes = reading.klartext_modes;
+  const bool has_number = line.source.number != Source::no_number;
+  if (modes.after_number && !has_number && is_rest_of_klartext_block(line.text)) {
+    if (!modes.after_blank)
+      return refuse_klartext(reading, line, at,
+                             "a line without a number, the rest of the block above");
+    modes.in_columns = true;
+    return copy_klartext(reading, line, at, WordRole::technology);
+  }
+  modes.after_number = has_number;
+  modes.after_blank = begins_with_word(statement, "BLK FORM");
   const auto motion = std::ranges::find_if(motions, [&](const Motion& candidate) {
     return begins_with_word(statement, candidate.name);
   });
@@ -176,6 +161,28 @@ bool read_statement(Reading& reading, ProgramLine& line, KlartextBlock& block, s
 }
 
 }  // namespace
+
+// Lists of older controls break a block where their screen does:
+//
+//     5   L   X-20.000  Y-20.000
+//                         R0 F9999 M03
+//
+// Only the next line says where the block ends. The blank at the head of the program, which moves
+// nothing, shows whether the list is such a one (D-176).
+bool is_rest_of_klartext_block(std::string_view line) {
+  if (line.empty() || (line.front() != ' ' && line.front() != '\t')) return false;
+  const std::string statement = statement_of(line);
+  const std::string_view first = std::string_view(statement).substr(0, statement.find(' '));
+  constexpr auto alone = std::to_array<std::string_view>({"F", "FMAX", "R", "R0", "RL", "RR", "S"});
+  if (std::ranges::find(alone, first) != alone.end()) return true;
+  constexpr auto names =
+      std::to_array<std::string_view>({"DR", "IPA", "IPR", "PA", "PR", "A", "B", "C", "F", "IX",
+                                       "IY", "IZ",  "R",   "S",  "U",  "V", "W", "X", "Y", "Z"});
+  return std::ranges::any_of(names, [&](std::string_view name) {
+    return first.size() > name.size() && first.starts_with(name) &&
+           std::string_view("+-0123456789.Q").find(first[name.size()]) != std::string_view::npos;
+  });
+}
 
 bool begins_klartext_block(std::string_view line) {
   const std::size_t at = line.find_first_not_of(" \t");
@@ -218,10 +225,14 @@ bool read_klartext(Reading& reading, ProgramLine& line) {
   KlartextBlock block;
   const std::optional<std::size_t> begin = begin_of_statement(line, block.to_skip);
   if (!begin) return true;
-  const std::uint32_t led = reading.klartext_modes.unfollowed;
+  const KlartextModes& modes = reading.klartext_modes;
+  const std::uint32_t led = modes.unfollowed;
+  const std::uint32_t scaling = modes.scaling;
+  const double scale = modes.scale;
   const bool goes_on = read_statement(reading, line, block, *begin);
-  // A mode that a skippable line ends may still be in force.
-  if (block.to_skip) take_klartext_effects(reading, {.unsure = led});
+  // A mode that a skippable line sets or ends may be in force or not.
+  const bool changes = modes.unfollowed != led || modes.scaling != scaling || modes.scale != scale;
+  if (block.to_skip && changes) take_klartext_effects(reading, {.unsure = led | modes.unfollowed});
   return goes_on;
 }
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "core/nc/dialect/klartext_block.h"
 #include "core/nc/dialect/reading.h"
@@ -17,6 +18,10 @@ bool refuse_klartext(Reading& reading, const ProgramLine& line, std::size_t begi
 [[nodiscard]] inline double klartext_feed_unit(const Reading& reading) {
   return reading.unit == LengthUnit::inch ? mm_per_inch / 10 : 1;
 }
+
+// Whether the line is the rest of the numbered block above, in a list that breaks blocks where the
+// screen of the control does.
+[[nodiscard]] bool is_rest_of_klartext_block(std::string_view line);
 
 // A block that is not plain (klartext_plain.h).
 bool read_klartext(Reading& reading, ProgramLine& line);

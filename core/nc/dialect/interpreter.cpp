@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/nc/dialect/gcode_tools.h"
+#include "core/nc/dialect/heidenhain.h"
 #include "core/nc/dialect/klartext_block.h"
 #include "core/nc/dialect/read_line.h"
 #include "core/nc/dialect/reading.h"
@@ -120,13 +121,18 @@ bool Interpreter::take_line(std::string_view text, std::string_view line_end,
   std::string_view last_line = continued_ == 0 ? text : last_line_of(text);
   if (continued_ > 0 && reading_.dialect.name == DialectName::heidenhain &&
       is_klartext_comment(text) && begins_klartext_block(last_line)) {
-    if (!take_comment_before(last_line, lines)) return false;
+    if (!take_block_before(last_line, lines)) return false;
+    last_line = text = partial_;
+  }
+  if (std::exchange(may_go_on_, false) && !is_rest_of_klartext_block(last_line)) {
+    if (!take_block_before(last_line, lines)) return false;
     last_line = text = partial_;
   }
   const bool goes_on_below = reading_.dialect.name == DialectName::heidenhain
                                  ? is_continued_klartext(last_line)
                                  : may_be_continued(last_line) && is_continued(last_line);
-  if (!reading_.ended && reading_.comment_block == 0 && goes_on_below) {
+  may_go_on_ = !goes_on_below && !line_end.empty() && may_go_on(text);
+  if (!reading_.ended && reading_.comment_block == 0 && (goes_on_below || may_go_on_)) {
     if (line_end.empty()) return refuse_open_line();
     if (partial_.empty()) partial_.assign(text);
     partial_.erase(0, partial_.size() - text.size());  // the byte order mark
@@ -139,14 +145,20 @@ bool Interpreter::take_line(std::string_view text, std::string_view line_end,
   return goes_on;
 }
 
-bool Interpreter::take_comment_before(std::string_view last_line, std::vector<LinePointer>& lines) {
+bool Interpreter::may_go_on(std::string_view block) const {
+  if (!reading_.klartext_modes.in_columns || reading_.reads_flat || reading_.ended) return false;
+  const std::size_t number = block.find_first_not_of(" \t");
+  return number != std::string_view::npos && is_digit(block[number]) && !is_klartext_comment(block);
+}
+
+bool Interpreter::take_block_before(std::string_view last_line, std::vector<LinePointer>& lines) {
   const std::string whole = std::exchange(partial_, std::string(last_line));
-  std::string_view comment(whole.data(), whole.size() - last_line.size());
-  const std::string_view line_end = comment.ends_with("\r\n") ? "\r\n"
-                                    : comment.ends_with('\n') ? "\n"
-                                                              : "\r";
-  comment.remove_suffix(line_end.size());
-  return take_block(comment, line_end, std::exchange(continued_, 0U), lines);
+  std::string_view block(whole.data(), whole.size() - last_line.size());
+  const std::string_view line_end = block.ends_with("\r\n") ? "\r\n"
+                                    : block.ends_with('\n') ? "\n"
+                                                            : "\r";
+  block.remove_suffix(line_end.size());
+  return take_block(block, line_end, std::exchange(continued_, 0U), lines);
 }
 
 bool Interpreter::take_block(std::string_view text, std::string_view line_end,
@@ -212,8 +224,8 @@ bool Interpreter::finish(std::vector<LinePointer>& lines, std::string_view why_e
   if (continued_to_nothing) {
     const bool comment =
         reading_.dialect.name == DialectName::heidenhain && is_klartext_comment(partial_);
-    if (!comment) return refuse_open_line();
-    if (!take_comment_before({}, lines)) return false;
+    if (!comment && !std::exchange(may_go_on_, false)) return refuse_open_line();
+    if (!take_block_before({}, lines)) return false;
   }
   if (!partial_.empty() && !take_line({}, {}, lines)) return false;
   if (!reading_.faults.empty()) return reading_.report_faults();

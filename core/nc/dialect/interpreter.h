@@ -99,15 +99,16 @@ class Interpreter {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(has_begun_, partial_, continued_, carriage_return_, reading_);
+    archive(has_begun_, partial_, continued_, carriage_return_, may_go_on_, reading_);
   }
 
  private:
   bool take_line(std::string_view text, std::string_view line_end, std::vector<LinePointer>& lines);
   bool take_block(std::string_view text, std::string_view line_end, std::uint32_t lines_of_it,
                   std::vector<LinePointer>& lines);
-  // Klartext: partial_ is a comment that turns out to end before its last line.
-  bool take_comment_before(std::string_view last_line, std::vector<LinePointer>& lines);
+  // Klartext: partial_ is a block that turns out to end before its last line.
+  bool take_block_before(std::string_view last_line, std::vector<LinePointer>& lines);
+  [[nodiscard]] bool may_go_on(std::string_view block) const;
   ProgramLine& append_line(std::string_view text, std::string_view line_end,
                            std::vector<LinePointer>& lines);
   void enter_modes(ProgramLine& line) const;
@@ -120,6 +121,7 @@ class Interpreter {
   // are continued.
   std::string partial_{};
   std::uint32_t continued_ = 0;   // line ends within partial_
+  bool may_go_on_ = false;        // partial_ is a whole block of Klartext in columns
   bool carriage_return_ = false;  // partial_ is complete, a line feed may follow
   std::vector<LinePointer> spare_{};
 };

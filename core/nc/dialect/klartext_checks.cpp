@@ -184,7 +184,9 @@ bool is_beyond_what_is_known(const Reading& reading, const KlartextBlock& block)
 // Finds why the block is not followed, unless its words have given the reason.
 void find_obstacle(const Reading& reading, KlartextBlock& block) {
   using Why = KlartextObstacle::Why;
-  const std::uint32_t led = reading.klartext_modes.unfollowed;
+  const KlartextModes& modes = reading.klartext_modes;
+  // Whether the sizes of a lead are scaled no manual says.
+  const std::uint32_t led = block.is_lead() ? modes.unfollowed : modes.uncompensated();
   const bool moves = block.is_motion() || block.is_lead() || block.is_corner();
   // `/ L M8` moves nothing.
   const auto moves_nothing = [&] {
@@ -218,7 +220,8 @@ bool check_klartext(Reading& reading, ProgramLine& line, KlartextBlock& block) {
   // R0 beside M91 ends TRC first.
   if (!selects && (!reading.trc_active() || block.side == Side::off)) return true;
   // RL under scaling or M128 has been reported: this block fails for the same reason.
-  const bool led = reading.klartext_modes.unfollowed != 0 && block.unfollowed->begin == block.begin;
+  const bool led =
+      reading.klartext_modes.uncompensated() != 0 && block.unfollowed->begin == block.begin;
   if (led && !selects && !reading.faults.empty()) return false;
   return refuse_unfollowed(reading, line, block);
 }

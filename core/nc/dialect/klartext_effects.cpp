@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "core/nc/dialect/klartext_block.h"
 #include "core/nc/text/characters.h"
@@ -34,6 +35,17 @@ KlartextEffects scaling_of_axes(std::string_view words) {
     scaled = scaled.then(set_or_end(std::uint32_t{1} << axis, !is_one(words.substr(at + 1))));
   }
   return scaled;
+}
+
+// Behind a name such as SCL; nothing: there is none, or more than a number stands there.
+std::optional<double> number_behind(std::string_view words, std::string_view name) {
+  const std::size_t at = words.find(name);
+  if (at == std::string_view::npos) return {};
+  const std::string_view text = without_blanks_in_front(words.substr(at + name.size()));
+  double value = 0;
+  const std::size_t end = read_klartext_number(text, value);
+  if (end == 0 || (end < text.size() && text[end] != ' ')) return {};
+  return value;
 }
 
 // TOOL CALL with a tool, or with DR alone.
@@ -110,6 +122,21 @@ KlartextEffects effects_of_statement(std::string_view statement) {
   if (statement.starts_with(scale_axes) && !statement.starts_with("CYCL DEF 26.0"))
     effects = scaling_of_axes(statement.substr(scale_axes.size() + 1));
   return effects;
+}
+
+KlartextScale scale_of_statement(std::string_view statement) {
+  std::uint32_t mode = 0;
+  std::optional<double> factor;
+  if (statement.starts_with("CYCL DEF 11.") || statement.starts_with("TRANS SCALE SCL")) {
+    mode = statement.front() == 'C' ? KlartextLead::cycle : KlartextLead::trans;
+    factor = number_behind(statement, " SCL");
+  } else if (statement.starts_with("CYCL DEF 26.")) {
+    constexpr std::uint32_t x_and_y = 3;
+    mode = x_and_y;
+    factor = number_behind(statement, " X");
+    if (factor != number_behind(statement, " Y")) factor.reset();
+  }
+  return factor ? KlartextScale{.mode = mode, .factor = *factor} : KlartextScale{};
 }
 
 KlartextEffects effects_of_function(int m) {

@@ -55,6 +55,13 @@ struct KlartextEffects {
 // `text`: any line, from the beginning of its statement on.
 [[nodiscard]] KlartextEffects effects_of_line(std::string_view text, std::string_view statement);
 
+// A statement that scales both axes of the plane by the same number.
+struct KlartextScale {
+  std::uint32_t mode = 0;  // bits of KlartextLead; 0: the statement is another one
+  double factor = 1;
+};
+[[nodiscard]] KlartextScale scale_of_statement(std::string_view statement);
+
 // FN 9 … FN 12, IF: the statement may jump.
 [[nodiscard]] bool jumps(std::string_view statement);
 // FN 17: SYSWRITE of R or DR in the tool table; a parameter may be any of them (D-72).

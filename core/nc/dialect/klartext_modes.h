@@ -49,6 +49,9 @@ struct KlartextModes {
   bool feed_per_turn = false;            // M136
   bool modal_cycle = false;              // M89
   std::uint32_t unfollowed = 0;  // scales coordinates or guides the tool: bits of KlartextLead
+  // Those of them that scale the plane by one factor, and that factor (D-175).
+  std::uint32_t scaling = 0;
+  double scale = 1;
   // Of TOOL CALL.
   std::optional<std::int64_t> tool{};
   double radius_delta = 0;   // DR, mm
@@ -76,6 +79,8 @@ struct KlartextModes {
   WordPlace open_corner{};     // RND, CHF whose next motion is still to come
   bool behind_corner = false;  // no motion has come since RND or CHF
   bool after_number = false;   // the line before is a block with a number, or the rest of one
+  bool after_blank = false;    // BLK FORM was the last block
+  bool in_columns = false;     // blocks with a number go on in indented lines without one
   ContourStart start{};
   // RND, CHF of a contour whose next motion is still to come.
   WordPlace corner_in_contour{};
@@ -90,8 +95,10 @@ struct KlartextModes {
             contours, labels, calls, called_section, open_labels, section, unfollowed_call,
             tool_of_label, jump, labels_of_cycles, cycle_section, pole_across, open_corner,
             feed_of_control, behind_corner, pole_said, pole_lost, start, corner_in_contour,
-            corner_name, after_number);
+            corner_name, after_number, scaling, scale, after_blank, in_columns);
   }
+  // The modes of `unfollowed` in which no contour is compensated.
+  [[nodiscard]] std::uint32_t uncompensated() const { return unfollowed & ~scaling; }
 };
 
 }  // namespace trc

@@ -241,11 +241,15 @@ void forget_what_copied_block_moves(Reading& reading, ProgramLine& line, const K
   const bool named = block.end[0] || block.end[1] || block.end[2];
   const bool by_parameters_alone = block.is(KlartextStatement::straight) && !block.to_skip &&
                                    !block.other_parameter && block.has_variable() &&
-                                   reading.klartext_modes.unfollowed == 0;
+                                   reading.klartext_modes.uncompensated() == 0;
+  const bool may_be_skipped = block.to_skip && block.is(KlartextStatement::straight) && named &&
+                              block.unfollowed &&
+                              block.unfollowed->why == KlartextObstacle::Why::may_be_skipped;
   for (std::size_t axis = 0; axis < axes.size(); ++axis)
-    axes[axis] = by_parameters_alone || alone ? block.end[axis] || block.by_parameter.at(axis)
-                 : block.leaves_on != 0       ? (block.leaves_on >> axis & 1U) != 0
-                                              : !block.machine_place || !named || block.end[axis];
+    axes[axis] = by_parameters_alone || alone || may_be_skipped
+                     ? block.end[axis] || block.by_parameter.at(axis)
+                 : block.leaves_on != 0 ? (block.leaves_on >> axis & 1U) != 0
+                                        : !block.machine_place || !named || block.end[axis];
   forget_klartext_position(reading, line, axes);
   if (block.is(KlartextStatement::center)) lose_klartext_pole(reading, line);
   reading.klartext_modes.polar_radius.reset();

@@ -89,6 +89,18 @@ bool assigns(std::string_view statement) {
          begins_with_word(statement, "QS") || begins_with_word(statement, "DECLARE");
 }
 
+// A line of PATTERN DEF: POS1( X+25 Y+33.5 Z+0 ).
+bool is_of_pattern(std::string_view statement) {
+  constexpr auto names =
+      std::to_array<std::string_view>({"POS", "ROW", "PAT", "FRAME", "CIRC", "PITCHCIRC"});
+  return std::ranges::any_of(names, [&](std::string_view name) {
+    if (!statement.starts_with(name)) return false;
+    const std::size_t end = statement.find_first_not_of("0123456789", name.size());
+    return end > name.size() && end != std::string_view::npos &&
+           without_blanks_in_front(statement.substr(end)).starts_with('(');
+  });
+}
+
 std::string first_word(std::string_view statement) {
   return std::string(statement.substr(0, statement.find(' ')));
 }
@@ -137,6 +149,44 @@ bool check_called_program(Reading& reading, const ProgramLine& line, std::size_t
                          "a call of " + called + ", whose RL and RR are not followed");
 }
 
+// The scale of the plane as far as it is known, in the radius of the tool (D-175).
+void enter_scale(Reading& reading) {
+  const KlartextModes& modes = reading.klartext_modes;
+  const double scale = modes.scaling == 0 ? 1 : modes.scale;
+  if (!reading.faults.empty() || reading.state.tool().terms().scale == scale) return;
+  const Source at{.index = reading.blocks_read,
+                  .line = static_cast<std::uint32_t>(reading.lines_read)};
+  (void)reading.state.set_scale(scale, at);
+}
+
+// Beyond the largest scale the last decimal of the output would be coarser than a micrometre.
+void take_scale(Reading& reading, std::string_view statement) {
+  constexpr std::uint32_t scales = KlartextLead::axes | KlartextLead::cycle | KlartextLead::trans;
+  constexpr double smallest = 0.01;
+  constexpr double largest = 2;
+  KlartextModes& modes = reading.klartext_modes;
+  const KlartextScale scale = scale_of_statement(statement);
+  const bool is_alone = (modes.unfollowed & scales) == scale.mode;
+  const bool of_axes = (scale.mode & KlartextLead::axes) != 0;
+  const bool in_plane = !of_axes || reading.state.mode().plane == Plane::xy;
+  if (scale.mode == 0 || !is_alone || !in_plane || reading.contour_open()) return;
+  if (scale.factor < smallest || scale.factor > largest) return;
+  modes.scaling = scale.mode;
+  modes.scale = scale.factor;
+  enter_scale(reading);
+}
+
+// A program, a cycle of the touch probe or a preset may end it.
+void lose_scale(Reading& reading, std::string_view statement) {
+  constexpr auto that_keep_it = std::to_array<std::string_view>(
+      {"CYCL DEF 7", "CYCL DEF 8", "CYCL DEF 10", "CYCL DEF 11", "CYCL DEF 19", "CYCL DEF 26",
+       "CYCL DEF 220", "CYCL DEF 221", "CYCL CALL", "TRANS DATUM", "TRANS SCALE", "PLANE"});
+  const bool along_an_axis = statement.size() > 1 && !is_letter(statement[1]);
+  if (along_an_axis || is_any(statement, that_keep_it)) return;
+  reading.klartext_modes.scaling = 0;
+  enter_scale(reading);
+}
+
 // A statement whose end position only the control knows: a cycle, a program call, a datum shift.
 bool copy_motion_of_machine(Reading& reading, ProgramLine& line, std::size_t begin,
                             std::string_view statement) {
@@ -144,6 +194,7 @@ bool copy_motion_of_machine(Reading& reading, ProgramLine& line, std::size_t beg
   if (reading.trc_active())
     return refuse_klartext(reading, line, begin, first + " while TRC is active");
   if (!leave_contour_by_cycle(reading, line, begin, statement)) return false;
+  lose_scale(reading, statement);
   line.calls_the_machine = first == "CALL" || first == "PGM";
   if (line.calls_the_machine || is_any(statement, contour_blocks) || first.size() == 1 ||
       !is_letter(first[1]))
@@ -238,6 +289,8 @@ void take_klartext_effects(Reading& reading, const KlartextEffects& effects) {
   take(KlartextMode::modal_cycle, modes.modal_cycle);
   take(KlartextMode::feed_per_turn, modes.feed_per_turn);
   modes.section.note(effects);
+  modes.scaling &= ~effects.touched();
+  enter_scale(reading);
 }
 
 void hand_on_klartext_pole(const Reading& reading, ProgramLine& line) {
@@ -308,13 +361,15 @@ bool read_klartext_statement(Reading& reading, ProgramLine& line, std::size_t be
   }
   forget_parameters(reading, statement);
   take_klartext_effects(reading, effects_of_statement(statement));
+  take_scale(reading, statement);
   if (!take_labels_of_cycle(reading, line, begin, statement)) return false;
   if (!check_other_compensations(reading, line, begin, statement) ||
       !check_called_program(reading, line, begin, statement))
     return false;
   if (acts_at_once(statement) || (is_any(statement, moving) && !is_any(statement, passing)))
     return copy_motion_of_machine(reading, line, begin, statement);
-  if (is_any(statement, passing) || reading.state.setup().copies_unknown_words ||
+  if (is_any(statement, passing) || is_of_pattern(statement) ||
+      reading.state.setup().copies_unknown_words ||
       passes_word(reading.state.setup(), line.text, begin))
     return copy_klartext(reading, line, begin, WordRole::technology);
   return refuse_klartext(reading, line, begin, first, Code::nc_unsupported);

@@ -306,7 +306,7 @@ bool select_in_klartext(Reading& reading, const ProgramLine& line, Side side, st
     return refuse_klartext(reading, line, begin,
                            "TRC after what may be skipped, in line " + std::to_string(skipped),
                            Code::block_skip_undecided);
-  if (reading.klartext_modes.unfollowed != 0)
+  if (reading.klartext_modes.uncompensated() != 0)
     return refuse_klartext(reading, line, begin,
                            "RL, RR while coordinates are scaled or the tool tip is led");
   if (reading.klartext_modes.called_section != 0)

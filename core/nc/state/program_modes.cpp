@@ -194,6 +194,10 @@ bool ProgramState::set_wear(double wear, const Source& source) {
   return follow_tool(tool_.set_wear(wear), source);
 }
 
+bool ProgramState::set_scale(double scale, const Source& source) {
+  return follow_tool(tool_.set_scale(scale), source);
+}
+
 bool ProgramState::set_allowance(double allowance, const Source& source) {
   return follow_tool(tool_.set_allowance(allowance), source);
 }

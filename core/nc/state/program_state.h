@@ -140,6 +140,8 @@ class ProgramState {
   bool change_tool_radius(double more, const Source& source);
   bool set_wear(double wear, const Source& source);
   bool set_allowance(double allowance, const Source& source);
+  // RadiusTerms::scale.
+  bool set_scale(double scale, const Source& source);
   // OFFN: adds to the allowance of the setup, which the program does not change.
   bool set_allowance_of_program(double allowance, const Source& source) {
     return set_allowance(setup_.allowance + allowance, source);

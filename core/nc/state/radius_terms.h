@@ -20,15 +20,19 @@ struct RadiusTerms {
   double wear = 0;
   double allowance = 0;
   double nominal = 0;  // above 0: wear mode, the program is the centre path of such a tool
+  // By which the control enlarges the coordinates of the program in the plane, but not the tool: in
+  // the program it has its sizes divided by this (D-175).
+  double scale = 1;
 
   // Distance from the program to the path; negative: on the side opposite to the programmed one.
   [[nodiscard]] double beside() const {
     const double size = nominal > 0 || radius >= 0 ? radius : -radius;
-    const double sum = size + wear + allowance;
+    const double sum = (size + wear + allowance) / scale;
     return nominal > 0 || radius >= 0 ? sum : -sum;
   }
   // The radius that cuts, allowance included.
-  [[nodiscard]] double effective() const { return nominal + beside(); }
+  [[nodiscard]] double effective() const { return scaled_nominal() + beside(); }
+  [[nodiscard]] double scaled_nominal() const { return nominal / scale; }
 
   bool operator==(const RadiusTerms&) const = default;
 };

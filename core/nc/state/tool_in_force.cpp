@@ -11,7 +11,7 @@ namespace trc {
 void give_radius(const RadiusTerms& terms, Side side, TrcMode& mode) {
   const double beside = terms.beside();
   mode.tool_radius = std::abs(beside);
-  mode.nominal_radius = terms.nominal;
+  mode.nominal_radius = terms.scaled_nominal();
   mode.below_nominal = terms.nominal > 0 && beside < 0;
   mode.side = side;
   if (beside < 0) mode.side = opposite(side);
@@ -59,6 +59,12 @@ std::optional<Refusal> ToolInForce::set_wear(double wear) {
 std::optional<Refusal> ToolInForce::set_allowance(double allowance) {
   RadiusTerms terms = terms_;
   terms.allowance = allowance;
+  return change_terms(terms);
+}
+
+std::optional<Refusal> ToolInForce::set_scale(double scale) {
+  RadiusTerms terms = terms_;
+  terms.scale = scale;
   return change_terms(terms);
 }
 

@@ -23,6 +23,7 @@ class ToolInForce {
   std::optional<Refusal> change_radius(double more);
   std::optional<Refusal> set_wear(double wear);            // mm
   std::optional<Refusal> set_allowance(double allowance);  // mm
+  std::optional<Refusal> set_scale(double scale);          // RadiusTerms::scale
   // D word; D0 without a row is no tool and gives no radius. A tool missing from the table is
   // reported where a radius is needed (D-52); without a table at once: 900013.
   std::optional<Refusal> set_tool(std::int64_t number, const WordPlace& place);
@@ -83,9 +84,9 @@ class ToolInForce {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(defined_, wears_, terms_.radius, terms_.wear, terms_.allowance, giver_, prepared_,
-            loaded_, prepared_place_, loads_tools_, missing_, missing_letter_, missing_place_,
-            zero_reported_);
+    archive(defined_, wears_, terms_.radius, terms_.wear, terms_.allowance, terms_.scale, giver_,
+            prepared_, loaded_, prepared_place_, loads_tools_, missing_, missing_letter_,
+            missing_place_, zero_reported_);
   }
 
  private:

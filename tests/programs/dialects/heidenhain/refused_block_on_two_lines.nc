@@ -1,8 +1,6 @@
 ; radius 5
 ; refused 900003 line 5
 0   BEGIN PGM 355 MM
-1   BLK FORM 0.1 Z  X+0.000
-                    Y+0.000  Z-20.000
 2   TOOL DEF 1  L+0.000
                 R+10.000
 3   TOOL CALL 1 Z
