@@ -110,7 +110,7 @@ struct Compensator::Passes {
   Diagnostics& diagnostics;
   Checkpoint checkpoint;
   Ways ways;
-  RefusedWay refused_way;  // by the pass that has stopped the stream
+  std::optional<RefusedWay> refused_way;  // by the pass that has stopped the stream
   RelevantBlocks relevant_blocks;
   ConvertCircles convert_circles;
   RoundedInput rounded_input;

@@ -1,4 +1,6 @@
+#include <optional>
 #include <utility>
+#include <variant>
 
 #include "core/trc/compensator_passes.h"
 #include "core/trc/entry_help.h"
@@ -47,17 +49,18 @@ bool Compensator::Passes::release(std::vector<CompensatedBlock>& out) {
 
 void Compensator::Passes::help_with_entry() {
   if (!setup.helps_with_entries || diagnostics.pending().empty()) return;
-  RefusedWay refused = std::exchange(refused_way, {});
-  if (may_be_of_leads(diagnostics.pending().back().code)) refused = loop_removal.refused_way();
-  const bool left_out = diagnostics.pending().back().code == Code::most_left_out;
-  if (refused.removes_loops && !refused.at_begin && !left_out) return;
-  if (refused.blocks.empty()) return;
+  std::optional<RefusedWay> refused = std::exchange(refused_way, std::nullopt);
+  const Code code = diagnostics.pending().back().code;
+  if (may_be_of_leads(code)) refused = loop_removal.refused_way();
+  if (!refused) return;
+  const auto* past_leads = std::get_if<WayPastLeads>(&refused->kind);
+  if (past_leads != nullptr && !past_leads->at_begin && code != Code::most_left_out) return;
   const PathBlock* next = relevant_blocks.held();
-  const bool goes_on = !refused.leaves && !refused.target && !refused.removes_loops &&
-                       next != nullptr && next->role == Role::contour &&
-                       start_of(next->programmed.path) == end_of(refused.blocks.back().path);
-  if (goes_on) refused.blocks.push_back(next->programmed);
-  diagnostics.help_with_entry(selection::help_with(refused, setup));
+  const bool goes_on = std::holds_alternative<WayIn>(refused->kind) && next != nullptr &&
+                       next->role == Role::contour &&
+                       start_of(next->programmed.path) == end_of(refused->blocks.back().path);
+  if (goes_on) refused->blocks.push_back(next->programmed);
+  diagnostics.help_with_entry(selection::help_with(*refused, setup));
 }
 
 }  // namespace trc

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <utility>
+#include <variant>
 
 #include "core/base/diagnostics.h"
 #include "core/trc/entry_trial.h"
@@ -39,22 +40,25 @@ class EntrySearch {
   EntrySearch(const RefusedWay& refused, const CompensatorSetup& setup)
       : refused_(refused),
         setup_(setup),
-        refused_block_(refused.leaves ? refused.blocks.back() : refused.blocks.front()),
+        refused_block_(refused.leaves() ? refused.blocks.back() : refused.blocks.front()),
         trial_(refused, setup),
         nearest_contour_block_(trial_.contour().front()),
         plane_(refused_block_.mode->plane) {}
 
+  // For a block whose length may be at fault.
   [[nodiscard]] EntryHelp find() const;
-  // Under loop removal: with the leads at the end, or without them.
-  [[nodiscard]] EntryHelp find_past_leads();
-  // For a contour that begins in an inside corner.
-  [[nodiscard]] EntryHelp find_in_corner() const;
+  [[nodiscard]] EntryHelp find(const WayIntoCorner& refused) const;
+  // With the leads at the end, or without them.
+  [[nodiscard]] EntryHelp find(const WayPastLeads& refused);
+  [[nodiscard]] EntryHelp find(const WayBesideCorner& refused) const;
 
  private:
+  // What is known without a search.
+  [[nodiscard]] EntryHelp given() const;
   [[nodiscard]] std::optional<EntryWay> longer_line() const;
   [[nodiscard]] std::optional<EntryWay> line_from_tool_side() const;
   [[nodiscard]] std::optional<EntryWay> quarter_circle() const;
-  [[nodiscard]] std::optional<EntryWay> line_from_free_start() const;
+  [[nodiscard]] std::optional<EntryWay> line_from(const WayIntoCorner& refused) const;
   [[nodiscard]] std::optional<EntryWay> line_into_corner() const;
   [[nodiscard]] std::optional<Point> start_under_g238(const EntryWay& way) const;
   [[nodiscard]] std::optional<EntryWay> longer_arc() const;
@@ -67,7 +71,7 @@ class EntrySearch {
   }
   // The end of the way that can be chosen freely.
   [[nodiscard]] DiagnosticPoint free_end(const EntryWay& way) const {
-    return refused_.leaves
+    return refused_.leaves()
                ? machine_point(plane_, end_of(way.motions.back()), refused_block_.normal.to)
                : start_point(start_of(way.motions.front()));
   }
@@ -80,46 +84,54 @@ class EntrySearch {
   Plane plane_;
 };
 
+EntryHelp EntrySearch::given() const {
+  return {.leaves = refused_.leaves(),
+          .third_axis = static_cast<std::uint8_t>(axes_of(plane_).third),
+          .given_length = length_of(refused_block_.path),
+          .tried_on = static_cast<std::uint32_t>(trial_.contour().size())};
+}
+
 EntryHelp EntrySearch::find() const {
-  EntryHelp help{.leaves = refused_.leaves,
-                 .third_axis = static_cast<std::uint8_t>(axes_of(plane_).third),
-                 .given_length = length_of(refused_block_.path),
-                 .needed_length = refused_.needed_length.value_or(0),
-                 .tried_on = static_cast<std::uint32_t>(trial_.contour().size())};
-  const bool inside_corner = refused_.target.has_value();
-  const std::optional<EntryWay> line = inside_corner ? line_from_free_start() : longer_line();
+  EntryHelp help = given();
+  help.needed_length = refused_.needed_length().along_itself.value_or(0);
+  const std::optional<EntryWay> line = longer_line();
   const bool is_arc_refused = is_arc(refused_block_.path);
   if (const auto longer = is_arc_refused ? longer_arc() : line) help.legal = free_end(*longer);
   if (line) help.proposals.push_back(proposal(*line));
-  // The contour of G238 closes where it begins: an arc before it would open it.
-  if (inside_corner) return help;
   if (const auto quarter = quarter_circle()) help.proposals.push_back(proposal(*quarter));
   return help;
 }
 
-EntryHelp EntrySearch::find_past_leads() {
-  EntryHelp help{.third_axis = static_cast<std::uint8_t>(axes_of(plane_).third),
-                 .given_length = length_of(refused_block_.path),
-                 .replaced = static_cast<std::uint32_t>(refused_.leads_in)};
+// The contour of G238 closes where it begins: an arc before it would open it.
+EntryHelp EntrySearch::find(const WayIntoCorner& refused) const {
+  EntryHelp help = given();
+  const auto line = line_from(refused);
+  if (!line) return help;
+  if (!is_arc(refused_block_.path)) help.legal = free_end(*line);
+  help.proposals.push_back(proposal(*line));
+  return help;
+}
+
+EntryHelp EntrySearch::find(const WayPastLeads& refused) {
+  EntryHelp help = given();
+  help.replaced = static_cast<std::uint32_t>(refused.leads_in);
   std::optional<EntryWay> quarter = quarter_circle();
   // If a way in fails on the whole contour, the leads at its end may be the cause.
-  if (!quarter && refused_.at_begin && refused_.leads_out > 0) {
+  if (!quarter && refused.at_begin && refused.leads_out > 0) {
     trial_.leave_out_leads();
-    help.left_out = static_cast<std::uint32_t>(refused_.leads_out);
+    help.left_out = static_cast<std::uint32_t>(refused.leads_out);
     quarter = quarter_circle();
   }
   help.tried_on = static_cast<std::uint32_t>(trial_.contour().size());
   if (quarter) help.proposals.push_back(proposal(*quarter));
-  const bool has_leads = refused_.leads_in > 0 || refused_.leads_out > 0;
-  if (!quarter && refused_.at_begin && !has_leads)
+  const bool has_leads = refused.leads_in > 0 || refused.leads_out > 0;
+  if (!quarter && refused.at_begin && !has_leads)
     if (const auto corner = line_into_corner()) help.proposals.push_back(proposal(*corner));
   return help;
 }
 
-EntryHelp EntrySearch::find_in_corner() const {
-  EntryHelp help{.third_axis = static_cast<std::uint8_t>(axes_of(plane_).third),
-                 .given_length = length_of(refused_block_.path),
-                 .tried_on = static_cast<std::uint32_t>(trial_.contour().size())};
+EntryHelp EntrySearch::find(const WayBesideCorner& /*refused*/) const {
+  EntryHelp help = given();
   if (const auto corner = line_into_corner()) help.proposals.push_back(proposal(*corner));
   return help;
 }
@@ -156,36 +168,37 @@ std::optional<Point> EntrySearch::start_under_g238(const EntryWay& way) const {
 // tool side, square to the contour or set back a little from its end.
 std::optional<EntryWay> EntrySearch::line_from_tool_side() const {
   const Segment& contour = nearest_contour_block_.path;
-  const Vector along = refused_.leaves ? tangent_at_end(contour) : tangent_at_start(contour);
-  const Point& corner = refused_.leaves ? end_of(contour) : start_of(contour);
+  const Vector along = refused_.leaves() ? tangent_at_end(contour) : tangent_at_start(contour);
+  const Point& corner = refused_.leaves() ? end_of(contour) : start_of(contour);
   const Point& given =
-      refused_.leaves ? end_of(refused_block_.path) : start_of(refused_block_.path);
+      refused_.leaves() ? end_of(refused_block_.path) : start_of(refused_block_.path);
   const double radius = tool_radius();
   const Vector across = 2 * std::copysign(radius, refused_.shift) * left_of(along);
-  const Vector behind = (refused_.leaves ? radius : -radius) * along;
+  const Vector behind = (refused_.leaves() ? radius : -radius) * along;
   for (const Point& free : {given, rounded(corner + across + behind), rounded(corner + across)}) {
     if ((free - corner).norm() <= radius) continue;
-    EntryWay way{.motions = {refused_.leaves ? Line{.start = corner, .end = free}
-                                             : Line{.start = free, .end = corner}}};
+    EntryWay way{.motions = {refused_.leaves() ? Line{.start = corner, .end = free}
+                                               : Line{.start = free, .end = corner}}};
     if (trial_.does(way)) return way;
   }
   return std::nullopt;
 }
 
 std::optional<EntryWay> EntrySearch::longer_line() const {
-  if (!refused_.needed_straight) return line_from_tool_side();
+  const auto needed = refused_.needed_length().straight;
+  if (!needed) return line_from_tool_side();
   const Segment& given = refused_block_.path;
   for (const double spare : spares) {
-    const double length = *refused_.needed_straight + spare;
+    const double length = *needed + spare;
     Line line;
-    if (refused_.leaves) {
+    if (refused_.leaves()) {
       line.start = start_of(given);
       line.end = rounded(line.start + length * tangent_at_start(given));
     } else {
       line.end = end_of(given);
       line.start = rounded(line.end - length * tangent_at_end(given));
     }
-    if (length_of(line) < *refused_.needed_straight) continue;
+    if (length_of(line) < *needed) continue;
     EntryWay way{.motions = {line}};
     if (trial_.does(way)) return way;
   }
@@ -195,16 +208,17 @@ std::optional<EntryWay> EntrySearch::longer_line() const {
 std::optional<EntryWay> EntrySearch::longer_arc() const {
   const Arc& given = std::get<Arc>(refused_block_.path);
   const double radius = radius_of(given);
-  if (!refused_.needed_length || !(radius > 0)) return std::nullopt;
+  const auto needed = refused_.needed_length().along_itself;
+  if (!needed || !(radius > 0)) return std::nullopt;
   for (const double spare : spares) {
-    const double angle = (*refused_.needed_length + spare) / radius;
+    const double angle = (*needed + spare) / radius;
     if (angle >= 2 * pi) return std::nullopt;
     Arc arc = given;
     arc.sweep = std::copysign(angle, given.sweep);
-    const double turn = refused_.leaves ? arc.sweep : -arc.sweep;
-    const Vector radial = (refused_.leaves ? given.start : given.end) - given.center;
+    const double turn = refused_.leaves() ? arc.sweep : -arc.sweep;
+    const Vector radial = (refused_.leaves() ? given.start : given.end) - given.center;
     const Point end = given.center + std::cos(turn) * radial + std::sin(turn) * left_of(radial);
-    (refused_.leaves ? arc.end : arc.start) = end;
+    (refused_.leaves() ? arc.end : arc.start) = end;
     EntryWay way{.motions = {arc}};
     if (trial_.does(way)) return way;
   }
@@ -221,12 +235,12 @@ std::optional<EntryWay> EntrySearch::quarter_circle() const {
 
 EntryWay EntrySearch::quarter_circle(double radius) const {
   const Segment& contour = nearest_contour_block_.path;
-  const Vector along = refused_.leaves ? tangent_at_end(contour) : tangent_at_start(contour);
-  const Point& corner = refused_.leaves ? end_of(contour) : start_of(contour);
+  const Vector along = refused_.leaves() ? tangent_at_end(contour) : tangent_at_start(contour);
+  const Point& corner = refused_.leaves() ? end_of(contour) : start_of(contour);
   const double side = std::copysign(1.0, refused_.shift);
   const Point center = corner + side * radius * left_of(along);
   EntryWay way{.shape = EntryProposal::Shape::quarter_circle};
-  if (refused_.leaves) {
+  if (refused_.leaves()) {
     const Point off = center + radius * along;
     way.motions = {Arc{.start = corner, .end = off, .center = center, .sweep = side * pi / 2},
                    Line{.start = off, .end = center}};
@@ -238,12 +252,12 @@ EntryWay EntrySearch::quarter_circle(double radius) const {
   return way;
 }
 
-std::optional<EntryWay> EntrySearch::line_from_free_start() const {
+std::optional<EntryWay> EntrySearch::line_from(const WayIntoCorner& refused) const {
   const FreeStart search({.contour = trial_.contour(),
                           .way = {start_of(refused_block_.path), end_of(refused_block_.path)},
-                          .target = *refused_.target,
+                          .target = refused.target,
                           .shift = refused_.shift,
-                          .on_tool_side = refused_.starts_on_tool_side,
+                          .on_tool_side = refused.starts_on_tool_side,
                           .step = 1 / written},
                          setup_);
   const auto start = search.find();
@@ -256,14 +270,15 @@ std::optional<EntryWay> EntrySearch::line_from_free_start() const {
 EntryProposal EntrySearch::proposal(const EntryWay& way) const {
   const double to = refused_block_.normal.to;
   // Leads that are left out may have come down to the contour.
-  const double at_contour = refused_.leads_in > 0 ? trial_.contour().front().normal.from : to;
+  const double at_contour =
+      refused_.leads().leads_in > 0 ? trial_.contour().front().normal.from : to;
   double height = refused_block_.normal.from;
   EntryProposal result{.shape = way.shape, .start = start_point(start_of(way.motions.front()))};
   for (const Segment& motion : way.motions) {
     // A way out rises in its last motion, a way in comes down in its first one.
     const bool is_last = &motion == &way.motions.back();
-    const double last = refused_.leaves ? to : at_contour;
-    const double between = refused_.leaves ? height : to;
+    const double last = refused_.leaves() ? to : at_contour;
+    const double between = refused_.leaves() ? height : to;
     const double end = is_last ? last : between;
     ProposedBlock block{.end = machine_point(plane_, end_of(motion), end)};
     if (const auto* arc = std::get_if<Arc>(&motion)) {
@@ -280,18 +295,26 @@ EntryProposal EntrySearch::proposal(const EntryWay& way) const {
 
 std::shared_ptr<const EntryHelp> help_with(const RefusedWay& refused,
                                            const CompensatorSetup& setup) {
-  if (refused.blocks.size() < 2 + refused.leads_out || refused.blocks.size() > most_blocks ||
-      refused.shift == 0)
+  if (refused.blocks.size() < 2 + refused.leads().leads_out ||
+      refused.blocks.size() > most_blocks || refused.shift == 0)
     return nullptr;
   EntrySearch search(refused, setup);
-  if (refused.in_corner) {
-    EntryHelp help = search.find_in_corner();
-    return help.proposals.empty() ? nullptr : std::make_shared<const EntryHelp>(std::move(help));
-  }
-  if (!refused.removes_loops) return std::make_shared<const EntryHelp>(search.find());
-  // Refusals of loop removal mostly have other causes.
-  EntryHelp help = search.find_past_leads();
-  return help.proposals.empty() ? nullptr : std::make_shared<const EntryHelp>(std::move(help));
+  const auto told = [](EntryHelp help) {
+    return std::make_shared<const EntryHelp>(std::move(help));
+  };
+  const auto told_with_proposals = [&](EntryHelp help) {
+    return help.proposals.empty() ? nullptr : told(std::move(help));
+  };
+  return std::visit(
+      overloaded{
+          [&](const WayIn&) { return told(search.find()); },
+          [&](const WayOut&) { return told(search.find()); },
+          [&](const WayIntoCorner& way) { return told(search.find(way)); },
+          // Refusals of loop removal mostly have other causes.
+          [&](const WayPastLeads& way) { return told_with_proposals(search.find(way)); },
+          [&](const WayBesideCorner& way) { return told_with_proposals(search.find(way)); },
+      },
+      refused.kind);
 }
 
 }  // namespace trc::selection

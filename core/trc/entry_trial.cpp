@@ -43,10 +43,12 @@ bool leaves_much_out(const Diagnostics& found) {
 bool EntryTrial::does(const EntryWay& way) const {
   Diagnostics diagnostics;
   const auto [accepted, path] = compensated(way, setup_, diagnostics);
-  if (!accepted || (refused_.removes_loops && leaves_much_out(diagnostics))) return false;
+  const bool removes_loops = std::holds_alternative<WayPastLeads>(refused_.kind);
+  if (!accepted || (removes_loops && leaves_much_out(diagnostics))) return false;
+  const bool is_all_at_stake = std::holds_alternative<WayBesideCorner>(refused_.kind);
   return std::all_of(path.begin(), path.end(), [&](const CompensatedBlock& block) {
     // Under G238 the contour begins and ends elsewhere too. Loop removal keeps the rest clear.
-    const bool is_at_stake = refused_.in_corner || is_of_way(block, way.motions.size());
+    const bool is_at_stake = is_all_at_stake || is_of_way(block, way.motions.size());
     return !is_at_stake || block.origin == Origin::masked || is_clear(block.path);
   });
 }
@@ -78,10 +80,10 @@ std::vector<Block> EntryTrial::program(const EntryWay& way) const {
     lead.path = path;
     motions.push_back(std::move(lead));
   };
-  if (refused_.leaves) {
+  if (const auto* out = std::get_if<WayOut>(&refused_.kind)) {
     // The blocks before the last one are not known any more: the rest of it is entered across.
     MotionBlock last = nearest_contour_block_;
-    const auto left = behind_cut(last.path, refused_.cut_at_start);
+    const auto left = behind_cut(last.path, out->cut_at_start);
     if (!left) return {};
     last.path = *left;
     TrcMode mode = *last.mode;
@@ -116,7 +118,7 @@ std::vector<Block> EntryTrial::program(const EntryWay& way) const {
 }
 
 bool EntryTrial::is_of_way(const CompensatedBlock& block, std::size_t motions) const {
-  if (refused_.leaves) return block.source.index > 0 || block.origin == Origin::retract;
+  if (refused_.leaves()) return block.source.index > 0 || block.origin == Origin::retract;
   return block.source.index < motions;
 }
 

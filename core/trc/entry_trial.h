@@ -28,11 +28,11 @@ class EntryTrial {
   EntryTrial(const RefusedWay& refused, const CompensatorSetup& setup)
       : refused_(refused),
         setup_(setup),
-        refused_block_(refused.leaves ? refused.blocks.back() : refused.blocks.front()),
-        contour_(refused.leaves ? std::span(refused.blocks).first(1)
-                                : std::span(refused.blocks).subspan(1)),
+        refused_block_(refused.leaves() ? refused.blocks.back() : refused.blocks.front()),
+        contour_(refused.leaves() ? std::span(refused.blocks).first(1)
+                                  : std::span(refused.blocks).subspan(1)),
         nearest_contour_block_(contour_.front()),
-        walls_(contour_.first(contour_.size() - refused.leads_out)),
+        walls_(contour_.first(contour_.size() - refused.leads().leads_out)),
         plane_(refused_block_.mode->plane) {
     setup_.helps_with_entries = false;
   }

@@ -170,7 +170,7 @@ std::optional<RefusedWay> Verification::way_that_closes_at(const Clearance& wors
   const std::size_t begin = held_.first_from(approach->source);
   const std::uint32_t rule = programmed[begin].rule;
   const Rule& at_begin = held_.rule_of(programmed[begin]);
-  RefusedWay way{.in_corner = true};
+  RefusedWay way{.kind = WayBesideCorner{}};
   way.blocks.push_back(*approach);
   way.shift = at_begin.side == Side::left ? at_begin.radius : -at_begin.radius;
   for (std::size_t place = begin + 1; place < programmed.end(); ++place) {

@@ -95,7 +95,7 @@ class Passes {
 
   Diagnostics diagnostics_;
   Checkpoint checkpoint_{{}};
-  RefusedWay refused_way_{};
+  std::optional<RefusedWay> refused_way_;
   RelevantBlocks relevant_blocks_{setup(), diagnostics_, refused_way_};
   ConvertCircles convert_circles_{setup().tolerances};
   KerfMasking kerf_masking_{true, setup().tolerances};

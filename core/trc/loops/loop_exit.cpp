@@ -18,12 +18,20 @@ constexpr double near_closing = 2;
 // later. That crossing leaves out the lap, so it counts only if nothing else leads on.
 std::optional<LoopExit> LoopExits::find(const PathPiece& at, const Onset& onset,
                                         Nearness nearness) const {
-  within_lap_ = true;
-  goes_round_ = false;
+  exits_over_laps_ = ExitsOverLaps::none_ignored;
   auto exit = find_any(at, onset, nearness);
-  if (exit || !goes_round_ || nearness == Nearness::exact) return exit;
-  within_lap_ = false;
+  if (exit || exits_over_laps_ == ExitsOverLaps::none_ignored || nearness == Nearness::exact)
+    return exit;
+  exits_over_laps_ = ExitsOverLaps::allowed;
   return find_any(at, onset, nearness);
+}
+
+bool LoopExits::is_ignored(std::size_t from, std::size_t to) const {
+  if (exits_over_laps_ == ExitsOverLaps::allowed ||
+      !obstacles_.walls().goes_round(path_.number_of(from), path_.number_of(to)))
+    return false;
+  exits_over_laps_ = ExitsOverLaps::ignored;
+  return true;
 }
 
 std::optional<LoopExit> LoopExits::find_any(const PathPiece& at, const Onset& onset,
@@ -34,7 +42,7 @@ std::optional<LoopExit> LoopExits::find_any(const PathPiece& at, const Onset& on
   const std::vector<std::size_t>& obstacles =
       obstacles_.at(at.block, piece.end, onset.obstacle, nearness);
   ask_about(piece);
-  known_of_ = HeldPath::most_blocks;
+  crossings_of_.reset();
   // A path that has been within reach for long has crossed before the block now beside it.
   const bool beside_last = nearness == Nearness::passable;
   if (auto exit = first_here(piece, obstacles, beside_last ? Kind::crossing : Kind::any, nearness))
@@ -88,7 +96,7 @@ std::optional<LoopExit> LoopExits::exit_here(const PathPiece& piece, std::size_t
   const double radius = std::max(path_.radius_of_tool(piece.block), 1.0);
   const double part = nearness == Nearness::exact ? 4 * tolerances_.rounding : tolerances_.passable;
   for (const std::size_t block : near_) {
-    if (path_.is_unreachable(block) || leaves_out_a_lap(piece.block, block)) continue;
+    if (path_.is_unreachable(block) || is_ignored(piece.block, block)) continue;
     const Segment segment = path(block).path;
     const double along = nearest_along(segment, piece.end);
     const Point point = point_along(segment, along);
@@ -157,15 +165,16 @@ std::optional<LoopExit> LoopExits::last_of_walked(const Onset& onset,
 // not exact to the last digits, but the error is less than the width of one point.
 void LoopExits::ask_about(const PathPiece& piece) const {
   checkpoint_.pass();
-  area_ = path_.box_about(piece.block, piece.start, piece.end);
-  reach_ = 3 * slack_of_places(tolerances_) + tolerances_.same_point +
-           tolerances_.passable * std::max(path_.radius_of_tool(piece.block), 1.0);
+  asked_ = {.area = path_.box_about(piece.block, piece.start, piece.end),
+            .reach = 3 * slack_of_places(tolerances_) + tolerances_.same_point +
+                     tolerances_.passable * std::max(path_.radius_of_tool(piece.block), 1.0)};
 }
 
 bool LoopExits::has_near(const BlocksAtObstacle& blocks) const {
   near_.clear();
   for (std::size_t block = blocks.first; block < blocks.end; ++block)
-    if (squared_distance(area_, path_.box_about(block)) <= reach_ * reach_) near_.push_back(block);
+    if (squared_distance(asked_.area, path_.box_about(block)) <= asked_.reach * asked_.reach)
+      near_.push_back(block);
   return !near_.empty();
 }
 
@@ -174,7 +183,7 @@ std::optional<LoopExit> LoopExits::crossing_in(const PathPiece& piece, std::size
   const double slack = slack_of_places(tolerances_);
   std::optional<LoopExit> latest;
   for (const std::size_t block : near_) {
-    if (leaves_out_a_lap(piece.block, block)) continue;
+    if (is_ignored(piece.block, block)) continue;
     for (const Crossing& crossing : crossings_of(piece.block, block)) {
       if (crossing.along_first < piece.from - slack || crossing.along_first > piece.to + slack)
         continue;
@@ -200,20 +209,20 @@ double LoopExits::place_not_before(double least, double along, std::size_t block
 }
 
 std::span<const Crossing> LoopExits::crossings_of(std::size_t block, std::size_t other) const {
-  if (known_of_ != block) {
+  if (!crossings_of_ || crossings_of_->block != block) {
     const Segment segment = path(block).path;
     known_.clear();
-    known_of_ = block;
-    track_ = Track(segment);
-    has_length_ = !has_no_radius(segment);
+    crossings_of_ = {.block = block};
+    if (!has_no_radius(segment)) crossings_of_->track.emplace(segment);
   }
   const auto known = std::find_if(known_.begin(), known_.end(),
                                   [&](const Known& its) { return its.other == other; });
   if (known != known_.end()) return known->crossings;
   Crossings& found = known_.emplace_back(Known{.other = other}).crossings;
   const Segment segment = path(other).path;
-  if (has_length_ && !path_.is_unreachable(other) && !has_no_radius(segment))
-    found = crossings(track_, Track(segment), slack_of_places(tolerances_));
+  const std::optional<Track>& track = crossings_of_->track;
+  if (track && !path_.is_unreachable(other) && !has_no_radius(segment))
+    found = crossings(*track, Track(segment), slack_of_places(tolerances_));
   return found;
 }
 

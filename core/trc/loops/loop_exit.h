@@ -65,13 +65,8 @@ class LoopExits {
 
   [[nodiscard]] std::optional<LoopExit> find_any(const PathPiece& at, const Onset& onset,
                                                  Nearness nearness) const;
-  // Whether ways from one block of the path to another one are not to be looked for now.
-  [[nodiscard]] bool leaves_out_a_lap(std::size_t from, std::size_t to) const {
-    const bool goes_round =
-        within_lap_ && obstacles_.walls().goes_round(path_.number_of(from), path_.number_of(to));
-    goes_round_ = goes_round_ || goes_round;
-    return goes_round;
-  }
+  // Whether exits from one block of the path to another one do not count now.
+  [[nodiscard]] bool is_ignored(std::size_t from, std::size_t to) const;
   // Those at an obstacle, after the block `at`.
   [[nodiscard]] BlocksAtObstacle blocks_at(std::size_t obstacle, std::size_t at) const;
   // How the path meets the part where it goes on.
@@ -121,19 +116,26 @@ class LoopExits {
   Tolerances tolerances_;
   Checkpoint& checkpoint_;
 
+  // Exits that leave out a whole lap do not count at first; it is noted whether there was one.
+  enum class ExitsOverLaps { none_ignored, ignored, allowed };
+  // About a piece: a box, and the largest distance from it of blocks that may meet the piece.
+  struct Asked {
+    Box area{};
+    double reach = 0;
+  };
   struct Known {
     std::size_t other = 0;
     Crossings crossings{};
   };
-  // A box about the piece asked about, and the largest distance of blocks that may meet it.
-  mutable bool within_lap_ = false;
-  mutable bool goes_round_ = false;  // a way has been left aside for that
-  mutable Box area_{};
-  mutable double reach_ = 0;
-  // For one block; members, so that their memory is used again.
-  mutable std::size_t known_of_ = HeldPath::most_blocks;
-  mutable Track track_{Line{}};
-  mutable bool has_length_ = false;
+  struct CrossingsOf {
+    std::size_t block = 0;
+    std::optional<Track> track{};  // none: without radius the block crosses nothing
+  };
+  mutable ExitsOverLaps exits_over_laps_ = ExitsOverLaps::none_ignored;
+  mutable Asked asked_{};
+  mutable std::optional<CrossingsOf> crossings_of_;
+  // What is known of that block, and the blocks near the piece; members, so that their memory is
+  // used again.
   mutable std::vector<Known> known_;
   mutable std::vector<std::size_t> near_;
 };

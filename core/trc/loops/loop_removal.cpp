@@ -233,20 +233,20 @@ void LoopRemoval::forget() {
   obstacles_.drop_before(keep);
 }
 
-RefusedWay LoopRemoval::refused_way() const {
-  if (held_.entering.empty() || held_.path.empty() || held_.path.begin_of_contour() > 0) return {};
+std::optional<RefusedWay> LoopRemoval::refused_way() const {
+  if (held_.entering.empty() || held_.path.empty() || held_.path.begin_of_contour() > 0)
+    return std::nullopt;
   const PathBlock& approach = *held_.entering.front();
-  if (approach.role != Role::approach) return {};
+  if (approach.role != Role::approach) return std::nullopt;
   const Walls& walls = obstacles_.walls();
-  RefusedWay refused{
-      .shift = approach.at_end.shift, .removes_loops = true, .at_begin = walked_.empty()};
+  WayPastLeads past{.at_begin = walked_.empty()};
   const std::size_t end = end_of_contour();
   for (const Walls::Range& leads : walls.leads) {
-    if (leads.first == 0) refused.leads_in = leads.end;
-    if (leads.end == end) refused.leads_out = end - leads.first;
+    if (leads.first == 0) past.leads_in = leads.end;
+    if (leads.end == end) past.leads_out = end - leads.first;
   }
-  refused.blocks.push_back(approach.programmed);
-  for (std::size_t number = refused.leads_in; number < end; ++number) {
+  RefusedWay refused{.blocks = {approach.programmed}, .shift = approach.at_end.shift, .kind = past};
+  for (std::size_t number = past.leads_in; number < end; ++number) {
     const HeldPath::ContourBlock block = contour(number);
     const HeldPath::Setting& setting = held_.path.setting_of(block.block);
     refused.blocks.push_back({.source = block.source,

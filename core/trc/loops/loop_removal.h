@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "core/base/checkpoint.h"
 #include "core/base/diagnostics.h"
@@ -59,9 +60,9 @@ class LoopRemoval {
     return is_leaving() && held_.entering.empty() ? &release_ : nullptr;
   }
   [[nodiscard]] const HeldPath& path() const { return held_.path; }
-  // The selection that it has stopped at, approach first and without the leads at the start; no
-  // blocks where part of it has left.
-  [[nodiscard]] RefusedWay refused_way() const;
+  // The selection that it has stopped at, approach first and without the leads at the start; none
+  // where part of it has left.
+  [[nodiscard]] std::optional<RefusedWay> refused_way() const;
 
   // Not allowed while a selection is leaving.
   template <class Archive>

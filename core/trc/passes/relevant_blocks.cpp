@@ -207,7 +207,7 @@ void RelevantBlocks::keep_refused_approach(const MotionBlock& next) {
   const MotionBlock& approach = held_->programmed;
   if (!continues(*approach.mode, next.mode.get()) || end_of(approach.path) != start_of(next.path))
     return;
-  refused_way_ = {.blocks = {approach, next}, .shift = held_->at_end.shift};
+  refused_way_ = {.blocks = {approach, next}, .shift = held_->at_end.shift, .kind = WayIn{}};
 }
 
 // Under G238 the tool is not at the end of the last block: the whole contour decides where it
@@ -220,7 +220,7 @@ void RelevantBlocks::keep_refused_retract(const PathBlock& retract) {
   last.mode = last_mode_;
   last.path = last_path_;
   refused_way_ = {
-      .leaves = true, .blocks = {last, retract.programmed}, .shift = retract.at_start.shift};
+      .blocks = {last, retract.programmed}, .shift = retract.at_start.shift, .kind = WayOut{}};
 }
 
 // Whether the motion goes straight back, so that both equidistants end in one point.

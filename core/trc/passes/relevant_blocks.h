@@ -23,7 +23,8 @@ namespace trc {
 // approach.
 class RelevantBlocks {
  public:
-  RelevantBlocks(const CompensatorSetup& setup, Diagnostics& diagnostics, RefusedWay& refused_way)
+  RelevantBlocks(const CompensatorSetup& setup, Diagnostics& diagnostics,
+                 std::optional<RefusedWay>& refused_way)
       : setup_(setup), diagnostics_(diagnostics), refused_way_(refused_way) {}
 
   bool feed(Block&& block, PathBlocks& out);
@@ -74,7 +75,7 @@ class RelevantBlocks {
 
   CompensatorSetup setup_;
   Diagnostics& diagnostics_;
-  RefusedWay& refused_way_;
+  std::optional<RefusedWay>& refused_way_;
   PathBlockPtr held_;
   // The compensation after the motion block before.
   Compensation last_{};

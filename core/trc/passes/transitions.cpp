@@ -346,26 +346,31 @@ void Transitions::change_radius_at_once(const Corner& corner, PathBlock& after,
   after.at_start = after.at_end;
 }
 
-void Transitions::keep_refused_way(const Corner& corner, const PathBlock& after) {
-  const PathBlock& before = *held_;
+NeededLength Transitions::needed_length(const Corner& corner, const PathBlock& after) const {
   const bool leaves = after.role == Role::retract;
-  // A change of side has a contour at both ends (D-150).
-  if (!leaves && before.role != Role::approach) return;
-  const PathBlock& block = leaves ? after : before;
-  refused_way_ = {.leaves = leaves,
-                  .blocks = {before.programmed, after.programmed},
-                  .shift = corner.shift,
-                  .cut_at_start = leaves ? before.cut_at_start : 0};
+  const PathBlock& block = leaves ? after : *held_;
   // The arc of G05 needs another direction, not a length.
-  if (block.mode().becomes_arc()) return;
+  if (block.mode().becomes_arc()) return {};
   const selection::AroundCorner around = selection::around_corner(block.mode());
   const auto needed = [&](const Segment& path, const Vector& tangent) {
     return leaves ? selection::needed_off_path(corner, path, tangent, around, tolerances_)
                   : selection::needed_on_path(corner, path, tangent, around, tolerances_);
   };
-  const Vector& tangent = leaves ? after.tangent_at_start : before.tangent_at_end;
-  refused_way_.needed_length = needed(block.programmed.path, tangent);
-  refused_way_.needed_straight = needed(Line{}, tangent);
+  const Vector& tangent = leaves ? block.tangent_at_start : block.tangent_at_end;
+  return {.along_itself = needed(block.programmed.path, tangent),
+          .straight = needed(Line{}, tangent)};
+}
+
+void Transitions::keep_refused_way(const Corner& corner, const PathBlock& after) {
+  const PathBlock& before = *held_;
+  const bool leaves = after.role == Role::retract;
+  // A change of side has a contour at both ends (D-150).
+  if (!leaves && before.role != Role::approach) return;
+  const NeededLength needed = needed_length(corner, after);
+  refused_way_ = {.blocks = {before.programmed, after.programmed},
+                  .shift = corner.shift,
+                  .kind = WayIn{.needed = needed}};
+  if (leaves) refused_way_->kind = WayOut{.needed = needed, .cut_at_start = before.cut_at_start};
 }
 
 bool Transitions::refuse(const JointRefusal& refusal, const Corner& corner,

@@ -28,7 +28,8 @@ namespace trc {
 // most two that are not masked.
 class Transitions {
  public:
-  Transitions(const Tolerances& tolerances, Diagnostics& diagnostics, RefusedWay& refused_way)
+  Transitions(const Tolerances& tolerances, Diagnostics& diagnostics,
+              std::optional<RefusedWay>& refused_way)
       : tolerances_(tolerances), diagnostics_(diagnostics), refused_way_(refused_way) {}
 
   bool feed(PathBlockPtr&& block, PathBlocks& out);
@@ -75,12 +76,14 @@ class Transitions {
   void measure_room(const PathBlock& after);
   bool tell_depth(const PathBlock& before, const PathBlock& after, const Joint& joint);
   bool refuse(const JointRefusal& refusal, const Corner& corner, const PathBlock& after);
+  // Of the selection or deselection block at this corner.
+  [[nodiscard]] NeededLength needed_length(const Corner& corner, const PathBlock& after) const;
   // Keeps what is known of a selection or deselection block that is too short.
   void keep_refused_way(const Corner& corner, const PathBlock& after);
 
   Tolerances tolerances_;
   Diagnostics& diagnostics_;
-  RefusedWay& refused_way_;
+  std::optional<RefusedWay>& refused_way_;
   PathBlockPtr held_;
   PathBlockPtr short_;  // after the held block: that of a bow tie if the next crosses the held one
   PathBlocks masked_;   // after the held block

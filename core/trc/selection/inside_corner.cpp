@@ -159,10 +159,10 @@ void InsideCorner::keep_refused_way() {
   if (!joint) return;
   const CornerKind kind = kind_of(closing_corner(last, first, tolerances_), tolerances_);
   refused_way_ = {.shift = held_.front()->at_end.shift,
-                  .target = joint->start,
-                  .starts_on_tool_side = kind == CornerKind::outside};
-  refused_way_.blocks.reserve(held_.size());
-  for (const PathBlockPtr& block : held_) refused_way_.blocks.push_back(block->programmed);
+                  .kind = WayIntoCorner{.target = joint->start,
+                                        .starts_on_tool_side = kind == CornerKind::outside}};
+  refused_way_->blocks.reserve(held_.size());
+  for (const PathBlockPtr& block : held_) refused_way_->blocks.push_back(block->programmed);
 }
 
 bool InsideCorner::refuse(Code code, const PathBlock& block, std::vector<DiagnosticValue> values) {

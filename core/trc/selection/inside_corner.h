@@ -25,7 +25,7 @@ namespace trc::selection {
 class InsideCorner {
  public:
   InsideCorner(std::size_t selection_blocks, const Tolerances& tolerances, Diagnostics& diagnostics,
-               Checkpoint& checkpoint, RefusedWay& refused_way)
+               Checkpoint& checkpoint, std::optional<RefusedWay>& refused_way)
       : selection_blocks_(selection_blocks),
         tolerances_(tolerances),
         diagnostics_(diagnostics),
@@ -62,7 +62,7 @@ class InsideCorner {
   Tolerances tolerances_;
   Diagnostics& diagnostics_;
   Checkpoint& checkpoint_;
-  RefusedWay& refused_way_;
+  std::optional<RefusedWay>& refused_way_;
   PathBlocks held_;  // the approach and the contour of one selection
 };
 

@@ -84,7 +84,7 @@ TEST(ContourMaskingPass, MasksABlockItsNeighboursLeaveNothingOfAndJoinsThemAnew)
 TEST(TransitionsPass, GoesRoundAnOutsideCornerByAnArcAboutIt) {
   const TrcMode mode = left_of_contour(2);
   Diagnostics diagnostics;
-  RefusedWay refused;
+  std::optional<RefusedWay> refused;
   Transitions pass(Tolerances{}, diagnostics, refused);
   const PathBlocks out =
       all_from(pass, in_a_row(approach_block({.start = {-10, 0}, .end = {0, 0}}, mode),
@@ -105,7 +105,7 @@ TEST(TransitionsPass, GoesRoundAnOutsideCornerByAnArcAboutIt) {
 TEST(TransitionsPass, TrimsBothBlocksAtAnInsideCorner) {
   const TrcMode mode = left_of_contour(2);
   Diagnostics diagnostics;
-  RefusedWay refused;
+  std::optional<RefusedWay> refused;
   Transitions pass(Tolerances{}, diagnostics, refused);
   const PathBlocks out =
       all_from(pass, in_a_row(approach_block({.start = {-10, 0}, .end = {0, 0}}, mode),

@@ -112,7 +112,7 @@ TEST(InsideCornerPass, BringsTheToolToWhereFirstAndLastBlockMeet) {  // rule 3.5
   mode.selection = Selection::inside_corner;
   Diagnostics diagnostics;
   Checkpoint checkpoint({});
-  RefusedWay refused;
+  std::optional<RefusedWay> refused;
   InsideCorner pass(100, Tolerances{}, diagnostics, checkpoint, refused);
   const auto side = [&](const Point& start, const Point& end) {
     return support::contour_block(Line{.start = start, .end = end}, mode);
