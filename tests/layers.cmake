@@ -51,7 +51,7 @@ endforeach()
 # The rooms of core/trc and the files beside them, each above those before it.
 string(REPLACE "|core/trc/.*" "" in_trc "${known}")
 foreach(place lead_settings.h setup.h pass.h result path_block.h state_archive.h corner selection
-        walls passes loops short_way compensator.h entry_trial entry_help compensator)
+        joints walls loops passes short_way compensator.h entry_trial entry_help compensator)
   if(IS_DIRECTORY "${ROOT}/core/trc/${place}")
     string(APPEND in_trc "|core/trc/${place}/.*")
   else()

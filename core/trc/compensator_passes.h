@@ -8,21 +8,21 @@
 
 #include "core/base/checkpoint.h"
 #include "core/trc/compensator.h"
-#include "core/trc/loops/loop_removal.h"
 #include "core/trc/pass.h"
 #include "core/trc/passes/bottlenecks.h"
 #include "core/trc/passes/contour_masking.h"
 #include "core/trc/passes/contour_violations.h"
 #include "core/trc/passes/convert_circles.h"
+#include "core/trc/passes/inside_corner.h"
 #include "core/trc/passes/kerf_masking.h"
+#include "core/trc/passes/loop_removal.h"
 #include "core/trc/passes/offset.h"
 #include "core/trc/passes/relevant_blocks.h"
 #include "core/trc/passes/reporting.h"
 #include "core/trc/passes/rounded_input.h"
+#include "core/trc/passes/split.h"
 #include "core/trc/passes/transitions.h"
 #include "core/trc/result/refused_way.h"
-#include "core/trc/selection/inside_corner.h"
-#include "core/trc/selection/split.h"
 #include "core/trc/short_way/short_release.h"
 #include "core/trc/short_way/short_way.h"
 #include "core/trc/state_archive.h"
@@ -116,13 +116,13 @@ struct Compensator::Passes {
   RoundedInput rounded_input;
   KerfMasking kerf_masking;
   Offset offset;
-  selection::InsideCorner inside_corner;
+  InsideCorner inside_corner;
   ContourMasking contour_masking;
   Transitions transitions;
   LoopRemoval loop_removal;
   ContourViolations contour_violations;
   Bottlenecks bottlenecks;
-  selection::Split split{setup.tolerances};
+  Split split{setup.tolerances};
   Reporting reporting;
   ShortWay short_way;
   ShortRelease short_release;

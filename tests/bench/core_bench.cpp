@@ -5,20 +5,20 @@
 #include "core/messages/diagnostic_text.h"
 #include "core/session/program_session.h"
 #include "core/trc/compensator.h"
-#include "core/trc/loops/loop_removal.h"
 #include "core/trc/pass.h"
 #include "core/trc/passes/bottlenecks.h"
 #include "core/trc/passes/contour_masking.h"
 #include "core/trc/passes/contour_violations.h"
 #include "core/trc/passes/convert_circles.h"
+#include "core/trc/passes/inside_corner.h"
 #include "core/trc/passes/kerf_masking.h"
+#include "core/trc/passes/loop_removal.h"
 #include "core/trc/passes/offset.h"
 #include "core/trc/passes/relevant_blocks.h"
 #include "core/trc/passes/reporting.h"
+#include "core/trc/passes/split.h"
 #include "core/trc/passes/transitions.h"
 #include "core/trc/result/refused_way.h"
-#include "core/trc/selection/inside_corner.h"
-#include "core/trc/selection/split.h"
 #include "tests/bench/part.h"
 #include "tests/bench/timed.h"
 
@@ -100,14 +100,14 @@ class Passes {
   ConvertCircles convert_circles_{setup().tolerances};
   KerfMasking kerf_masking_{true, setup().tolerances};
   Offset offset_{setup().tolerances, diagnostics_};
-  selection::InsideCorner inside_corner_{setup().limits.selection_blocks, setup().tolerances,
-                                         diagnostics_, checkpoint_, refused_way_};
+  InsideCorner inside_corner_{setup().limits.selection_blocks, setup().tolerances, diagnostics_,
+                              checkpoint_, refused_way_};
   ContourMasking contour_masking_{setup(), diagnostics_, checkpoint_};
   Transitions transitions_{setup().tolerances, diagnostics_, refused_way_};
   LoopRemoval loop_removal_{setup(), diagnostics_, checkpoint_};
   ContourViolations contour_violations_{setup().tolerances, diagnostics_};
   Bottlenecks bottlenecks_{setup(), diagnostics_, checkpoint_};
-  selection::Split split_{setup().tolerances};
+  Split split_{setup().tolerances};
   Reporting reporting_{setup(), diagnostics_};
 
   std::vector<Block> programmed_;

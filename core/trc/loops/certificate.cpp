@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/trc/passes/joints.h"
+#include "core/trc/joints/joints.h"
 
 namespace trc {
 namespace {

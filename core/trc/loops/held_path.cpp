@@ -5,8 +5,8 @@
 #include <utility>
 #include <variant>
 
+#include "core/trc/corner/offsets.h"
 #include "core/trc/loops/held_path_append.h"
-#include "core/trc/passes/offset.h"
 
 namespace trc {
 

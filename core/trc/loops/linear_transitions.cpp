@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "core/geometry/parallel.h"
-#include "core/trc/passes/joints.h"
+#include "core/trc/joints/joints.h"
 
 namespace trc {
 namespace {

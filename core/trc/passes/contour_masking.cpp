@@ -8,8 +8,8 @@
 
 #include "core/geometry/distance.h"
 #include "core/geometry/parallel.h"
-#include "core/trc/passes/joints.h"
-#include "core/trc/passes/reach.h"
+#include "core/trc/joints/joints.h"
+#include "core/trc/joints/reach.h"
 #include "core/trc/result/selection_limit.h"
 
 namespace trc {

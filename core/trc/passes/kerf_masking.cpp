@@ -11,9 +11,9 @@
 #include "core/geometry/along.h"
 #include "core/geometry/distance.h"
 #include "core/geometry/parallel.h"
+#include "core/trc/corner/offsets.h"
 #include "core/trc/corner/tool_path.h"
-#include "core/trc/passes/joints.h"
-#include "core/trc/passes/offset.h"
+#include "core/trc/joints/joints.h"
 
 namespace trc {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/base/check.h"
-#include "core/trc/passes/inverse_path.h"
+#include "core/trc/corner/inverse_path.h"
 
 namespace trc {
 bool Reporting::feed(PathBlock& block, std::vector<CompensatedBlock>& out) {

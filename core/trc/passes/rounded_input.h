@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/tolerances.h"
-#include "core/trc/passes/chords.h"
+#include "core/trc/corner/chords.h"
 #include "core/trc/path_block.h"
 
 namespace trc {

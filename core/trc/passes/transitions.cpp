@@ -7,10 +7,10 @@
 
 #include "core/geometry/parallel.h"
 #include "core/trc/corner/bow_tie.h"
+#include "core/trc/corner/radius_change.h"
 #include "core/trc/corner/tool_path.h"
-#include "core/trc/passes/joints.h"
-#include "core/trc/passes/radius_change.h"
-#include "core/trc/passes/reach.h"
+#include "core/trc/joints/joints.h"
+#include "core/trc/joints/reach.h"
 #include "core/trc/selection/on_path.h"
 
 namespace trc {

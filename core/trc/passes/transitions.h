@@ -7,7 +7,7 @@
 #include "core/base/tolerances.h"
 #include "core/trc/corner/bow_tie.h"
 #include "core/trc/corner/corner.h"
-#include "core/trc/passes/joints.h"
+#include "core/trc/joints/joints.h"
 #include "core/trc/path_block.h"
 #include "core/trc/result/refused_way.h"
 

@@ -7,10 +7,10 @@
 #include "core/base/diagnostics.h"
 #include "core/base/tolerances.h"
 #include "core/trc/corner/corner.h"
-#include "core/trc/loops/plain_entry.h"
 #include "core/trc/path_block.h"
 #include "core/trc/result/compensated_block.h"
 #include "core/trc/short_way/at_corner.h"
+#include "core/trc/short_way/plain_entry.h"
 
 namespace trc {
 

@@ -6,7 +6,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/trc/loops/held_path_reader.h"
-#include "core/trc/loops/loop_removal.h"
+#include "core/trc/passes/loop_removal.h"
 #include "core/trc/passes/reporting.h"
 #include "core/trc/result/compensated_block.h"
 #include "core/trc/setup.h"

@@ -8,7 +8,7 @@
 #include "core/base/flatten.h"
 #include "core/geometry/parallel.h"
 #include "core/trc/corner/bow_tie.h"
-#include "core/trc/passes/offset.h"
+#include "core/trc/corner/offsets.h"
 #include "core/trc/passes/rounded_input.h"
 #include "core/trc/short_way/plain_blocks.h"
 

@@ -8,7 +8,6 @@
 #include "core/base/tolerances.h"
 #include "core/nc/state/block.h"
 #include "core/trc/corner/corner.h"
-#include "core/trc/loops/plain_entry.h"
 #include "core/trc/passes/reporting.h"
 #include "core/trc/path_block.h"
 #include "core/trc/result/compensated_block.h"
@@ -16,6 +15,7 @@
 #include "core/trc/short_way/at_corner.h"
 #include "core/trc/short_way/into_loop_removal.h"
 #include "core/trc/short_way/into_result.h"
+#include "core/trc/short_way/plain_entry.h"
 
 namespace trc {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/diagnostics.h"
-#include "core/trc/passes/offset.h"
+#include "core/trc/corner/offsets.h"
 #include "core/trc/path_block.h"
 
 // Blocks as a pass is given them, for tests of one pass alone.

@@ -3,9 +3,7 @@
 #include <numbers>
 
 #include "core/trc/selection/direct.h"
-#include "core/trc/selection/inside_corner.h"
 #include "core/trc/selection/on_path.h"
-#include "core/trc/selection/split.h"
 #include "core/trc/selection/tangential.h"
 #include "tests/trc/passes/given_blocks.h"
 
@@ -105,69 +103,6 @@ TEST(TangentialDeselection, LeavesTheContourByAnArc) {
   ASSERT_NE(arc, nullptr);
   expect_point(arc->center, 0, -5);
   EXPECT_NEAR(arc->sweep, -pi / 2, 1e-12);
-}
-
-TEST(InsideCornerPass, BringsTheToolToWhereFirstAndLastBlockMeet) {  // rule 3.5
-  TrcMode mode = support::left_of_contour(2);
-  mode.selection = Selection::inside_corner;
-  Diagnostics diagnostics;
-  Checkpoint checkpoint({});
-  std::optional<RefusedWay> refused;
-  InsideCorner pass(100, Tolerances{}, diagnostics, checkpoint, refused);
-  const auto side = [&](const Point& start, const Point& end) {
-    return support::contour_block(Line{.start = start, .end = end}, mode);
-  };
-  const PathBlocks out = support::all_from(
-      pass, support::in_a_row(support::approach_block({.start = {8, 8}, .end = {0, 0}}, mode),
-                              side({0, 0}, {20, 0}), side({20, 0}, {20, 20}),
-                              side({20, 20}, {0, 20}), side({0, 20}, {0, 0})));
-  ASSERT_FALSE(diagnostics.stopped());
-  ASSERT_EQ(out.size(), 5U);
-  expect_point(out.front()->offset_end, 2, 2);
-  expect_point(out.back()->offset_end, 2, 2);
-  EXPECT_NEAR(out.back()->cut_at_end, 2, 1e-12);
-}
-
-TEST(SplitPass, GivesThePartNextToTheContourAFeedOfItsOwn) {  // rule 7.2
-  TrcMode mode = support::left_of_contour(2);
-  mode.options.split = {
-      .where = SplitOption::Where::pre, .along_path = true, .distance_1 = 10, .feed_1 = 50};
-  PathBlockPtr approach = support::approach_block({.start = {0, 0}, .end = {100, 0}}, mode);
-  approach->tool_path = Line{.start = {0, 0}, .end = {100, 0}};
-  approach->splittable = true;
-  Split pass(Tolerances{});
-  const PathBlocks out = support::all_from(pass, support::in_a_row(std::move(approach)));
-  ASSERT_EQ(out.size(), 2U);
-  expect_point(end_of(out[0]->tool_path), 90, 0);
-  EXPECT_EQ(out[0]->programmed.feed, 100);
-  expect_point(end_of(out[1]->tool_path), 100, 0);
-  EXPECT_EQ(out[1]->programmed.feed, 50);
-}
-
-// The rounding of a difference decides nothing.
-TEST(SplitPass, GivesALineAsLongAsThePartItsFeed) {  // D-14
-  TrcMode mode = support::left_of_contour(2);
-  mode.options.split = {
-      .where = SplitOption::Where::pre, .along_path = true, .distance_1 = 10, .feed_1 = 50};
-  const auto split = [&](double length, double second) {
-    mode.options.split.distance_2 = second;
-    mode.options.split.feed_2 = second > 0 ? 20 : 0;
-    PathBlockPtr approach = support::approach_block({.start = {0, 0}, .end = {length, 0}}, mode);
-    approach->tool_path = Line{.start = {0, 0}, .end = {length, 0}};
-    approach->splittable = true;
-    Split pass(Tolerances{});
-    std::vector<double> feeds;
-    for (const PathBlockPtr& part : support::all_from(pass, support::in_a_row(std::move(approach))))
-      feeds.push_back(part->programmed.feed);
-    return feeds;
-  };
-  for (const double more : {-9e-5, -1e-12, 0.0, 1e-12, 9e-5}) {
-    EXPECT_EQ(split(10 + more, 0), std::vector<double>{50}) << more;
-    EXPECT_EQ(split(14 + more, 4), (std::vector<double>{50, 20})) << more;
-  }
-  EXPECT_EQ(split(9.9998, 0), std::vector<double>{100});
-  EXPECT_EQ(split(13.9998, 4), (std::vector<double>{100, 20}));
-  EXPECT_EQ(split(10.0002, 0), (std::vector<double>{100, 50}));
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
-#include "core/trc/passes/reach.h"
+#include "core/trc/joints/reach.h"
 
 #include <cmath>
 
 #include "core/geometry/parallel.h"
-#include "core/trc/passes/joints.h"
-#include "core/trc/passes/offset.h"
+#include "core/trc/corner/offsets.h"
+#include "core/trc/joints/joints.h"
 
 namespace trc {
 namespace {

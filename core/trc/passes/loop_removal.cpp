@@ -1,4 +1,4 @@
-#include "core/trc/loops/loop_removal.h"
+#include "core/trc/passes/loop_removal.h"
 
 #include <algorithm>
 #include <cmath>

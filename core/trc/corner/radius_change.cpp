@@ -1,11 +1,11 @@
-#include "core/trc/passes/radius_change.h"
+#include "core/trc/corner/radius_change.h"
 
 #include <cmath>
 #include <numbers>
 #include <utility>
 
+#include "core/trc/corner/offsets.h"
 #include "core/trc/corner/tool_path.h"
-#include "core/trc/passes/offset.h"
 
 namespace trc {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/trc/passes/inverse_path.h"
+#include "core/trc/corner/inverse_path.h"
 
 #include "core/geometry/parallel.h"
 

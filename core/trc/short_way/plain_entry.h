@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/trc/loops/loop_removal.h"
+#include "core/trc/passes/loop_removal.h"
 
 namespace trc {
 

@@ -1,4 +1,4 @@
-#include "core/trc/selection/inside_corner.h"
+#include "core/trc/passes/inside_corner.h"
 
 #include <cmath>
 #include <numbers>
@@ -9,7 +9,7 @@
 #include "core/trc/corner/corner.h"
 #include "core/trc/result/selection_limit.h"
 
-namespace trc::selection {
+namespace trc {
 namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
@@ -181,4 +181,4 @@ bool InsideCorner::refuse(Code code, const PathBlock& block, std::vector<Diagnos
   return diagnostics_.report(std::move(problem));
 }
 
-}  // namespace trc::selection
+}  // namespace trc

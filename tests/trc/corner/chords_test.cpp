@@ -1,4 +1,4 @@
-#include "core/trc/passes/chords.h"
+#include "core/trc/corner/chords.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/trc/passes/joints.h"
+#include "core/trc/joints/joints.h"
 
 #include <cmath>
 #include <numbers>

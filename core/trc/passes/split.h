@@ -5,7 +5,7 @@
 #include "core/base/tolerances.h"
 #include "core/trc/path_block.h"
 
-namespace trc::selection {
+namespace trc {
 
 // `#TRC [SPLIT …]`: the parts of the approach and the retract line next to the
 // contour get feeds of their own (rule 7.2, D-19).
@@ -26,4 +26,4 @@ class Split {
   Tolerances tolerances_;
 };
 
-}  // namespace trc::selection
+}  // namespace trc

@@ -9,7 +9,7 @@
 #include "core/trc/path_block.h"
 #include "core/trc/result/refused_way.h"
 
-namespace trc::selection {
+namespace trc {
 
 // G238: a closed contour that begins and ends in its inside corner (rule 3.5).
 //
@@ -66,4 +66,4 @@ class InsideCorner {
   PathBlocks held_;  // the approach and the contour of one selection
 };
 
-}  // namespace trc::selection
+}  // namespace trc

@@ -1,11 +1,11 @@
-#include "core/trc/selection/split.h"
+#include "core/trc/passes/split.h"
 
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
 
-namespace trc::selection {
+namespace trc {
 namespace {
 
 // A stretch of the line, as a share of it.
@@ -114,4 +114,4 @@ bool Split::feed(PathBlockPtr block, PathBlocks& out) {
   return true;
 }
 
-}  // namespace trc::selection
+}  // namespace trc
