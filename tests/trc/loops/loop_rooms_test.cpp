@@ -1,58 +1,23 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
-#include <memory>
 #include <vector>
 
-#include "core/base/checkpoint.h"
-#include "core/trc/loops/held_path.h"
-#include "core/trc/loops/obstacles.h"
 #include "core/trc/loops/seam.h"
-#include "core/trc/loops/walked_path.h"
+#include "tests/trc/loops/loop_room.h"
 
 // What the walk of loop removal asks: what is in the way, what has been walked, where a closed
-// contour begins and ends. Contours of lines, the tool of radius 1 left of them.
+// contour begins and ends.
 
 namespace trc {
 namespace {
 
-class LoopRoom : public ::testing::Test {
+class LoopRooms : public LoopRoom {
  protected:
-  using Nearness = Obstacles::Nearness;
-
-  // Along these corners, of which each takes `cut` off the paths of its blocks.
-  void hold(const std::vector<Point>& corners, double cut = 0) {
-    for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
-      const Line programmed{.start = corners[i], .end = corners[i + 1]};
-      const Vector along = (programmed.end - programmed.start).normalized();
-      const Vector across = left_of(along);
-      PathBlock block;
-      block.role = Role::contour;
-      block.programmed.path = programmed;
-      block.programmed.mode = mode_;
-      block.tangent_at_start = block.tangent_at_end = tangent_at_start(programmed);
-      block.tool_path = Line{.start = programmed.start + across + cut * along,
-                             .end = programmed.end + across - cut * along};
-      block.at_start = block.at_end = {.active = true, .shift = 1};
-      const Certificate::Block course = Certificate::block_of(block);
-      path_.append(block);
-      obstacles_.append(course, Certificate::Begin::joined, bounding_box(programmed));
-    }
-  }
-
-  // A way that turns back to its first block, whose path it bars at x = 6.
-  void hold_hook() { hold({{0, 0}, {10, 0}, {10, 5}, {6, 5}, {6, 0.5}}); }
-
-  Tolerances tolerances_{};
-  Checkpoint checkpoint_{{}};
-  std::shared_ptr<const TrcMode> mode_ = std::make_shared<const TrcMode>();
-  HeldPath path_;
-  Obstacles obstacles_{path_, 0, tolerances_, checkpoint_};
-  WalkedPath walked_{path_, true};
   Seam seam_{path_, tolerances_};
 };
 
-TEST_F(LoopRoom, ThePathComesTooNearWhereAWallIsOneRadiusAway) {
+TEST_F(LoopRooms, ThePathComesTooNearWhereAWallIsOneRadiusAway) {
   hold_hook();
   const auto onset = obstacles_.onset(0, 0, 10, Nearness::exact);
   ASSERT_TRUE(onset);
@@ -63,21 +28,21 @@ TEST_F(LoopRoom, ThePathComesTooNearWhereAWallIsOneRadiusAway) {
   EXPECT_TRUE(obstacles_.comes_nearer(0, 0, 5.01, Nearness::passable));
 }
 
-TEST_F(LoopRoom, ALeadIsInNobodysWay) {  // D-137
+TEST_F(LoopRooms, ALeadIsInNobodysWay) {  // D-137
   hold_hook();
   obstacles_.set_walls({.leads = {{.first = 3, .end = 4}}});
   EXPECT_TRUE(obstacles_.is_lead(3));
   EXPECT_FALSE(obstacles_.onset(0, 0, 10, Nearness::exact));
 }
 
-TEST_F(LoopRoom, WhatTurnsByLessThanHalfATurnIsNotAskedAbout) {
+TEST_F(LoopRooms, WhatTurnsByLessThanHalfATurnIsNotAskedAbout) {
   hold_hook();
   EXPECT_TRUE(obstacles_.certifies(0, 1));
   EXPECT_FALSE(obstacles_.certifies(0, 3));
   EXPECT_EQ(obstacles_.chain_before(3), 2U);
 }
 
-TEST_F(LoopRoom, BlocksThatMeetInOnePlaceAreFoundTogether) {
+TEST_F(LoopRooms, BlocksThatMeetInOnePlaceAreFoundTogether) {
   hold({{0, 0}, {10, 0}, {10, 5}, {6, 5}, {6, 1.5}, {5, 5}});
   const auto onset = obstacles_.onset(0, 0, 10, Nearness::exact);
   ASSERT_TRUE(onset);
@@ -86,7 +51,7 @@ TEST_F(LoopRoom, BlocksThatMeetInOnePlaceAreFoundTogether) {
   EXPECT_EQ(near.size(), 2U) << "both blocks of the tip in (6,1.5)";
 }
 
-TEST_F(LoopRoom, APieceIsAWholeBlockUnlessItIsCut) {
+TEST_F(LoopRooms, APieceIsAWholeBlockUnlessItIsCut) {
   hold({{0, 0}, {10, 0}, {20, 0}, {30, 0}});
   walked_.add_whole(0);
   walked_.add({.block = 1, .from = 2, .to = 7, .start = {12, 1}, .end = {17, 1}});
@@ -102,7 +67,7 @@ TEST_F(LoopRoom, APieceIsAWholeBlockUnlessItIsCut) {
   EXPECT_EQ(walked_[1].to, 3) << "what was cut before is forgotten";
 }
 
-TEST_F(LoopRoom, PiecesAreFoundByWhereTheirBlocksLie) {
+TEST_F(LoopRooms, PiecesAreFoundByWhereTheirBlocksLie) {
   hold({{0, 0}, {10, 0}, {20, 0}, {30, 0}});
   walked_.add_whole(0, 3);
   const auto found_near = [&](const Point& place, const BoxTree::Range& skipped) {
@@ -117,7 +82,7 @@ TEST_F(LoopRoom, PiecesAreFoundByWhereTheirBlocksLie) {
   EXPECT_TRUE(found_near({15, 3}, {}).empty());
 }
 
-TEST_F(LoopRoom, TheSeamIsWhereAClosedContourBeginsAndEnds) {
+TEST_F(LoopRooms, TheSeamIsWhereAClosedContourBeginsAndEnds) {
   hold({{0, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 0}}, 1);
   EXPECT_TRUE(seam_.is_near({0, 0.009}));
   EXPECT_FALSE(seam_.is_near({0, 0.02}));
@@ -125,7 +90,7 @@ TEST_F(LoopRoom, TheSeamIsWhereAClosedContourBeginsAndEnds) {
   EXPECT_FALSE(seam_.is_near({2, 4}));
 }
 
-TEST_F(LoopRoom, WhatLeadsOverTheSeamIsNoLoopUnlessItHasRoomForTheTool) {
+TEST_F(LoopRooms, WhatLeadsOverTheSeamIsNoLoopUnlessItHasRoomForTheTool) {
   hold({{0, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 0}}, 1);
   EXPECT_TRUE(seam_.is_between({0, 0}, {3, 8}, {1, 1}));
   EXPECT_TRUE(seam_.is_between({0, 0.9}, {3, 8}, {1, 1}));
@@ -135,7 +100,7 @@ TEST_F(LoopRoom, WhatLeadsOverTheSeamIsNoLoopUnlessItHasRoomForTheTool) {
   EXPECT_FALSE(seam_.is_between({0, 0}, {1, 8}, {1, 1})) << "not all of the contour";
 }
 
-TEST_F(LoopRoom, AnOpenContourHasNoSeam) {
+TEST_F(LoopRooms, AnOpenContourHasNoSeam) {
   hold({{0, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 0.1}});
   EXPECT_FALSE(seam_.is_near({0, 0}));
   EXPECT_FALSE(seam_.is_between({0, 0}, {3, 10}, {0, 1}));
