@@ -15,6 +15,7 @@
 #include "core/base/number_text.h"
 #include "core/messages/diagnostic_text.h"
 #include "core/messages/explanation.h"
+#include "core/messages/in_words_of.h"
 #include "core/nc/dialect/dialect.h"
 #include "core/nc/text/characters.h"
 #include "proto/wire/setup.h"

@@ -203,14 +203,12 @@ struct Diagnostic {
   std::shared_ptr<const DiagnosticTexts> texts{};
 };
 
-// One row of the public table: everything that is known about a code before it
-// is raised. The table of proto/README.md, GetServerInfo and the messages come from here.
+// One row of the public table: what programs know about a code before it is raised. Its texts are
+// in core/messages: english_row_of(), german_row_of().
 struct CodeRow {
   Code code{};
   Severity severity = Severity::error;
   std::string_view reason;  // UPPER_SNAKE, the `ErrorInfo.reason` of the RPCs
-  std::string_view cause;   // a sentence without full stop
-  std::string_view remedy;  // what the operator or programmer can do
 };
 
 // All codes in ascending order.

@@ -12,9 +12,11 @@
 
 #include "core/base/entry_help.h"
 #include "core/base/length_unit.h"
+#include "core/messages/english.h"
 #include "core/messages/german.h"
 #include "core/messages/german_detail.h"
 #include "core/messages/help_by_reason.h"
+#include "core/messages/in_words_of.h"
 
 namespace trc {
 namespace {
@@ -323,7 +325,7 @@ std::string with_block_numbers(std::string text, Language language) {
 }  // namespace
 
 std::string_view title_of(Code code, Language language) {
-  return language == Language::german ? german_row_of(code).title : row_of(code).cause;
+  return language == Language::german ? german_row_of(code).title : english_row_of(code).cause;
 }
 
 std::string message_of(const Diagnostic& diagnostic, Language language) {
@@ -546,7 +548,7 @@ std::string help_of(const Diagnostic& diagnostic, Language language) {
       help = of_values;
     if (!by_reason.empty()) help = by_reason;
     if (help.empty())
-      help = german ? german_row_of(diagnostic.code).help : row_of(diagnostic.code).remedy;
+      help = german ? german_row_of(diagnostic.code).help : english_row_of(diagnostic.code).remedy;
     return in_words_of(diagnostic.words, std::string(help));
   }
   std::string text(german ? slip->german : slip->english);

@@ -481,7 +481,7 @@ std::span<const GermanRow> german_rows() { return rows; }
 const GermanRow& german_row_of(Code code) {
   const auto* const found = std::ranges::lower_bound(rows, code, {}, &GermanRow::code);
   if (found != rows.end() && found->code == code) return *found;
-  // An unknown code, as in row_of().
+  // An unknown code, as in english_row_of().
   static constexpr GermanRow unknown{
       .code = Code{},
       .title = "ein Fehler, dessen Nummer nicht in der Tabelle steht",

@@ -11,8 +11,8 @@ namespace trc {
 // options stay as they are, and so do numbers: with a decimal point.
 struct GermanRow {
   Code code{};
-  std::string_view title;              // for CodeRow::cause
-  std::string_view help;               // for CodeRow::remedy
+  std::string_view title;              // for EnglishRow::cause
+  std::string_view help;               // for EnglishRow::remedy
   std::string_view on_command_line{};  // for Explanation::on_command_line; empty as that is
 };
 

@@ -10,6 +10,7 @@
 #include "core/base/diagnostic.h"
 #include "core/base/tolerances.h"
 #include "core/base/version.h"
+#include "core/messages/english.h"
 #include "core/nc/dialect/dialect.h"
 #include "core/nc/dialect/g_function.h"
 #include "core/nc/dialect/trc_command.h"
@@ -116,8 +117,9 @@ void describe(const Config& config, v1::GetServerInfoResponse& response) {
     row.set_code(static_cast<std::int32_t>(code.code));
     row.set_severity(wire::to_proto(code.severity));
     row.set_reason(std::string(code.reason));
-    row.set_cause(std::string(code.cause));
-    row.set_remedy(std::string(code.remedy));
+    const EnglishRow& english = english_row_of(code.code);
+    row.set_cause(std::string(english.cause));
+    row.set_remedy(std::string(english.remedy));
   }
 }
 

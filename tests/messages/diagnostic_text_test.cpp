@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/messages/english.h"
+
 namespace trc {
 namespace {
 
@@ -55,10 +57,10 @@ TEST(Message, SaysLengthsInTheUnitOfTheProgram) {
   found.inch = true;
   EXPECT_EQ(
       message_of(found),
-      std::string(row_of(Code::bottleneck).cause) +
+      std::string(english_row_of(Code::bottleneck).cause) +
           " (clearance 0.1000 in, tool radius 0.2500 in, turn 90.000 degrees, feed 10 in/min)");
   found.values = {{"start_radius", 25.4}, {"end_radius", 25.4001}, {"gap", 0.00002}};
-  EXPECT_EQ(message_of(found), std::string(row_of(Code::bottleneck).cause) +
+  EXPECT_EQ(message_of(found), std::string(english_row_of(Code::bottleneck).cause) +
                                    " (start radius 1.000000 in, end radius 1.000004 in, gap "
                                    "7.87e-07 in)");
   // 0.75 - 0.5 inch of the program are 0.25 inch of the tool, whatever is left of the sum.
@@ -87,7 +89,7 @@ TEST(Help, NamesTheDialectThatTheProgramLooksLike) {
       const std::string help = help_for(("O1, as in " + std::string(name)).c_str(), language);
       EXPECT_NE(help.find("--dialect " + std::string(name)), std::string::npos) << help;
     }
-  EXPECT_EQ(help_for("G41.1"), std::string(row_of(Code::other_dialect).remedy));
+  EXPECT_EQ(help_for("G41.1"), std::string(english_row_of(Code::other_dialect).remedy));
 }
 
 TEST(Message, NamesAnotherBlockByItsLine) {
@@ -122,7 +124,8 @@ TEST(Help, IsAboutWhatTheBlockGives) {
             "Check its spelling. If this is a program of another control, declare its dialect "
             "(--dialect, `dialect` in the setup).");
   // Without a help for the reason that of the code is given.
-  EXPECT_EQ(help_for(Code::nc_number, "Y", ControlWords::isg), row_of(Code::nc_number).remedy);
+  EXPECT_EQ(help_for(Code::nc_number, "Y", ControlWords::isg),
+            english_row_of(Code::nc_number).remedy);
   EXPECT_NE(help_for(Code::circle_incomplete, "", ControlWords::klartext).find("CC"),
             std::string::npos);
 }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/messages/english.h"
+
 namespace trc {
 namespace {
 
@@ -21,7 +23,7 @@ TEST(Explanation, SaysMeaningAndCausesInSentences) {
     for (const std::string_view cause : one.causes)
       EXPECT_TRUE(cause.empty() || cause.ends_with('.')) << cause;
     EXPECT_TRUE(one.on_command_line.empty() || one.on_command_line.ends_with('.'));
-    EXPECT_NE(one.meaning.substr(0, one.meaning.size() - 1), row_of(one.code).cause);
+    EXPECT_NE(one.meaning.substr(0, one.meaning.size() - 1), english_row_of(one.code).cause);
   }
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/messages/diagnostic_text.h"
+#include "core/messages/english.h"
 #include "core/messages/explanation.h"
 #include "core/messages/german_detail.h"
 #include "core/messages/german_explanation.h"
@@ -43,7 +44,7 @@ TEST(German, IsThereForEveryCode) {
     EXPECT_FALSE(german.title.empty());
     EXPECT_FALSE(german.title.ends_with('.'));
     EXPECT_TRUE(german.help.ends_with('.'));
-    EXPECT_NE(german.title, rows[i].cause);
+    EXPECT_NE(german.title, english_row_of(rows[i].code).cause);
     EXPECT_EQ(german.on_command_line.empty(),
               explanation_of(rows[i].code)->on_command_line.empty());
   }
@@ -53,8 +54,10 @@ TEST(German, SaysTheSameWordsOfProgramsAndSettings) {
   for (const CodeRow& row : code_table()) {
     SCOPED_TRACE(static_cast<int>(row.code));
     const GermanRow& german = german_row_of(row.code);
-    EXPECT_EQ(once(words_of_machine(german.title)), once(words_of_machine(row.cause)));
-    EXPECT_EQ(once(words_of_machine(german.help)), once(words_of_machine(row.remedy)));
+    EXPECT_EQ(once(words_of_machine(german.title)),
+              once(words_of_machine(english_row_of(row.code).cause)));
+    EXPECT_EQ(once(words_of_machine(german.help)),
+              once(words_of_machine(english_row_of(row.code).remedy)));
     EXPECT_EQ(once(words_of_machine(german.on_command_line)),
               once(words_of_machine(explanation_of(row.code)->on_command_line)));
   }

@@ -157,7 +157,7 @@ TEST(Codes, AreEachRaisedByAProgram) {
   // It is of NC text that comes out: nc_output_test.cpp raises it.
   raised.insert(Code::line_beyond_control);
   for (const CodeRow& row : code_table())
-    EXPECT_TRUE(raised.contains(row.code)) << static_cast<int>(row.code) << ' ' << row.cause;
+    EXPECT_TRUE(raised.contains(row.code)) << static_cast<int>(row.code) << ' ' << row.reason;
 }
 
 INSTANTIATE_TEST_SUITE_P(Programs, BadProgram, ::testing::ValuesIn(programs_in("bad")), test_name);

@@ -6,6 +6,7 @@
 
 #include "core/base/entry_help.h"
 #include "core/messages/diagnostic_text.h"
+#include "core/messages/english.h"
 #include "proto/wire/path_item.h"
 
 namespace trc::wire {
@@ -35,7 +36,7 @@ TEST(DiagnosticMessage, ReadsBackEveryField) {
   EXPECT_EQ(read.point->y, 2);
   const DiagnosticTexts texts = texts_of(read);
   EXPECT_EQ(texts.message, message_of(sent));
-  EXPECT_EQ(texts.remedy, row_of(sent.code).remedy);
+  EXPECT_EQ(texts.remedy, english_row_of(sent.code).remedy);
   EXPECT_EQ(texts.reason, row_of(sent.code).reason);
 }
 
@@ -53,7 +54,7 @@ TEST(DiagnosticMessage, CarriesTextsAndPlacesForPeople) {
   EXPECT_NE(message.text().find("0.1000 in"), std::string::npos) << message.text();
   EXPECT_EQ(message.help(), help_of(sent, Language::german));
   EXPECT_EQ(message.message(), message_of(sent));
-  EXPECT_EQ(message.remedy(), row_of(Code::bottleneck).remedy);
+  EXPECT_EQ(message.remedy(), english_row_of(Code::bottleneck).remedy);
   EXPECT_EQ(message.language(), "de");
   EXPECT_EQ(message.place().line(), 7U);
   EXPECT_EQ(message.place().column(), 3U);

@@ -11,6 +11,7 @@
 #include "client/plot/picture.h"
 #include "client/plot/svg.h"
 #include "core/base/entry_help.h"
+#include "core/messages/english.h"
 
 namespace trc::plot {
 namespace {
@@ -400,7 +401,7 @@ TEST(Svg, MarksWarningsAtTheirPlace) {
   EXPECT_EQ(paths_in(group(svg, "warning")).size(), 1U);
   EXPECT_NE(group(svg, "warning").find("gold"), std::string::npos);
   EXPECT_NE(svg.find("warning 900217 in line 3 (N20)"), std::string::npos);
-  const std::string remedy(row_of(Code::side_changed_at_corner).remedy);
+  const std::string remedy(english_row_of(Code::side_changed_at_corner).remedy);
   EXPECT_NE(svg.find(escaped(remedy.substr(0, remedy.find(' ', 20)))), std::string::npos);
 }
 

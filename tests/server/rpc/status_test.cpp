@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/messages/diagnostic_text.h"
+#include "core/messages/english.h"
 #include "google/rpc/error_details.pb.h"
 #include "google/rpc/status.pb.h"
 
@@ -114,7 +115,7 @@ TEST(Status, FaultInTheProgramCarriesPlaceValuesAndRemedy) {
   EXPECT_EQ(info.metadata().at("source_number"), "60");
   EXPECT_EQ(info.metadata().at("source_index"), "6");
   EXPECT_EQ(info.metadata().at("tool_radius"), "10.25");
-  EXPECT_EQ(info.metadata().at("remedy"), row_of(Code::line_reversed).remedy);
+  EXPECT_EQ(info.metadata().at("remedy"), english_row_of(Code::line_reversed).remedy);
 }
 
 TEST(Status, AnotherLanguageIsADetailOfItsOwn) {

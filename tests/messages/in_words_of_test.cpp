@@ -1,12 +1,12 @@
-#include "core/base/control_words.h"
+#include "core/messages/in_words_of.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <string_view>
 
-#include "core/base/diagnostic.h"
 #include "core/messages/diagnostic_text.h"
+#include "core/messages/english.h"
 
 namespace trc {
 namespace {
@@ -38,7 +38,7 @@ TEST(ControlWords, NameNoFunctionThatOnlyIsgHas) {
 
 TEST(ControlWords, AreThoseOfTheTableWhereThatNamesNoneOfIsg) {
   const Diagnostic found{.code = Code::bottleneck, .words = ControlWords::klartext};
-  EXPECT_EQ(help_of(found), row_of(Code::bottleneck).remedy);
+  EXPECT_EQ(help_of(found), english_row_of(Code::bottleneck).remedy);
 }
 
 TEST(ControlWords, OfAMessageAreThoseOfItsProgram) {

@@ -1,10 +1,8 @@
-#include "core/base/control_words.h"
+#include "core/messages/in_words_of.h"
 
 #include <algorithm>
 #include <array>
 #include <utility>
-
-#include "core/base/diagnostic.h"
 
 namespace trc {
 namespace {
