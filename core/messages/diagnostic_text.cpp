@@ -12,6 +12,7 @@
 
 #include "core/base/entry_help.h"
 #include "core/base/length_unit.h"
+#include "core/base/reasons.h"
 #include "core/messages/english.h"
 #include "core/messages/german.h"
 #include "core/messages/german_detail.h"
@@ -427,7 +428,8 @@ std::string_view help_about_values(const Diagnostic& diagnostic, Language langua
                   : "Give tool_radius in the setup, or a table with the tool that the program "
                     "calls before G41 or G42 (`tools` of the setup); if it calls none, a "
                     "table does not help.";
-  if (diagnostic.code == Code::nc_unknown_function && diagnostic.detail.ends_with(" axis words"))
+  if (diagnostic.code == Code::nc_unknown_function &&
+      diagnostic.detail.ends_with(reason::with_axis_words))
     return german
                ? "Sie entfernen, oder an ihre Stelle die Bewegungen schreiben, die sie ausführt: "
                  "was Achsen bewegt, lässt sich nicht weiterreichen."
@@ -475,7 +477,7 @@ std::string help_to_declare(const Diagnostic& diagnostic, Language language) {
        {"heidenhain", "in Klartext of Heidenhain", "in Klartext von Heidenhain"}});
   if (diagnostic.code != Code::other_dialect) return {};
   const auto* const family = std::ranges::find_if(families, [&](const Family& each) {
-    return diagnostic.detail.ends_with(", as in " + std::string(each.dialect));
+    return diagnostic.detail.ends_with(std::string(reason::as_in_dialect).append(each.dialect));
   });
   if (family == families.end()) return {};
   const std::string name(family->dialect);
@@ -518,21 +520,20 @@ std::string help_of(const Diagnostic& diagnostic, Language language) {
         Code::no_tool_radius,     Code::line_reversed,           Code::arc_wrapped,
         Code::clearance_violated, Code::circular_selection_block};
     // For these reasons the general help for expressions says little.
-    constexpr std::array<std::string_view, 14> own_reasons{
-        ", a block without a colon after its number",
-        ", words after a statement",
-        ", a block number after other words",
-        ", set by the program",
-        " or a tool offset of Fanuc",
-        ", which the program itself changes",
-        ", an argument without a decimal point",
-        ", a variable of the machine that the program sets",
-        "the tool in the spindle, without T and M6",
-        " beside M98",
-        " beside M98, where L counts the calls",
-        " beside G65",
-        " beside G66",
-        "text in UTF-16"};
+    constexpr std::array<std::string_view, 14> own_reasons{reason::no_colon_after_number,
+                                                           reason::words_after_statement,
+                                                           reason::number_after_words,
+                                                           reason::set_by_program,
+                                                           reason::variable_of_haas,
+                                                           reason::changed_by_program,
+                                                           reason::argument_without_point,
+                                                           reason::machine_variable_set,
+                                                           reason::tool_in_spindle,
+                                                           reason::beside_m98,
+                                                           reason::beside_m98_with_calls,
+                                                           reason::beside_g65,
+                                                           reason::beside_g66,
+                                                           reason::text_in_utf16};
     const bool has_own_reason = std::ranges::any_of(
         own_reasons, [&](std::string_view reason) { return diagnostic.detail.ends_with(reason); });
     // Klartext has its own help for an unknown position.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/reasons.h"
 #include "core/messages/german_fragments.h"
 
 namespace trc {
@@ -320,7 +321,7 @@ constexpr std::string_view while_active = " while TRC is active";
 constexpr std::string_view while_active_german = " bei aktiver Werkzeugradiuskorrektur";
 
 // "TRANS, …, as in sinumerik": a word of another dialect.
-constexpr std::string_view as_in = ", as in ";
+constexpr std::string_view as_in = reason::as_in_dialect;
 constexpr std::string_view as_in_german = ", wie bei ";
 
 const Phrase* phrase_of(std::string_view english) {

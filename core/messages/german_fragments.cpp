@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 
+#include "core/base/reasons.h"
+
 namespace trc {
 namespace {
 
@@ -72,9 +74,9 @@ constexpr auto fragments = std::to_array<Fragment>({
     {"G40 without a motion after it", "G40 ohne eine Bewegung dahinter"},
     {"D of G41, G42 is the number of a register, not a radius",
      "D von G41, G42 ist die Nummer eines Registers, kein Radius"},
-    {"the contour closes in an inside corner, where no tool has room",
+    {reason::closes_in_inside_corner,
      "die Kontur schließt sich in einer Innenecke, in der kein Fräser Platz hat"},
-    {"the tool comes from the one side of the contour and cuts on the other",
+    {reason::comes_from_other_side,
      "das Werkzeug kommt von der einen Seite der Kontur und schneidet auf der anderen"},
     {"the feed at the contour, of an F that may be skipped, in line",
      "der Vorschub an der Kontur, von einem F, das ausgeblendet sein kann, in Zeile"},
@@ -290,14 +292,10 @@ constexpr auto fragments = std::to_array<Fragment>({
     {"the end of a smooth approach", "das Ende eines weichen Anfahrens"},
     {"the path beside it is not measured", "die Bahn daneben wird nicht gemessen"},
     {"the table has", "die Tabelle hat"},
-    {"the tool has no room at the first point of the contour",
-     "am ersten Punkt der Kontur ist für das Werkzeug kein Platz"},
-    {"the tool has no room at the last point of the contour",
-     "am letzten Punkt der Kontur ist für das Werkzeug kein Platz"},
-    {"the tool has no room where the lead-in begins",
-     "am Anfang des Anfahrwegs ist für das Werkzeug kein Platz"},
-    {"the tool has no room where the lead-out ends",
-     "am Ende des Abfahrwegs ist für das Werkzeug kein Platz"},
+    {reason::no_room_at_first_point, "am ersten Punkt der Kontur ist für das Werkzeug kein Platz"},
+    {reason::no_room_at_last_point, "am letzten Punkt der Kontur ist für das Werkzeug kein Platz"},
+    {reason::no_room_at_lead_in, "am Anfang des Anfahrwegs ist für das Werkzeug kein Platz"},
+    {reason::no_room_at_lead_out, "am Ende des Abfahrwegs ist für das Werkzeug kein Platz"},
     {"the tool table has no", "in der Werkzeugtabelle fehlt"},
     {"the tool tip is led", "die Werkzeugspitze wird geführt"},
     {"the turns of an arc", "die Umdrehungen eines Bogens"},
@@ -454,7 +452,7 @@ constexpr auto fragments = std::to_array<Fragment>({
     {"a variable of the machine", "eine Variable der Maschine"},
     {"a word of the language that is not read here",
      "ein Wort der Sprache, das hier nicht gelesen wird"},
-    {"the tool in the spindle, without T and M6", "das Werkzeug in der Spindel, ohne T und M6"},
+    {reason::tool_in_spindle, "das Werkzeug in der Spindel, ohne T und M6"},
     {"the tool of another spindle", "das Werkzeug einer anderen Spindel"},
     {"upper limits", "obere Grenzen"},
     {"weighting of acceleration", "Gewichtung der Beschleunigung"},

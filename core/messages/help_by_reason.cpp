@@ -4,6 +4,8 @@
 #include <array>
 #include <iterator>
 
+#include "core/base/reasons.h"
+
 namespace trc {
 namespace {
 
@@ -54,29 +56,31 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "END.",
      "Das Programm mit M30 beenden, und die gewünschten Durchläufe als Schleife schreiben, mit "
      "WHILE und END."},
-    {", which the program itself changes",
+    {reason::changed_by_program,
      "Write the value in its place. No one value holds for what the program changes, so that it "
      "cannot be given from outside.",
      "An ihre Stelle den Wert schreiben. Für das, was das Programm selbst ändert, gilt nicht "
      "überall ein Wert, so dass er nicht von außen gegeben werden kann."},
-    {", an argument without a decimal point",
+    {reason::argument_without_point,
      "Write the argument with a decimal point, X10. for X10: in which increment a whole number "
      "counts hangs on its letter and on the control.",
      "Das Argument mit Dezimalpunkt schreiben, X10. für X10: in welchem Inkrement eine ganze Zahl "
      "zählt, hängt von ihrem Buchstaben und von der Steuerung ab."},
-    {" beside M98, where L counts",
+    {reason::beside_m98_with_calls,
      "Where it says how often the subprogram runs write L: M98 P2000 L3. Else take it out.",
      "Wo es sagt, wie oft das Unterprogramm läuft, L schreiben: M98 P2000 L3. Sonst es streichen."},
-    {" beside M98",
+    {reason::beside_m98,
      "Take the word out: a subprogram is executed from its beginning. Of one that is called from "
      "within, make the lines after that place a program of its own.",
      "Das Wort streichen: ein Unterprogramm läuft von seinem Anfang an. Von einem, das mittendrin "
      "begonnen wird, die Zeilen ab dort zu einem eigenen Programm machen."},
-    {" beside G65", "Take the word out, or write it into a line of its own: it is no argument.",
+    {reason::beside_g65,
+     "Take the word out, or write it into a line of its own: it is no argument.",
      "Das Wort streichen oder in eine eigene Zeile schreiben: es ist kein Argument."},
-    {" beside G66", "Take the word out, or write it into a line of its own: it is no argument.",
+    {reason::beside_g66,
+     "Take the word out, or write it into a line of its own: it is no argument.",
      "Das Wort streichen oder in eine eigene Zeile schreiben: es ist kein Argument."},
-    {"the tool in the spindle, without T",
+    {reason::tool_in_spindle,
      "Name it: its D beside G41 or G42, or its T with M06 before it; and give a table with "
      "each tool of the program.",
      "Es benennen: sein D neben G41 oder G42, oder sein T mit M06 davor; und eine Tabelle mit "
@@ -86,10 +90,10 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "in Klartext TOOL CALL.",
      "Das Werkzeug vor G41 oder G42 mit seiner Nummer programmieren, die nicht 0 ist: sein D- "
      "oder T-Wort, in Klartext TOOL CALL."},
-    {"the contour closes in an inside corner, where no tool has room",
+    {reason::closes_in_inside_corner,
      "Do not machine it so. Begin the contour in another place, in the middle of a block.",
      "So nicht fertigen. Die Kontur an einer anderen Stelle beginnen, mitten in einem Satz."},
-    {"the tool comes from the one side of the contour and cuts on the other",
+    {reason::comes_from_other_side,
      "Do not machine it. Check the side, G41 or G42. If it is right, begin the contour in the "
      "middle of a block: in its inside corner no tool has room.",
      "Nicht fertigen. Die Seite prüfen, G41 oder G42. Stimmt sie, die Kontur mitten in einem Satz "
@@ -101,12 +105,12 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Program the tool or its radius before the change, or give tool_radius in the setup.",
      "Das Werkzeug oder seinen Radius vor der Änderung programmieren, oder tool_radius im Setup "
      "angeben."},
-    {"a variable of Haas or a tool offset of Fanuc",
+    {reason::variable_of_haas,
      "Where it is a variable of the program, write one of #100 to #199 or #500 to #999 in its "
      "place: #100 for #10100. The radius of a tool is given by G10 L12 P R.",
      "Wo sie eine Variable des Programms ist, an ihre Stelle eine von #100 bis #199 oder #500 bis "
      "#999 schreiben: #100 für #10100. Den Radius eines Werkzeugs gibt G10 L12 P R."},
-    {"words after a statement",
+    {reason::words_after_statement,
      "Write what follows into a line of its own: a control statement stands alone in its line.",
      "Was folgt, in eine eigene Zeile schreiben: eine Steueranweisung steht allein in ihrer "
      "Zeile."},
@@ -248,7 +252,7 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "--dialect fanuc, `dialect` im Setup."},
     {"ISO mode: the program is one of", "Declare it: --dialect fanuc, `dialect` in the setup.",
      "Dies angeben: --dialect fanuc, `dialect` im Setup."},
-    {"with axis words",
+    {reason::with_axis_words,
      "Write the axes into a block of their own where the function does not take them; what moves "
      "axes cannot be passed on.",
      "Die Achsen in einen eigenen Satz schreiben, wo die Funktion sie nicht braucht; was Achsen "
@@ -278,10 +282,10 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "0.010 mm) in the setup.",
      "Dezimalpunkte schreiben, oder es sagen: `whole_numbers` UNITS (X10 ist 10 mm) oder "
      "INCREMENTS (X10 ist 0.010 mm) im Setup."},
-    {"finds no way past this lead", change_lead, change_lead_in_german},
-    {"no room where the lead-in begins", change_lead, change_lead_in_german},
-    {"no room where the lead-out ends", change_lead, change_lead_in_german},
-    {"REMOVE_MASKED_BLOCKS finds no way past this block",
+    {reason::no_way_past_lead, change_lead, change_lead_in_german},
+    {reason::no_room_at_lead_in, change_lead, change_lead_in_german},
+    {reason::no_room_at_lead_out, change_lead, change_lead_in_german},
+    {reason::no_way_past_block,
      "Use a smaller tool: SurveyRadii (trc radii) says which one fits. If one of the two blocks "
      "bounds no material, say that it is a lead: leads in the setup.",
      "Einen kleineren Fräser nehmen: SurveyRadii (trc radii) sagt, welcher passt. Begrenzt einer "
@@ -442,7 +446,7 @@ constexpr auto helps = std::to_array<ReasonHelp>({
     {"a centre or a radius of an arc beside AP=, RP=",
      "Leave it out: the centre of such an arc is the pole, its radius RP=.",
      "Sie weglassen: Der Mittelpunkt eines solchen Bogens ist der Pol, sein Radius RP=."},
-    {", set by the program",
+    {reason::set_by_program,
      "Take the line out. The radius of a tool is set by G10 L12 P… R…, its wear by G10 L13.",
      "Die Zeile streichen. Den Radius eines Werkzeugs setzt G10 L12 P… R…, seinen Verschleiß "
      "G10 L13."},
@@ -534,7 +538,7 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Ihn neben ROT oder AROT schreiben, vor der Kontur."},
     {"the angle of a motion", "Write the end point of the line with both axes.",
      "Den Endpunkt der Geraden mit beiden Achsen schreiben."},
-    {"a variable of the machine that the program sets",
+    {reason::machine_variable_set,
      "Write the value in its place: only the machine knows what it has made of the one that was "
      "assigned. A variable of the program has a DEF at its beginning.",
      "An ihre Stelle den Wert schreiben: was aus dem zugewiesenen geworden ist, weiß nur die "
@@ -551,7 +555,7 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "M97 streichen: Stufen, die kleiner sind als der Radius, werden mit ihrer Nummer gemeldet."},
     {"open corners", "Take M98 out, and lead the contour past the open corner by the radius.",
      "M98 streichen und die Kontur um den Radius über die offene Ecke hinausführen."},
-    {"a block without a colon after its number",
+    {reason::no_colon_after_number,
      "Write a colon after the number of the block that the jump leads to: N70: Y0.",
      "Hinter die Nummer des Satzes, zu dem der Sprung führt, einen Doppelpunkt schreiben: N70: "
      "Y0."},
@@ -590,7 +594,7 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "Jeden Satz in eine eigene Zeile schreiben, Kommentare in ( )."},
     {"write it into a line of its own", "Write it into a line of its own.",
      "Es in eine eigene Zeile schreiben."},
-    {"a block number after other words",
+    {reason::number_after_words,
      "Write the number at the beginning of its block, before all other words.",
      "Die Nummer an den Anfang ihres Satzes schreiben, vor alle anderen Wörter."},
     {"a subprogram that is not given",
@@ -634,7 +638,7 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "setup; a subprogram is given in `subprograms`.",
      "Die Schreibweise berichtigen. Wo er den Weg nicht ändert, ihn in pass_words des Setups "
      "angeben; ein Unterprogramm gehört in `subprograms`."},
-    {"text in UTF-16", "Save the program as plain text in UTF-8 or ASCII.",
+    {reason::text_in_utf16, "Save the program as plain text in UTF-8 or ASCII.",
      "Das Programm als reinen Text in UTF-8 oder ASCII speichern."},
     {"thread cutting", "A thread is no contour of a mill: take it into a program of its own.",
      "Ein Gewinde ist keine Kontur zum Fräsen: es in ein eigenes Programm auslagern."},

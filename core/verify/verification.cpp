@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/base/reasons.h"
 #include "core/base/tolerances.h"
 #include "core/trc/result/selection_limit.h"
 #include "core/verify/closing_corner.h"
@@ -41,14 +42,14 @@ Diagnostic crossing(const CrossedWall& crossed) {
   return problem;
 }
 
-std::string reason_at(ClosingCorner corner) {
+std::string_view reason_at(ClosingCorner corner) {
   switch (corner) {
     case ClosingCorner::none:
       break;
     case ClosingCorner::inside:
-      return "the contour closes in an inside corner, where no tool has room";
+      return reason::closes_in_inside_corner;
     case ClosingCorner::other_side:
-      return "the tool comes from the one side of the contour and cuts on the other";
+      return reason::comes_from_other_side;
   }
   return {};
 }

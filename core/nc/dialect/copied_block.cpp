@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "core/base/reasons.h"
 #include "core/nc/dialect/block_words.h"
 #include "core/nc/dialect/left_contour.h"
 #include "core/nc/dialect/named_functions.h"
@@ -263,9 +264,10 @@ void copy_helix_with_pitch(const Reading& reading, ProgramLine& line, BlockWords
 
 bool copy_gcode_block(Reading& reading, ProgramLine& line, BlockWords& block) {
   if (block.axis && (block.of(axis_technology).is(5) || block.of(axis_technology).is(8)))
-    return reading.refuse(line, TextFault{.code = Code::nc_unsupported,
-                                          .begin = block.of(axis_technology).begin,
-                                          .detail = "G5 or G8 with axis words"});
+    return reading.refuse(
+        line, TextFault{.code = Code::nc_unsupported,
+                        .begin = block.of(axis_technology).begin,
+                        .detail = std::string("G5 or G8").append(reason::with_axis_words)});
   const bool shifts_zero =
       reading.gcode.coordinates.dynamic_offset &&
       std::ranges::any_of(block.move.tracking, [](const auto& value) { return value.has_value(); });

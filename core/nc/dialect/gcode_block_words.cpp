@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "core/base/reasons.h"
 #include "core/nc/dialect/block_words.h"
 #include "core/nc/dialect/gcode_beside_path.h"
 #include "core/nc/dialect/gcode_block.h"
@@ -335,8 +336,7 @@ bool read_gcode_word(Reading& reading, const GcodeWord& word, ProgramLine& line,
     case 'N':
       // Some controls jump and call with an N after other words.
       if (block.words > 0)
-        return refuse_word(reading, line, word, Code::nc_syntax,
-                           "a block number after other words");
+        return refuse_word(reading, line, word, Code::nc_syntax, reason::number_after_words);
       if (word.has_number && word.whole && is_whole(word.value))
         line.source.number = static_cast<std::int64_t>(word.value);
       add(line, word, WordRole::number);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "core/base/reasons.h"
 #include "core/messages/diagnostic_text.h"
 #include "core/nc/dialect/block_words.h"
 #include "core/nc/dialect/reading.h"
@@ -247,7 +248,7 @@ bool take_unnamed_tool(Reading& reading, const ProgramLine& line, BlockWords& bl
   if (reading.has_one_radius())
     return take_only_register(reading, line, block, unnamed) ||
            refuse_selection(reading, line, block, Code::tool_unknown,
-                            "the tool in the spindle, without T and M6");
+                            std::string(reason::tool_in_spindle));
   const bool is_of_another = !reading.gcode.tools.named && reading.state.tool().radius() &&
                              !reading.state.tool().is_of_setup(no_tool_number);
   return !is_of_another || refuse_selection(reading, line, block, Code::no_tool_radius,

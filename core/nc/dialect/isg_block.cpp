@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/base/length_unit.h"
+#include "core/base/reasons.h"
 #include "core/nc/dialect/gcode_block.h"
 #include "core/nc/dialect/gcode_tools.h"
 #include "core/nc/dialect/isg_block_words.h"
@@ -32,7 +33,7 @@ bool take_isg_corner(Reading& reading, ProgramLine& line, BlockWords& block) {
   };
   if (is_corner && (reading.contour_open() || block.has(GGroup::side))) return refused("");
   if (is_corner && block.isg.corner_has_i_word) {
-    if (block.axis) return refused(" with axis words");
+    if (block.axis) return refused(reason::with_axis_words);
     block.center.reset();
     block.move.center = {};
     take_for_technology(line, WordRole::coordinate);
@@ -51,7 +52,7 @@ bool take_isg_corner(Reading& reading, ProgramLine& line, BlockWords& block) {
 // Words that may not stand in one block, or look like those of another dialect.
 bool check_isg_words(Reading& reading, const ProgramLine& line, const BlockWords& block) {
   using enum GGroup;
-  const auto wrong = [&](Code code, const BlockWords::Function& function, const char* why) {
+  const auto wrong = [&](Code code, const BlockWords::Function& function, std::string_view why) {
     return reading.refuse(
         line,
         TextFault{.code = code, .begin = function.begin, .detail = named(*function.function, why)});
@@ -60,8 +61,8 @@ bool check_isg_words(Reading& reading, const ProgramLine& line, const BlockWords
     return reading.refuse(line,
                           TextFault{.code = Code::nc_unsupported,
                                     .begin = *block.isg.passed_function,
-                                    .detail = word_to_pass(line.text, *block.isg.passed_function) +
-                                              " with axis words"});
+                                    .detail = word_to_pass(line.text, *block.isg.passed_function)
+                                                  .append(reason::with_axis_words)});
   const bool main_axis_only = std::ranges::none_of(
       block.move.tracking, [](const auto& value) { return value.has_value(); });
   if (block.has(dwell)) {
@@ -72,21 +73,22 @@ bool check_isg_words(Reading& reading, const ProgramLine& line, const BlockWords
     if (block.words < 2) return wrong(Code::nc_number, block.of(dwell), " without a time");
   }
   if (block.has(axis_technology) && (block.axis || block.center))
-    return wrong(Code::nc_unsupported, block.of(axis_technology), " with axis words");
+    return wrong(Code::nc_unsupported, block.of(axis_technology), reason::with_axis_words);
   if (block.has(tangential) && !block.has(side))
     return wrong(Code::nc_syntax, block.of(tangential), " without G40, G41 or G42");
   if (!reading.isg_word_seen && !reading.contour_open() && block.axis && !block.has(motion) &&
       !block.has(side)) {
     // In other dialects these are working area limits and a local zero point, not positions.
     if (block.has(transition))
-      return wrong(Code::other_dialect, block.of(transition), " with axis words");
+      return wrong(Code::other_dialect, block.of(transition), reason::with_axis_words);
     const auto g52 = std::ranges::find_if(line.words, [&](const WordRange& range) {
       return line.word(range) == "G52" || line.word(range) == "g52";
     });
     if (g52 != line.words.end())
-      return reading.refuse(line, TextFault{.code = Code::other_dialect,
-                                            .begin = g52->begin,
-                                            .detail = "G52 with axis words"});
+      return reading.refuse(
+          line, TextFault{.code = Code::other_dialect,
+                          .begin = g52->begin,
+                          .detail = std::string("G52").append(reason::with_axis_words)});
   }
   return true;
 }

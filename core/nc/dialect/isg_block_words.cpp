@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/base/reasons.h"
 #include "core/nc/dialect/block_words.h"
 #include "core/nc/dialect/dialect.h"
 #include "core/nc/dialect/isg_command.h"
@@ -108,7 +109,7 @@ bool read_unknown_function(Reading& reading, const Word& word, ProgramLine& line
   }
   const bool is_of_another = !reading.isg_word_seen && looks_like(line.text);
   std::string detail(line.word({.begin = word.begin, .end = word.end}));
-  if (!is_of_another && names_axis(line)) detail += " with axis words";
+  if (!is_of_another && names_axis(line)) detail += reason::with_axis_words;
   return reading.refuse(line, word, Code::nc_unknown_function, std::move(detail));
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/reasons.h"
 #include "core/nc/state/variable_name.h"
 #include "core/nc/text/characters.h"
 #include "core/nc/text/slip.h"
@@ -166,7 +167,7 @@ void Reading::guard_against_other_dialects(const ProgramLine& line, Diagnostic& 
   if (!other || *other == dialect.name || (is_declared && *other != DialectName::heidenhain))
     return;
   fault.code = Code::other_dialect;
-  fault.detail.append(", as in ").append(dialect_of(*other).spelling);
+  fault.detail.append(reason::as_in_dialect).append(dialect_of(*other).spelling);
 }
 
 bool Reading::Fault::counts(std::uint32_t line, const std::vector<CallPlace>& chain) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/base/reasons.h"
 #include "core/nc/program/fanuc_flow.h"
 #include "core/nc/text/characters.h"
 
@@ -118,7 +119,7 @@ bool FanucFlow::set(std::int64_t number, const Value& value, std::size_t begin) 
     if (number < 1000) return refuse(Code::value_invalid, begin, told);
     const bool has_own_reason = told.find(',') != std::string::npos;
     return refuse(Code::machine_state, begin,
-                  has_own_reason ? told : told + ", set by the program");
+                  has_own_reason ? told : std::string(told).append(reason::set_by_program));
   }
   return true;
 }
@@ -219,7 +220,7 @@ Value FanucFlow::value_followed(ExpressionReader& expression, std::int64_t numbe
   const double* const value = given(std::to_string(number));
   if (state.is_changed && (value != nullptr || !state.value))
     return without_value(expression, Code::machine_state, begin,
-                         told_variable(number) + ", which the program itself changes");
+                         told_variable(number).append(reason::changed_by_program));
   if (state.value) return {.number = *state.value};
   if (value == nullptr)
     return without_value(expression, Code::machine_state, begin, told_variable(number));
@@ -291,8 +292,9 @@ Value FanucFlow::value_of(ExpressionReader& expression, std::int64_t number, std
 
 std::string FanucFlow::told_variable(std::int64_t number) {
   const bool is_of_both = number >= 10'000 && number < 11'000;
-  return "#" + std::to_string(number) +
-         (is_of_both ? ", a variable of Haas or a tool offset of Fanuc" : "");
+  return std::string("#")
+      .append(std::to_string(number))
+      .append(is_of_both ? reason::variable_of_haas : std::string_view());
 }
 
 bool FanucFlow::exists(ExpressionReader& /*expression*/) { return false; }

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/reasons.h"
 #include "core/nc/program/fanuc_flow.h"
 #include "core/nc/text/characters.h"
 
@@ -127,7 +128,7 @@ std::optional<bool> FanucFlow::call_by_name(std::string& flat) {
   }
   if (!is_whole(times) || !is_over(line_, at))
     return refuse(Code::value_invalid, behind_blanks(line_, at),
-                  std::string(line_.substr(behind_blanks(line_, at))).append(" beside M98"));
+                  std::string(line_.substr(behind_blanks(line_, at))).append(reason::beside_m98));
   words_.clear();
   for (std::size_t comment = behind_blanks(line_, at); comment < line_.size();
        comment = behind_blanks(line_, at)) {
@@ -257,14 +258,14 @@ bool FanucFlow::take_arguments(const ComputedWord& word, Locals& locals) {
     if (variable == 0 || variable >= locals.size() || argument.begin < word.begin)
       return refuse(Code::value_invalid, argument.begin,
                     std::string(line_.substr(argument.begin, argument.end - argument.begin))
-                        .append(word.is('G', 66) ? " beside G66" : " beside G65"));
+                        .append(word.is('G', 66) ? reason::beside_g66 : reason::beside_g65));
     const std::string_view text = line_.substr(argument.begin, argument.end - argument.begin);
     const bool counts_increments = setup_.whole_numbers == WholeNumbers::increments &&
                                    !argument.computed && argument.value.number != 0 &&
                                    text.find('.') == std::string_view::npos;
     if (counts_increments)
       return refuse(Code::value_invalid, argument.begin,
-                    std::string(text).append(", an argument without a decimal point"));
+                    std::string(text).append(reason::argument_without_point));
     if (!argument.left_out) locals.at(variable) = argument.value.number;
   }
   return true;

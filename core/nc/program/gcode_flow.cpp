@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/reasons.h"
 #include "core/nc/dialect/dialect.h"
 #include "core/nc/text/characters.h"
 #include "core/nc/text/number_format.h"
@@ -172,9 +173,9 @@ std::optional<GcodeFlow::ProgramCall> GcodeFlow::take_call(ComputedWord& word, s
   for (const char letter : {'Q', 'H'}) {
     const ComputedWord* const other = word_of(letter);
     if (other == nullptr) continue;
-    refuse(
-        Code::value_invalid, other->begin,
-        std::string(line_.substr(other->begin, other->end - other->begin)).append(" beside M98"));
+    refuse(Code::value_invalid, other->begin,
+           std::string(line_.substr(other->begin, other->end - other->begin))
+               .append(reason::beside_m98));
     return {};
   }
   // K of an arc belongs to a motion.
@@ -182,7 +183,7 @@ std::optional<GcodeFlow::ProgramCall> GcodeFlow::take_call(ComputedWord& word, s
   if (const ComputedWord* const other = word_of('K'); other != nullptr && !moves) {
     refuse(Code::value_invalid, other->begin,
            std::string(line_.substr(other->begin, other->end - other->begin))
-               .append(" beside M98, where L counts the calls"));
+               .append(reason::beside_m98_with_calls));
     return {};
   }
   word.left_out = number->left_out = true;
@@ -308,7 +309,7 @@ bool GcodeFlow::finish_statement(std::string& flat, std::size_t at) {
   const std::size_t behind = behind_blanks(line_, at);
   if (!is_over(line_, behind))
     return refuse(Code::expression_invalid, behind,
-                  name_of_character(line_.substr(behind)) + ", words after a statement");
+                  name_of_character(line_.substr(behind)).append(reason::words_after_statement));
   if (const std::string comments = with_values(comments_of(line_, behind)); !comments.empty())
     write_behind_number(flat, comments);
   return true;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/reasons.h"
 #include "core/nc/program/gcode_line.h"
 #include "core/nc/program/isg_flow.h"
 #include "core/nc/text/characters.h"
@@ -296,7 +297,7 @@ std::optional<std::size_t> IsgFlow::target_of(ExpressionReader& expression) {
   if (lines != nullptr && lines->size() == 1) return lines->front();
   std::string target(line_.substr(begin, expression.at() - begin));
   if (lines != nullptr) target.append(", which is there twice");
-  if (has_no_colon) target.append(", a block without a colon after its number");
+  if (has_no_colon) target.append(reason::no_colon_after_number);
   refuse(Code::jump_target_unknown, begin, target);
   return {};
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/reasons.h"
 #include "core/nc/program/gcode_flow.h"
 #include "core/nc/program/isg_line.h"
 #include "core/nc/program/sinumerik_line.h"
@@ -77,7 +78,7 @@ bool ProgramReader::begin(std::vector<LinePointer>& lines) {
   has_begun_ = true;
   const std::string first = std::exchange(partial_, {});
   if (is_utf16(first)) {
-    Diagnostic refused = diagnostic(Code::nc_not_text, {}, "text in UTF-16");
+    Diagnostic refused = diagnostic(Code::nc_not_text, {}, std::string(reason::text_in_utf16));
     refused.source.line = 1;
     refused.column = 1;
     return interpreter_.stop(std::move(refused));

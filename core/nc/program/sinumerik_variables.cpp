@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/reasons.h"
 #include "core/nc/program/gcode_line.h"
 #include "core/nc/program/sinumerik_flow.h"
 #include "core/nc/text/characters.h"
@@ -257,8 +258,7 @@ Value SinumerikFlow::read(ExpressionReader& expression) {
     if (value == nullptr && is_call) return expression.fail(Code::expression_invalid, begin, whole);
     expression.go_to(end);
     if (value != nullptr) kept_text_.take(begin, end, text_of_value({.number = *value}));
-    if (value == nullptr && set_on_machine_.contains(name))
-      whole += ", a variable of the machine that the program sets";
+    if (value == nullptr && set_on_machine_.contains(name)) whole += reason::machine_variable_set;
     if (value == nullptr) return without_value(expression, Code::variable_unset, begin, whole);
     return {.number = *value};
   }

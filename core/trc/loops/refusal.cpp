@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
+#include <string_view>
 
+#include "core/base/reasons.h"
 #include "core/geometry/along.h"
 #include "core/geometry/distance.h"
 
@@ -12,7 +15,7 @@ namespace {
 
 // An end of the contour, and the centre of the tool that touches it there.
 struct End {
-  const char* name;
+  std::string_view reason;
   Point of_contour;
   Point of_path;
 };
@@ -52,29 +55,26 @@ Diagnostic refusal_of(const HeldPath& path, const Obstacles& obstacles, const De
   const HeldPath::ContourBlock own = path.contour_block(path.number_of(block));
   const TrcMode& mode = path.mode_of(block);
   const double radius = path.radius_of_tool(block);
-  const char* why = obstacles.is_lead(path.number_of(block))
-                        ? "REMOVE_MASKED_BLOCKS finds no way past this lead"
-                        : "REMOVE_MASKED_BLOCKS finds no way past this block";
+  std::string_view why = obstacles.is_lead(path.number_of(block)) ? reason::no_way_past_lead
+                                                                  : reason::no_way_past_block;
   std::optional<double> largest_radius;
   const auto look_at = [&](const End& end) {
     const auto most = largest_radius_at(end, radius, path, obstacles, tolerances);
     if (!most || (largest_radius && *largest_radius <= *most)) return;
     largest_radius = most;
-    why = end.name;
+    why = end.reason;
   };
   if (path.begin() == 0)
-    look_at({obstacles.is_lead(0) ? "the tool has no room where the lead-in begins"
-                                  : "the tool has no room at the first point of the contour",
+    look_at({obstacles.is_lead(0) ? reason::no_room_at_lead_in : reason::no_room_at_first_point,
              start_of(path.contour_block(0).programmed), path.begins_at(0)});
   if (is_all_known)
-    look_at({obstacles.is_lead(path.end_of_contour() - 1)
-                 ? "the tool has no room where the lead-out ends"
-                 : "the tool has no room at the last point of the contour",
+    look_at({obstacles.is_lead(path.end_of_contour() - 1) ? reason::no_room_at_lead_out
+                                                          : reason::no_room_at_last_point,
              end_of(path.contour_block(path.end_of_contour() - 1).programmed),
              path.ends_at(path.end() - 1)});
 
-  Diagnostic refusal =
-      diagnostic(is_arc(own.programmed) ? Code::arc_wrapped : Code::line_reversed, own.source, why);
+  Diagnostic refusal = diagnostic(is_arc(own.programmed) ? Code::arc_wrapped : Code::line_reversed,
+                                  own.source, std::string(why));
   refusal.values = {{"tool_radius", mode.cutting_radius(radius)}};
   if (largest_radius && !mode.below_nominal)
     refusal.values.push_back({"largest_radius", mode.cutting_radius(*largest_radius)});
