@@ -119,7 +119,7 @@ enum trc_role {
 typedef struct trc_axis {
   uint32_t axis;     /* place in `axis_names`, from 0: A B C U V W unless the setup says so */
   uint32_t reserved; /* 0 */
-  double position;   /* absolute; mm or degrees as the axis has it, -1e9 to 1e9 */
+  double position;   /* absolute; mm or degrees as the axis has it, -1e6 to 1e6 */
 } trc_axis;
 
 /* One block of the programmed path. Members that `given` does not name are not read. */

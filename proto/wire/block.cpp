@@ -1,5 +1,6 @@
 #include "proto/wire/block.h"
 
+#include "core/base/tolerances.h"
 #include "core/geometry/segment.h"
 #include "proto/wire/block_values.h"
 #include "proto/wire/geometry.h"
@@ -9,7 +10,7 @@
 namespace trc::wire {
 namespace {
 
-constexpr double largest_tracking = 1e9;  // mm or degrees
+constexpr double largest_tracking = Tolerances{}.largest_coordinate;  // mm or degrees
 
 bool read_feed(bool present, double value, const FieldPath& path, double& feed,
                FieldFaults& faults) {
