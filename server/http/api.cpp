@@ -200,7 +200,8 @@ void Api::handle(const ExchangePointer& exchange) {
 std::optional<v1::Problem> Api::refuse_origin(const Request& request) const {
   if (options_.local && !is_this_machine(request.header("host")))
     return problem(421, "HOST_NOT_LOCAL", "This server is for this machine",
-                   "the Host header must be localhost, 127.0.0.1 or [::1]");
+                   "the Host header must be localhost, 127.0.0.1 or [::1]; a proxy has to send one "
+                   "of them, or http-listen has to be an address that other machines can reach");
   const std::string_view origin = request.header("origin");
   if (origin.empty() || is_own_origin(request, origin)) return std::nullopt;
   const auto& allowed = backend_.config.http_cors_origins;

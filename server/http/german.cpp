@@ -34,8 +34,10 @@ constexpr auto sentences = std::to_array<Sentence>({
     {"This method is not possible here", "Diese Methode ist hier nicht möglich"},
     {"possible are {}", "möglich sind {}"},
     {"This server is for this machine", "Dieser Server ist für diesen Rechner da"},
-    {"the Host header must be localhost, 127.0.0.1 or [::1]",
-     "der Kopf Host muss localhost, 127.0.0.1 oder [::1] sein"},
+    {"the Host header must be localhost, 127.0.0.1 or [::1]; a proxy has to send one of them, or "
+     "http-listen has to be an address that other machines can reach",
+     "der Kopf Host muss localhost, 127.0.0.1 oder [::1] sein; ein Proxy muss einen davon senden, "
+     "oder http-listen muss eine Adresse sein, die andere Rechner erreichen"},
     {"This server is not the one that is meant", "Dieser Server ist nicht der gemeinte"},
     {"targets begin with {}:// here", "hier beginnen Adressen mit {}://"},
     {"Pages of this origin may not use the server",

@@ -171,7 +171,7 @@ std::optional<Ending> ResumeTokens::open(std::string_view token, const Digest& s
   const std::string_view sealed = token.substr(0, token.size() - digest_bytes);
   const Digest mac = mac_of(sealed, key_);
   if (CRYPTO_memcmp(mac.data(), token.data() + sealed.size(), digest_bytes) != 0)
-    return refuse_token("it was changed, or comes from a server with another key");
+    return refuse_token("it was changed, or comes from a server with another resume-key-file");
   if (!token.starts_with(format) ||
       sealed.substr(format.size(), digest_bytes) != text_of(build_digest()))
     return refuse(Refusal::resume_token_of_other_version);

@@ -52,7 +52,7 @@ std::optional<Ending> read_setup(const v1::SurveySetup& message, const Config& c
 std::optional<Ending> refuse_tokens(const v1::PathSetup& setup, const wire::FieldPath& place,
                                     std::string_view rpc) {
   if (!setup.resume_token().empty())
-    return refuse(Refusal::resume_token_invalid, std::string(rpc) + " begins anew",
+    return refuse(Refusal::resume_token_invalid, std::string(rpc) + " takes none",
                   {{"field", wire::FieldPath(place, "resume_token").text()}});
   if (!setup.want_resume_tokens()) return std::nullopt;
   wire::FieldFaults faults;

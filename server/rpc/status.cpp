@@ -33,8 +33,10 @@ constexpr std::array<Row, 34> table{{
      "the setup may be sent once only, as the first request",
      "das Setup darf nur einmal kommen, als erste Anfrage"},
     {Refusal::request_empty, StatusCode::INVALID_ARGUMENT, "REQUEST_EMPTY",
-     "the request carries nothing this server knows",
-     "die Anfrage enthält nichts, was dieser Server kennt"},
+     "the request carries nothing this server knows; update the server if the client is newer, or "
+     "send what it takes",
+     "die Anfrage enthält nichts, was dieser Server kennt; den Server aktualisieren, falls der "
+     "Client neuer ist, oder senden, was er nimmt"},
     {Refusal::request_unreadable, StatusCode::INVALID_ARGUMENT, "REQUEST_UNREADABLE",
      "the request is no message of this service: its bytes are cut off or changed, or a text in it "
      "is no UTF-8",
@@ -122,7 +124,8 @@ constexpr std::array<Row, 34> table{{
      "the stream has computed for longer than the server allows",
      "der Stream hat länger gerechnet, als der Server erlaubt"},
     {Refusal::resume_token_invalid, StatusCode::INVALID_ARGUMENT, "RESUME_TOKEN_INVALID",
-     "the resume token cannot be used", "mit diesem Resume-Token kann es nicht weitergehen"},
+     "the resume token cannot be used; begin the path anew, without it",
+     "mit diesem Resume-Token kann es nicht weitergehen; die Bahn ohne es neu beginnen"},
     {Refusal::resume_token_of_other_version, StatusCode::FAILED_PRECONDITION,
      "RESUME_TOKEN_OF_OTHER_VERSION",
      "the resume token is of another version of the server; begin the path anew",
@@ -149,6 +152,17 @@ constexpr std::array<Row, 34> table{{
     {Refusal::internal, StatusCode::INTERNAL, "INTERNAL",
      "the server has failed; its log has more under the incident id",
      "der Server hat versagt; unter der Nummer des Vorfalls steht mehr in seinem Protokoll"},
+}};
+
+// Details that are the same for every client.
+constexpr std::array<Sentence, 6> details{{
+    {"setup or text", "setup oder text"},
+    {"setup, batch or columns", "setup, batch oder columns"},
+    {"setup, text or blocks", "setup, text oder Sätze"},
+    {"{} takes none", "{} nimmt keines"},
+    {"it is none of this service", "es ist keines dieses Dienstes"},
+    {"it was changed, or comes from a server with another resume-key-file",
+     "es ist verändert oder von einem Server mit einer anderen resume-key-file"},
 }};
 
 const Row& row_of(Refusal refusal) {
@@ -210,9 +224,10 @@ std::span<const Sentence> refusal_sentences() {
   }();
   static const std::vector<Sentence> sentences = [] {
     std::vector<Sentence> made;
-    made.reserve(patterns.size());
+    made.reserve(patterns.size() + details.size());
     for (const auto& [english, german] : patterns)
       made.push_back({.english = english, .german = german});
+    made.insert(made.end(), details.begin(), details.end());
     return made;
   }();
   return sentences;
@@ -226,6 +241,14 @@ Ending refuse(Refusal refusal, std::string_view detail, const Values& values) {
   for (const auto& [name, value] : values) set_value(info, name, presentable(value));
   google::rpc::Status rich;
   rich.add_details()->PackFrom(info);
+  const auto field = info.metadata().find("field");
+  if (row.code == StatusCode::INVALID_ARGUMENT && field != info.metadata().end()) {
+    google::rpc::BadRequest request;
+    auto* violation = request.add_field_violations();
+    violation->set_field(field->second);
+    violation->set_description(message);
+    rich.add_details()->PackFrom(request);
+  }
   if (row.retry_after_s > 0) {
     google::rpc::RetryInfo retry;
     retry.mutable_retry_delay()->set_seconds(row.retry_after_s);

@@ -64,7 +64,8 @@ struct Ending {
 using Values = std::vector<std::pair<std::string, std::string>>;
 
 // The status of a refusal with ErrorInfo and, where waiting helps, RetryInfo. `detail` completes
-// the sentence of the table.
+// the sentence of the table. Where a value `field` says which part of a request is invalid,
+// BadRequest names it as well.
 [[nodiscard]] Ending refuse(Refusal refusal, std::string_view detail = {},
                             const Values& values = {});
 

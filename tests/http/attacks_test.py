@@ -213,7 +213,9 @@ class Attacks(unittest.TestCase):
                      b"[::1", b"[::1]evil", b"[::1].evil.example", b"localhost:80@evil.example",
                      b"localhost:evil", b"localhost@evil.example", b"127.0.0.1:80/evil"):
             request = b"GET /v1/info HTTP/1.1\r\nConnection: close\r\nHost: " + host + b"\r\n\r\n"
-            self.assertEqual(status_of(answer_to(self.server, request)), 421, host)
+            answer = answer_to(self.server, request)
+            self.assertEqual(status_of(answer), 421, host)
+            self.assertIn(b"http-listen has to be an address that other machines can reach", answer)
 
     def test_a_flood_of_parameters_costs_no_more_than_one(self):
         # The threads that move bytes read them: what takes long there holds up everybody.

@@ -90,7 +90,8 @@ TEST(CompensateProgramOnce, TakesNoResumeTokens) {
   setup.mutable_path()->set_want_resume_tokens(false);
   setup.mutable_path()->set_resume_token("a");
   EXPECT_EQ(call_once(server, setup, "G0 X1\n").status.error_message(),
-            "the resume token cannot be used: CompensateProgramOnce begins anew");
+            "the resume token cannot be used; begin the path anew, without it: "
+            "CompensateProgramOnce takes none");
 }
 
 TEST(CompensateProgramOnce, HasTheDefaultsWithoutASetup) {

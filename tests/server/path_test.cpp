@@ -200,6 +200,14 @@ TEST_F(CompensatePathRpc, EndsAsTheProtocolSays) {
   }
 }
 
+TEST_F(CompensatePathRpc, EmptyRequestSaysWhereAndWhatIsTaken) {
+  const StreamAnswer answer = call_path(channel(), {v1::CompensatePathRequest()});
+  EXPECT_EQ(answer.status.error_message(),
+            "the request carries nothing this server knows; update the server if the client is "
+            "newer, or send what it takes: setup, batch or columns");
+  EXPECT_EQ(answer.metadata("field"), "request");
+}
+
 TEST_F(CompensatePathRpc, OutOfSequenceSaysWhatWasExpected) {
   const StreamAnswer answer =
       call_path(channel(), {setup_request(g239_setup()), batch(0, {line_to(1, 1)}, false),

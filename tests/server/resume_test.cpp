@@ -163,7 +163,10 @@ TEST(ResumeToken, ChangedAnywhereIsRefused) {
   }
   for (const std::string& other :
        {std::string("x"), token.substr(0, token.size() - 1), token + "x", std::string(5000, 'T')}) {
-    EXPECT_EQ(outcome(server.channel(), token_setup(), other).reason(), "RESUME_TOKEN_INVALID");
+    const auto refused = outcome(server.channel(), token_setup(), other);
+    EXPECT_EQ(refused.reason(), "RESUME_TOKEN_INVALID");
+    EXPECT_EQ(refused.metadata("field"), "setup.resume_token");
+    EXPECT_NE(refused.status.error_message().find("begin the path anew"), std::string::npos);
   }
 }
 

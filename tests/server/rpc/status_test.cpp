@@ -99,6 +99,30 @@ TEST(Status, EveryRefusalHasItsCodeAndReason) {
   }
 }
 
+TEST(Status, InvalidPartOfARequestIsNamed) {
+  for (const Refusal refusal : {Refusal::resume_token_invalid, Refusal::request_empty}) {
+    const google::rpc::Status status =
+        rich(refuse(refusal, "something", {{"field", "setup.part"}}));
+    const auto fields = detail<google::rpc::BadRequest>(status);
+    ASSERT_EQ(fields.field_violations_size(), 1);
+    EXPECT_EQ(fields.field_violations(0).field(), "setup.part");
+    EXPECT_EQ(fields.field_violations(0).description(), status.message());
+    // What helps comes after what is wrong.
+    EXPECT_NE(status.message().find("; "), std::string::npos) << status.message();
+  }
+  EXPECT_EQ(rich(refuse(Refusal::setup_missing, {}, {{"field", "setup"}})).details_size(), 1);
+}
+
+TEST(Status, DetailsAreInGermanAsWell) {
+  for (const char* detail :
+       {"setup, batch or columns", "SurveyRadii takes none",
+        "it was changed, or comes from a server with another resume-key-file"}) {
+    const Ending ending = refuse(Refusal::resume_token_invalid, detail);
+    const std::string german = translated(ending.status.error_message(), {refusal_sentences()});
+    EXPECT_EQ(german.find(detail), std::string::npos) << german;
+  }
+}
+
 TEST(Status, FaultInTheProgramCarriesPlaceValuesAndRemedy) {
   Diagnostic fault = diagnostic(Code::line_reversed, {.index = 6, .number = 60, .line = 7});
   fault.column = 3;
