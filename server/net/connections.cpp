@@ -129,6 +129,7 @@ class Connections::Connection {
   }
   [[nodiscard]] bool is_shut() const { return shut_; }
   [[nodiscard]] const std::string& address() const { return address_; }
+  [[nodiscard]] Use use() const { return use_; }
   // Streams that gRPC held when it was last asked.
   [[nodiscard]] std::uint64_t alive() const { return alive_; }
   // Bytes of messages that are not complete yet.
@@ -290,7 +291,7 @@ bool Connections::add(int descriptor, std::size_t most_of_one_address, Use use) 
   auto connection = std::make_shared<Connection>(*this, descriptor, *cookie, peer, use);
   const std::string address = peer_of_address(peer);
   std::unique_lock lock(mutex_);
-  if (!has_room_for(address, most_of_one_address)) {
+  if (use != Use::health && !has_room_for(address, most_of_one_address)) {
     lock.unlock();
     if (closed_) closed_(peer, Reason::connections);
     return false;
@@ -299,8 +300,8 @@ bool Connections::add(int descriptor, std::size_t most_of_one_address, Use use) 
     make_room_for_health();
     of_health_.push_back(connection);
   }
-  if (by_peer_.insert_or_assign(std::move(peer), std::move(connection)).second)
-    ++of_address_[address];
+  const bool is_new = by_peer_.insert_or_assign(std::move(peer), std::move(connection)).second;
+  if (is_new && use != Use::health) ++of_address_[address];
   return true;
 }
 
@@ -325,6 +326,7 @@ bool Connections::has_room_for(const std::string& address, std::size_t most) {
 void Connections::forget_gone() {
   std::erase_if(by_peer_, [this](const auto& entry) {
     if (entry.second->is_there()) return false;
+    if (entry.second->use() == Use::health) return true;
     const auto found = of_address_.find(peer_of_address(entry.first));
     if (found != of_address_.end() && --found->second == 0) of_address_.erase(found);
     return true;

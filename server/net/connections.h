@@ -78,7 +78,7 @@ class Connections {
     // counted, but not checked for frames.
     http,
     // May use some of the reserved descriptors, and no others: beyond most_of_health the oldest is
-    // closed.
+    // closed. Not counted for its address: who has all the connections it may have is still told.
     health,
   };
   static constexpr std::size_t most_of_health = 16;
@@ -115,7 +115,7 @@ class Connections {
   std::chrono::steady_clock::time_point gives_back_at_{};
   mutable std::mutex mutex_;
   std::unordered_map<std::string, std::shared_ptr<Connection>> by_peer_;
-  std::unordered_map<std::string, std::size_t> of_address_;  // how many of by_peer_
+  std::unordered_map<std::string, std::size_t> of_address_;  // how many of by_peer_ beside health
   std::deque<std::weak_ptr<Connection>> of_health_;          // the oldest first
 };
 

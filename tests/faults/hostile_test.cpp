@@ -119,8 +119,8 @@ double closed_for(const ServerProcess& server, const std::string& reason) {
 // Others find a descriptor however many connections one address opens.
 TEST(Hostile, OneAddressHasSoManyConnectionsAndNoMore) {
   constexpr int most = 5;
-  const ServerProcess server(
-      {"--admin-listen", "127.0.0.1:0", "--max-connections-per-peer", std::to_string(most)});
+  const ServerProcess server({"--admin-listen", "127.0.0.1:0", "--health-listen", "127.0.0.1:0",
+                              "--max-connections-per-peer", std::to_string(most)});
   const auto connect = [&](const char* from) {
     auto connection = std::make_unique<RawConnection>(server.address(), from);
     connection->send_bytes(http2::greeting());
@@ -132,6 +132,10 @@ TEST(Hostile, OneAddressHasSoManyConnectionsAndNoMore) {
   EXPECT_TRUE(eventually([&] { return !refused->is_open(); }));
   EXPECT_TRUE(eventually([&] { return closed_for(server, "connections") == 1; }));
   for (const auto& connection : held) EXPECT_TRUE(connection->is_open());
+  // A balancer that has all it may have still learns how the server is.
+  const RawConnection asking(server.health(), "127.0.0.2");
+  std::this_thread::sleep_for(milliseconds(100));
+  EXPECT_TRUE(asking.is_open());
   EXPECT_TRUE(connect("127.0.0.3")->is_open());
   EXPECT_TRUE(
       server::run_program(channel_to(server.address()), {}, server::g239_program).status.ok());
