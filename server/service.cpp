@@ -54,9 +54,9 @@ class ServerInfoReactor final : public grpc::ServerUnaryReactor {
  public:
   ServerInfoReactor(Backend& backend, grpc::CallbackServerContext& context,
                     grpc::ByteBuffer& response)
-      : peer_(backend.peers.of(peer_of(context))), place_(*peer_) {
-    CallRecord record(backend.telemetry, Method::get_server_info, origin_of(context),
-                      trace_of(context));
+      : peer_(backend.peers.of(peer_of(context, backend.config.trusted_proxies))), place_(*peer_) {
+    CallRecord record(backend.telemetry, Method::get_server_info,
+                      origin_of(context, backend.config.trusted_proxies), trace_of(context));
     const Ending ending = answer(backend, context, response);
     record.ended(ending);
     Finish(ending.status);

@@ -28,6 +28,8 @@ struct Config {
   // Common or alternative names of client certificates that are served; empty, which cannot be
   // written: all.
   std::vector<std::string> tls_allowed_clients;
+  // Addresses and networks of proxies that name the client of a call in `x-forwarded-for`.
+  std::vector<std::string> trusted_proxies;
   // How often the PEM files are checked for a new certificate.
   std::uint32_t tls_refresh_s = 10;
 

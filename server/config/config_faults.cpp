@@ -100,6 +100,14 @@ std::optional<std::string> fault_of_origins(const std::vector<std::string>& orig
   return std::nullopt;
 }
 
+std::optional<std::string> fault_of_proxies(const std::vector<std::string>& proxies) {
+  for (const std::string& proxy : proxies)
+    if (!is_network(proxy))
+      return "trusted-proxies: '" + proxy +
+             "' is no address and no network; write it as in 10.0.0.5 or 10.0.0.0/8";
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<std::string> first_fault(const Config& config) {
@@ -116,6 +124,7 @@ std::optional<std::string> first_fault(const Config& config) {
   const bool tls = !config.tls_cert_file.empty();
   if (auto fault = fault_of_http(config, tls)) return fault;
   if (auto fault = fault_of_origins(config.http_cors_origins)) return fault;
+  if (auto fault = fault_of_proxies(config.trusted_proxies)) return fault;
   if (tls != !config.tls_key_file.empty())
     return "tls-cert-file and tls-key-file must be given together";
   if (!tls && !config.tls_client_ca_file.empty())

@@ -102,6 +102,12 @@ void declare_addresses(Settings& settings, Config& config) {
            "given: all the authority has signed")
       ->delimiter(',')
       ->expected(0, 1024);
+  settings
+      .add("trusted-proxies", config.trusted_proxies,
+           "proxies, as in 10.0.0.5 or 10.0.0.0/8, whose x-forwarded-for names the client of a "
+           "call; nobody else may reach this port from there")
+      ->delimiter(',')
+      ->expected(0, 64);
   settings.number("tls-refresh-s", config.tls_refresh_s, 1, 86400,
                   "how often the PEM files are read again");
   settings.add("admin-listen", config.admin_listen,

@@ -22,4 +22,11 @@ struct HostPort {
 // True when an address can be reached from this machine only: a loopback address or a Unix socket.
 [[nodiscard]] bool is_local_address(const std::string& address);
 
+// An address, as in 10.0.0.5 or fd00::5, or a network, as in 10.0.0.0/8.
+[[nodiscard]] bool is_network(std::string_view text);
+
+// Whether an address lies in a network; not if one of them is none. An IPv4 address and the same
+// one mapped to IPv6 are one.
+[[nodiscard]] bool is_in_network(std::string_view address, std::string_view network);
+
 }  // namespace trc::server

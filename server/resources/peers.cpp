@@ -32,10 +32,10 @@ std::size_t Peers::count() const {
   return peers_.size();
 }
 
-std::string peer_of_address(std::string_view address) {
+std::string bare_address(std::string_view address) {
   const std::size_t kind_end = address.find(':');
   const std::string_view kind = address.substr(0, kind_end);
-  if (kind != "ipv4" && kind != "ipv6") return std::string(kind);
+  if (kind != "ipv4" && kind != "ipv6") return {};
   const std::string_view host = address.substr(kind_end + 1, address.rfind(':') - kind_end - 1);
   if (kind == "ipv4") return std::string(host);
   // The address is in brackets, which gRPC writes as %5B and %5D, and may have a zone.
@@ -43,7 +43,14 @@ std::string peer_of_address(std::string_view address) {
   for (const std::string_view bracket : {"%5B", "%5D", "[", "]"})
     if (const std::size_t at = bare.find(bracket); at != std::string::npos)
       bare.erase(at, bracket.size());
-  bare = bare.substr(0, bare.find('%'));
+  return bare.substr(0, bare.find('%'));
+}
+
+std::string peer_of_address(std::string_view address) {
+  const std::string_view kind = address.substr(0, address.find(':'));
+  std::string bare = bare_address(address);
+  if (bare.empty()) return std::string(kind);
+  if (kind == "ipv4") return bare;
   constexpr std::size_t network_bytes = 8;
   std::array<unsigned char, 16> bytes{};
   if (inet_pton(AF_INET6, bare.c_str(), bytes.data()) != 1) return bare;

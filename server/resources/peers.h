@@ -72,4 +72,8 @@ class Peers {
 // its network of 64 bits counts; all that come through socket files are one.
 [[nodiscard]] std::string peer_of_address(std::string_view address);
 
+// The IP address in what gRPC calls a peer, without brackets, zone and port; empty if there is
+// none.
+[[nodiscard]] std::string bare_address(std::string_view address);
+
 }  // namespace trc::server

@@ -20,12 +20,15 @@ inline constexpr const char* client_of_http = "trc-client-of-http";
 // And the address of that client, as in "192.0.2.7:40000".
 inline constexpr const char* address_of_http = "trc-address-of-http";
 
-// The address of the caller as the log names it, also for HTTP.
-[[nodiscard]] std::string origin_of(const grpc::CallbackServerContext& context);
+// The address of the caller as the log names it, also for HTTP: that of a client behind one of the
+// `proxies` comes first.
+[[nodiscard]] std::string origin_of(const grpc::CallbackServerContext& context,
+                                    const std::vector<std::string>& proxies);
 
 // The peer whose limits and share the call counts to: the name in the client's certificate, else
-// the address, also for HTTP.
-[[nodiscard]] std::string peer_of(const grpc::CallbackServerContext& context);
+// the address, also for HTTP and for clients behind one of the `proxies`.
+[[nodiscard]] std::string peer_of(const grpc::CallbackServerContext& context,
+                                  const std::vector<std::string>& proxies);
 
 // The refusal of a caller whose certificate has none of the names; no names allow all. A caller
 // without certificate came through a socket file or from this process: with TLS and names given,

@@ -48,9 +48,10 @@ class StreamReactor
   StreamReactor(Backend& backend, grpc::CallbackServerContext& context, Method method)
       : backend_(backend),
         context_(context),
-        peer_(backend.peers.of(peer_of(context))),
+        peer_(backend.peers.of(peer_of(context, backend.config.trusted_proxies))),
         account_(backend, *peer_),
-        record_(backend.telemetry, method, origin_of(context), trace_of(context)) {}
+        record_(backend.telemetry, method, origin_of(context, backend.config.trusted_proxies),
+                trace_of(context)) {}
 
   // Admits the stream or refuses it. The reactor keeps itself alive until OnDone.
   void start(std::unique_ptr<Work> work) {

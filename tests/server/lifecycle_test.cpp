@@ -48,8 +48,12 @@ struct Running {
 // A stream that has been accepted and stays open.
 class Open {
  public:
-  explicit Open(const std::shared_ptr<grpc::Channel>& channel)
+  // `forwarded`: what proxies on the way say of the client.
+  explicit Open(const std::shared_ptr<grpc::Channel>& channel,
+                const std::vector<std::string>& forwarded = {})
       : stub_(v1::TrcService::NewStub(channel)) {
+    for (const std::string& addresses : forwarded)
+      context_.AddMetadata("x-forwarded-for", addresses);
     context_.set_deadline(std::chrono::system_clock::now() + seconds(60));
     stream_ = stub_->CompensatePath(&context_);
     stream_->Write(setup_request(v1::PathSetup()));
@@ -229,6 +233,46 @@ TEST(Server, StreamsBeyondTheLimitAreRefusedUntilOneEnds) {
   EXPECT_TRUE(first.finish().ok());
   ASSERT_TRUE(eventually([&] { return running.server->backend().streams.count() == 1; }));
   EXPECT_TRUE(run_program(channel, {}, g239_program).status.ok());
+}
+
+TEST(Server, ClientsOfATrustedProxyHaveLimitsOfTheirOwn) {
+  Config config = loopback();
+  config.max_streams_per_peer = 1;
+  config.trusted_proxies = {"192.0.2.1", "127.0.0.0/8"};
+  const Running running(config);
+  const auto channel = running.channel();
+  const Open mill(channel, {"192.0.2.7"});
+  EXPECT_TRUE(mill.accepted());
+  // What the client itself says comes before the address that the proxy sees.
+  for (const std::vector<std::string>& forwarded : {std::vector<std::string>{"192.0.2.7"},
+                                                    {"192.0.2.9, 192.0.2.7"},
+                                                    {"192.0.2.9", "192.0.2.7"}}) {
+    Open again(channel, forwarded);
+    EXPECT_FALSE(again.accepted());
+    EXPECT_EQ(reason_of(again.end()), "STREAM_LIMIT");
+  }
+  EXPECT_TRUE(Open(channel, {"192.0.2.8"}).accepted());
+  const Open ipv6(channel, {"2001:db8:1:2::3"});
+  EXPECT_TRUE(ipv6.accepted());
+  EXPECT_FALSE(Open(channel, {"2001:db8:1:2:3::4"}).accepted());
+  // The proxy itself, and whoever it does not name.
+  const Open proxy(channel);
+  EXPECT_TRUE(proxy.accepted());
+  EXPECT_FALSE(Open(channel, {"unknown"}).accepted());
+}
+
+TEST(Server, NobodyElseNamesTheClient) {
+  Config config = loopback();
+  config.max_streams_per_peer = 1;
+  for (const std::vector<std::string>& proxies :
+       {std::vector<std::string>{}, {"192.0.2.1", "127.0.0.2", "::1", "126.0.0.0/8"}}) {
+    config.trusted_proxies = proxies;
+    const Running running(config);
+    const auto channel = running.channel();
+    const Open mill(channel, {"192.0.2.7"});
+    EXPECT_TRUE(mill.accepted());
+    EXPECT_FALSE(Open(channel, {"192.0.2.8"}).accepted());
+  }
 }
 
 // HTTP/2 tells the client how many it may have; its library holds the others back.

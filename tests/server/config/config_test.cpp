@@ -169,6 +169,7 @@ std::vector<std::string> other_values(const std::string& file) {
   std::vector<std::string> flags{"--listen=127.0.0.1:0,unix:/tmp/x.sock",
                                  "--tls-allowed-clients=mill,lathe",
                                  "--http-cors-origins=https://a.example,https://b.example",
+                                 "--trusted-proxies=10.0.0.5,fd00::/8",
                                  "--tls-cert-file=" + file,
                                  "--tls-key-file=" + file,
                                  "--tls-client-ca-file=" + file,

@@ -59,6 +59,14 @@ TEST(ConfigGuards, ReflectionIsForThisMachineUnlessAskedFor) {
   EXPECT_TRUE(read({"--listen=0.0.0.0:50051", "--insecure"}).config.reflection);
 }
 
+TEST(ConfigGuards, TrustedProxiesAreAddressesOrNetworks) {
+  for (const char* none : {"proxy", "10.0.0.5:50051", "10.0.0.0/33", "10.0.0/8", "fd00::/", "/8"}) {
+    const std::string flag = std::string("--trusted-proxies=") + none;
+    expect_fault(read({flag.c_str()}), {"trusted-proxies", none, "10.0.0.0/8"});
+  }
+  EXPECT_FALSE(read({"--trusted-proxies=0.0.0.0/0,::/0,10.0.0.5,fd00::5"}).exit.has_value());
+}
+
 TEST(ConfigGuards, EmptyGuardOfTheEnvironmentIsAFault) {
   for (const char* name : {"TRCD_TLS_ALLOWED_CLIENTS", "TRCD_TLS_CLIENT_CA_FILE",
                            "TRCD_TLS_CERT_FILE", "TRCD_TLS_KEY_FILE"}) {
