@@ -344,6 +344,10 @@ constexpr auto rows = std::to_array<Sentence>({
      "der Server {} fährt herunter; bis zu {} s wird gewartet (--wait)"},
     {"the server at {} has no room now: {}; waiting for up to {} s (--wait)",
      "der Server {} hat gerade keinen Platz: {}; bis zu {} s wird gewartet (--wait)"},
+    // As the shipped HAProxy says it (deploy/haproxy/h2.cfg).
+    {"this address has as many open calls as the balancer allows; try again later",
+     "von dieser Adresse sind so viele Aufrufe offen, wie der Balancer erlaubt; später noch einmal "
+     "versuchen"},
     {"the server at {} was lost, and the one there now cannot go on: it was started anew, or has "
      "another resume-key-file or version; run it again",
      "der Server {} ging verloren, und der jetzige kann nicht weitermachen: er wurde neu gestartet "

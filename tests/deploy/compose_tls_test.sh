@@ -9,15 +9,17 @@ port=$((20000 + $$ % 10000))
 make_certificates "$work/tls"
 cat "$work/tls/server.pem" "$work/tls/server.key" >"$work/tls/both.pem"
 
-"$bin/trcd" --listen 127.0.0.1:0 >"$work/log" &
+"$bin/trcd" --listen 127.0.0.1:0 --health-listen 127.0.0.1:0 --trusted-proxies 127.0.0.1 >"$work/log" &
 server=$!
 at_exit kill $server
 wait_until 20 grep -q '"started"' "$work/log" || fail "trcd does not start"
 backend=127.0.0.1:$(sed -n 's/.*"ports":"\([0-9]*\)".*/\1/p' "$work/log")
+health=$(sed -n 's/.*"health_port":\([0-9]*\).*/\1/p' "$work/log")
 
 sed -e 's/^  bind :50051 proto h2/  # &/' -e 's/^  # \(bind :50051 ssl\)/  \1/' \
   -e "s#:50051 ssl#127.0.0.1:$port ssl#; s#bind :8404#bind 127.0.0.1:$((port + 1))#" \
   -e "s#/etc/haproxy/tls/server.pem#$work/tls/both.pem#; s#/etc/haproxy/tls/clients.pem#$work/tls/ca.pem#" \
+  -e "s#default-server port 50052#default-server port $health#" \
   -e "s#^  server trcd-1 .*#  server trcd-1 $backend#; /^  server trcd-2/d" \
   deploy/compose/haproxy.cfg >"$work/haproxy.cfg"
 grep -q "^  bind 127.0.0.1:$port ssl" "$work/haproxy.cfg" || fail "there is no line for TLS in haproxy.cfg"
@@ -34,6 +36,7 @@ service=(--server "localhost:$port" --tls-ca "$work/tls/ca.pem")
 "$trc" compensate client/samples/bracket.nc -o "$work/expected" || fail "bracket.nc is refused"
 "$trc" compensate client/samples/bracket.nc "${service[@]}" "${certificate[@]}" -o "$work/out" || fail "no answer over TLS"
 cmp "$work/out" "$work/expected" || fail "the answer differs"
+grep -q '"peer":"127.0.0.1 behind ipv4:127.0.0.1:' "$work/log" || fail "the server does not know the client"
 ! "$trc" health "${service[@]}" 2>/dev/null || fail "a client without a certificate is let in"
 ! "$trc" health --server "localhost:$port" 2>/dev/null || fail "plain text is let in"
 

@@ -40,7 +40,8 @@ start() { # servers way
   local number
   pids=()
   for number in $(seq "$1"); do
-    trcd --listen "127.0.0.1:$((50050 + number))" --resume-key-file /run/trcd/key >/dev/null &
+    trcd --listen "127.0.0.1:$((50050 + number))" --health-listen "127.0.0.1:$((50150 + number))" \
+      --resume-key-file /run/trcd/key >/dev/null &
     pids+=($!)
     [ "$share" = 0 ] || hold_to_share "$number" $!
   done

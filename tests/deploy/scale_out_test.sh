@@ -42,8 +42,8 @@ stop_all() {
 
 server() { # number
   local port=$((50050 + $1))
-  trcd --listen "127.0.0.1:$port" --admin-listen "127.0.0.1:$((port + 10000))" \
-    --resume-key-file /run/trcd/resume.key >>"$work/trcd-$1.log" &
+  trcd --listen "127.0.0.1:$port" --health-listen "127.0.0.1:$((port + 100))" \
+    --admin-listen "127.0.0.1:$((port + 10000))" --resume-key-file /run/trcd/resume.key >>"$work/trcd-$1.log" &
 }
 streams_at() { # number: open streams
   { exec 3<>"/dev/tcp/127.0.0.1/$((60050 + $1))"; } 2>/dev/null || { echo 0; return; }

@@ -7,6 +7,7 @@ through whole, and metadata that gRPC ends a connection for (CVE-2023-32732) end
 Exit code 77 where there is no HAProxy, or no network namespace for its ports.
 """
 
+import contextlib
 import os
 import shutil
 import socket
@@ -99,8 +100,8 @@ def faults_of(trc, fault_client, folder):
     return faults
 
 
-def main():
-    trcd, trc, fault_client = (os.path.abspath(path) for path in sys.argv[1:4])
+def find_haproxy():
+    """Where it is, from inside a network namespace with its ports; else the test is not run."""
     haproxy = shutil.which("haproxy", path=os.environ["PATH"] + ":/usr/sbin")
     if haproxy is None:
         print("haproxy is not installed", file=sys.stderr)
@@ -111,25 +112,39 @@ def main():
     except OSError as fault:
         print(f"no network namespace here: {fault}", file=sys.stderr)
         sys.exit(SKIPPED)
+    return haproxy
+
+
+@contextlib.contextmanager
+def balanced(haproxy, way, trcd, *options, servers=SERVERS):
+    """Servers behind HAProxy; gives a folder for what the clients write."""
     with tempfile.TemporaryDirectory() as folder:
         key = os.path.join(folder, "resume.key")
         with open(key, "wb") as file:
             file.write(os.urandom(32))
         os.chmod(key, 0o600)
-        started = [subprocess.Popen([trcd, "--listen", f"127.0.0.1:{port}", "--resume-key-file", key],
-                                    stdout=subprocess.DEVNULL) for port in SERVERS]
-        files = [os.path.join(TOP, "deploy/haproxy", name) for name in ("defaults.cfg", "h2.cfg")]
+        started = [subprocess.Popen(
+            [trcd, "--listen", f"127.0.0.1:{port}", "--health-listen", f"127.0.0.1:{port + 100}",
+             "--resume-key-file", key, *options], stdout=subprocess.DEVNULL) for port in servers]
+        files = [os.path.join(TOP, "deploy/haproxy", name) for name in ("defaults.cfg", f"{way}.cfg")]
         started.append(subprocess.Popen([haproxy, "-db", *(word for name in files for word in ("-f", name))],
                                         stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL))
         try:
-            for port in (*SERVERS, BALANCER):
+            for port in (*servers, BALANCER):
                 wait_for(port)
-            time.sleep(2)  # HAProxy has asked the servers for their health.
-            faults = faults_of(trc, fault_client, folder)
+            time.sleep(3)  # HAProxy has asked the servers for their health.
+            yield folder
         finally:
             for process in started:
                 process.terminate()
                 process.wait()
+
+
+def main():
+    trcd, trc, fault_client = (os.path.abspath(path) for path in sys.argv[1:4])
+    haproxy = find_haproxy()
+    with balanced(haproxy, "h2", trcd, "--trusted-proxies", "127.0.0.1") as folder:
+        faults = faults_of(trc, fault_client, folder)
     for fault in faults:
         print(f"FAILED: {fault}")
     sys.exit(1 if faults else 0)
