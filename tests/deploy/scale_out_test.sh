@@ -31,10 +31,12 @@ signal_balancer() {
 ended() { ! kill -0 "$1"; }
 gone() { [ -z "$(pid_at "$1")" ]; }
 stop_all() {
-  local port
+  local port pid
   [ ! -e /run/trcd/haproxy.pid ] || signal_balancer TERM
   for port in 50050 50051 50052 50053; do
-    gone "$port" || kill -9 "$(pid_at "$port")"
+    pid=$(pid_at "$port")
+    # It may end by itself meanwhile.
+    [ -z "$pid" ] || kill -9 "$pid" || true
     wait_until 10 gone "$port" || fail "port $port is still taken"
   done
   rm -f /run/trcd/haproxy.pid
