@@ -173,8 +173,7 @@ bool ProgramState::move_straight(const MoveRequest& request, const Position& end
   }
   // The tool would go along the contour itself (D-156, D-170).
   if (assumed) return refuse_assumed_start(request.source, *assumed);
-  if (stands_still_at_selection(request) &&
-      !report(request.source, Code::selection_stands_still))
+  if (stands_still_at_selection(request) && !report(request.source, Code::selection_stands_still))
     return false;
   append_passive(request, end, std::move(tracking));
   return true;
