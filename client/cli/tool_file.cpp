@@ -231,6 +231,11 @@ class ToolFile {
   std::set<std::uint32_t> turning_{};
 };
 
+// The words that make a cycle of G70 and G71 of Fanuc, which are inch and mm without them.
+bool names_a_cycle(std::string_view words) {
+  return words.find_first_of("ABCIJKLPRUVWXYZ") != std::string_view::npos;
+}
+
 // Whether the words, in capitals, have this function.
 bool has_function(std::string_view words, std::string_view function) {
   for (auto at = words.find(function); at != std::string_view::npos;
@@ -275,6 +280,10 @@ bool says_inch(std::string_view program, v1::Dialect dialect, v1::LengthUnit giv
       continue;
     }
     const std::string words = line.substr(0, line.find_first_of(";("));
+    if (dialect == v1::DIALECT_FANUC && !names_a_cycle(words)) {
+      if (has_function(words, "G70")) return true;
+      says_mm |= has_function(words, "G71");
+    }
     if (has_function(words, twenty ? "G20" : "G70") || has_function(words, twenty ? "G20" : "G700"))
       return true;
     says_mm |=

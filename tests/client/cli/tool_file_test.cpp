@@ -369,6 +369,11 @@ TEST(ToolFile, SaysWhetherAProgramCountsInInch) {
   };
   EXPECT_TRUE(in_inch("(G21)\nN1 G90 G20\n", v1::DIALECT_FANUC));
   EXPECT_FALSE(in_inch("(G20)\nG90 G200 ; G20\n", v1::DIALECT_LINUXCNC));
+  // Of older controls; with words beside it G70 is a cycle.
+  EXPECT_TRUE(in_inch("O1\nN10 G70\nG90 G0 X1.\n", v1::DIALECT_FANUC));
+  EXPECT_TRUE(in_inch("G70 G90 G17\n", v1::DIALECT_FANUC));
+  EXPECT_FALSE(in_inch("G21\nG81 Z-5. R2. L0 F200.\nG70 I30. J0. L6\n", v1::DIALECT_FANUC));
+  EXPECT_FALSE(in_inch("G70\n", v1::DIALECT_LINUXCNC));
   EXPECT_TRUE(in_inch("g701 g700 G90\n", v1::DIALECT_SINUMERIK));
   EXPECT_TRUE(in_inch("G70\n", v1::DIALECT_ISG));
   EXPECT_TRUE(in_inch("0 BEGIN PGM A INCH\n", v1::DIALECT_HEIDENHAIN));
@@ -378,6 +383,7 @@ TEST(ToolFile, SaysWhetherAProgramCountsInInch) {
   EXPECT_TRUE(in_inch("G90 G0 X1.\n", v1::DIALECT_FANUC, inch));
   EXPECT_TRUE(in_inch("G90 (G21)\n", v1::DIALECT_FANUC, inch));
   EXPECT_FALSE(in_inch("G90 G21\n", v1::DIALECT_FANUC, inch));
+  EXPECT_FALSE(in_inch("G71 G90\n", v1::DIALECT_FANUC, inch));
   EXPECT_FALSE(in_inch("G71 G90\n", v1::DIALECT_ISG, inch));
   EXPECT_FALSE(in_inch("G710 G90\n", v1::DIALECT_SINUMERIK, inch));
   EXPECT_FALSE(in_inch("0 BEGIN PGM A MM\n", v1::DIALECT_HEIDENHAIN, inch));
