@@ -515,10 +515,10 @@ std::string help_of(const Diagnostic& diagnostic, Language language) {
       return declared;
     std::string_view help = help_in(diagnostic.words, diagnostic.code, language);
     constexpr std::array of_words{
-        Code::nc_unsupported,     Code::position_unknown,        Code::nc_number,
-        Code::circle_incomplete,  Code::circle_center_misfit,    Code::ended_while_active,
-        Code::no_tool_radius,     Code::line_reversed,           Code::arc_wrapped,
-        Code::clearance_violated, Code::circular_selection_block};
+        Code::nc_unsupported,    Code::position_unknown,     Code::nc_number,
+        Code::circle_incomplete, Code::circle_center_misfit, Code::ended_while_active,
+        Code::no_tool_radius,    Code::side_behind_end,      Code::line_reversed,
+        Code::arc_wrapped,       Code::clearance_violated,   Code::circular_selection_block};
     // For these reasons the general help for expressions says little.
     constexpr std::array<std::string_view, 14> own_reasons{reason::no_colon_after_number,
                                                            reason::words_after_statement,

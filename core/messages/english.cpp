@@ -126,7 +126,7 @@ constexpr auto rows = std::to_array<EnglishRow>({
      "says them, and its radius."},
     {Code::program_empty, "the program has no block",
      "Check that the file is the one meant and is complete."},
-    {Code::side_behind_end, "G41 or G42 after the end of the program (M02, M30)",
+    {Code::side_behind_end, "G41 or G42 after the end of the program (M02, M30, a second %)",
      "Remove what follows the end, or compensate it as a program of its own."},
     {Code::other_dialect, "the word means something else in the dialect the program looks like",
      "Declare the dialect of the program (--dialect, `dialect` in the setup). If it is ISG, "

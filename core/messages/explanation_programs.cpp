@@ -127,9 +127,10 @@ constexpr auto rows = std::to_array<Explanation>({
      .causes = {"The wrong file, or one that was not written to its end."},
      .example = "(nothing but comments)\n"},
     {.code = Code::side_behind_end,
-     .meaning = "What stands after M02 or M30 is not executed. A compensation that is "
-                "selected there would be lost.",
-     .causes = {"Two programs were put into one file."},
+     .meaning = "What stands after M02 or M30, or after the % that follows the first block, is not "
+                "executed. A compensation that is selected there would be lost.",
+     .causes = {"Two programs were put into one file.",
+                "A line with % stands in the midst of the program."},
      .example = "N10 G00 X0 Y0\n"
                 "N20 M30\n"
                 "N30 X5 G41 Y7\n"},

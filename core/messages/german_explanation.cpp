@@ -255,9 +255,10 @@ constexpr auto rows = std::to_array<GermanExplanation>({
      .meaning = "Es gibt nichts zu korrigieren: keine Zeile des Programms enthält ein Wort.",
      .causes = {"Die falsche Datei, oder eine, die nicht zu Ende geschrieben wurde."}},
     {.code = Code::side_behind_end,
-     .meaning = "Was hinter M02 oder M30 steht, wird nicht ausgeführt. Eine Korrektur, die dort "
-                "angewählt wird, ginge verloren.",
-     .causes = {"Zwei Programme stehen in einer Datei."}},
+     .meaning = "Was hinter M02 oder M30 steht, oder hinter dem % nach dem ersten Satz, wird nicht "
+                "ausgeführt. Eine Korrektur, die dort angewählt wird, ginge verloren.",
+     .causes = {"Zwei Programme stehen in einer Datei.",
+                "Mitten im Programm steht eine Zeile mit %."}},
     {.code = Code::other_dialect,
      .meaning = "Wörter bedeuten je Steuerung Verschiedenes: G20 heißt bei der einen Zoll, bei der "
                 "anderen etwas anderes. Was hier steht, sieht nach einem anderen Dialekt aus als "

@@ -227,6 +227,7 @@ constexpr auto fragments = std::to_array<Fragment>({
      "in Koordinaten, die skaliert sind oder von der Werkzeugspitze geführt werden"},
     {"before a contour", "vor einer Kontur"},
     {"before the end of the program", "vor dem Programmende"},
+    {"after the % in line", "hinter dem % in Zeile"},
     {"in line", "in Zeile"},
     {"inside a line", "innerhalb einer Zeile"},
     {"is less than 0", "ist kleiner als 0"},

@@ -252,6 +252,12 @@ constexpr auto helps = std::to_array<ReasonHelp>({
      "--dialect fanuc, `dialect` im Setup."},
     {"ISO mode: the program is one of", "Declare it: --dialect fanuc, `dialect` in the setup.",
      "Dies angeben: --dialect fanuc, `dialect` im Setup."},
+    {reason::after_percent,
+     "Where one program goes on there, take the line with the % out: after the first block a % "
+     "ends the program. What stands after it as another program, give in a text of its own.",
+     "Geht dort ein und dasselbe Programm weiter, die Zeile mit dem % streichen: nach dem ersten "
+     "Satz beendet ein % das Programm. Was als weiteres Programm dahinter steht, in einem eigenen "
+     "Text geben."},
     {reason::with_axis_words,
      "Write the axes into a block of their own where the function does not take them; what moves "
      "axes cannot be passed on.",

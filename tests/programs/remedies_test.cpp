@@ -274,5 +274,46 @@ TEST(BlocksOfKlartext, HaveNumbersWithoutN) {
       << message_of(ran.diagnostics.front());
 }
 
+// A second `%` ends the text of a tape, though no M30 stands before it.
+TEST(AContourBehindTheTape, NamesThePercentSign) {
+  const std::string contour = "G41 D1 G1 X5 Y5 F100\nX20\nY20\nG40 X0 Y0\nM30\n";
+  const auto told = [](const std::string& text, DialectName dialect) {
+    const ProgramRun ran = to_text(text, computing_setup(dialect, 2));
+    return ran.diagnostics.empty() ? Diagnostic{} : ran.diagnostics.front();
+  };
+  for (const std::string computing : {"", "#1=0\n"})
+    for (const DialectName dialect : {fanuc, linuxcnc}) {
+      const std::string program = "G21 G90 G17\nG0 X0 Y0\n" + computing;
+      const Diagnostic found = told("%\n" + program + "% B\n" + contour, dialect);
+      const std::string line = computing.empty() ? "4" : "5";
+      EXPECT_EQ(found.code, Code::side_behind_end);
+      EXPECT_TRUE(found.detail.ends_with("after the % in line " + line)) << found.detail;
+      EXPECT_NE(help_of(found).find("take the line with the % out"), std::string::npos)
+          << help_of(found);
+      EXPECT_NE(help_of(found, Language::german), help_of(found));
+      const Diagnostic by_end = told("%\n" + program + "M30\n% B\n" + contour, dialect);
+      EXPECT_EQ(by_end.detail.find('%'), std::string::npos) << by_end.detail;
+    }
+  for (const std::string computing : {"", "R1=0\n"}) {
+    const Diagnostic found =
+        told("%_N_A_MPF\nG90 G17\nG0 X0 Y0\n" + computing + "%_N_B_MPF\n" + contour, sinumerik);
+    EXPECT_EQ(found.code, Code::side_behind_end);
+    EXPECT_NE(found.detail.find("after the % in line "), std::string::npos) << found.detail;
+  }
+}
+
+// The rest of the line belongs to the sign: a name of Okuma, or a comment of another control.
+TEST(AForeignSign, IsOneErrorWithTheRestOfItsLine) {
+  for (const std::string line : {"$EXAMPLE.MIN%", "' ROUGHING OF THE POCKET", "G0 X5. 'PARK HERE",
+                                 "\"ROUGH OUT\"", "G0 X5. \"TEXT WITH X5 Y"})
+    for (const DialectName dialect : {fanuc, linuxcnc}) {
+      const ProgramRun ran =
+          to_text("G21 G90 G17\n" + line + "\nG0 X0. Y0.\nM30\n", computing_setup(dialect, 2));
+      ASSERT_EQ(ran.diagnostics.size(), 1U) << ran.report();
+      EXPECT_EQ(ran.diagnostics.front().code, Code::nc_syntax) << ran.report();
+      EXPECT_EQ(ran.diagnostics.front().source.line, 2U);
+    }
+}
+
 }  // namespace
 }  // namespace trc::support

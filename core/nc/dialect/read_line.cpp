@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/reasons.h"
 #include "core/nc/dialect/apply_block.h"
 #include "core/nc/dialect/block_words.h"
 #include "core/nc/dialect/copied_block.h"
@@ -119,6 +120,8 @@ bool read_line_behind_end(Reading& reading, ProgramLine& line) {
       klartext ? place + 2 : line.text.find_first_not_of("Gg0123456789 ", place);
   std::string side = line.text.substr(place, behind - place);
   side.erase(side.find_last_not_of(' ') + 1);
+  if (reading.ending_percent != 0)
+    side.append(reason::after_percent).append(std::to_string(reading.ending_percent));
   return reading.refuse(line, TextFault{.code = Code::side_behind_end,
                                         .begin = static_cast<std::uint32_t>(place),
                                         .detail = std::move(side)});
@@ -320,6 +323,7 @@ bool read_line(Reading& reading, ProgramLine& line) {
     reading.in_front_of_tape = false;
     if (reading.blocks_read == 0) return true;
     reading.ended = true;
+    reading.ending_percent = line.source.line;
     reading.state.place(0);
     return reading.state.end(line.source);
   }

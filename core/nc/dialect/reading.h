@@ -112,7 +112,8 @@ struct Reading {
   void serialize(Archive& archive) {
     archive(lines_read, blocks_read, comment_block, ended, motion, motion_given, incremental, unit,
             feed_mode, feed, isg_word_seen, reads_plain_lines, feed_in_mm, gcode, klartext_modes,
-            faults, scanned_trc, in_front_of_tape, called_motion, called_dimension, in_subprogram);
+            faults, scanned_trc, in_front_of_tape, called_motion, called_dimension, in_subprogram,
+            ending_percent);
   }
 
   ReaderLimits limits;
@@ -126,9 +127,10 @@ struct Reading {
   bool knows_columns = true;      // of the text that was given
   SkipSign cut{};                 // out of the line that is read
 
-  std::uint32_t comment_block = 0;  // line of #COMMENT BEGIN; 0: not in one
-  bool ended = false;               // after M02 or M30
-  bool in_subprogram = false;       // of a %L before the program
+  std::uint32_t comment_block = 0;   // line of #COMMENT BEGIN; 0: not in one
+  bool ended = false;                // after M02, M30 or the `%` that ends a tape
+  std::uint32_t ending_percent = 0;  // line of that `%`; 0: none has ended the program
+  bool in_subprogram = false;        // of a %L before the program
   // No line so far was a block: lines that cannot be read may stand before the tape.
   bool in_front_of_tape = false;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/reasons.h"
 #include "core/base/utf8.h"
 #include "core/nc/dialect/block_skip.h"
 #include "core/nc/program/fanuc_flow.h"
@@ -12,6 +13,7 @@
 #include "core/nc/program/linuxcnc_flow.h"
 #include "core/nc/program/sinumerik_flow.h"
 #include "core/nc/state/variable_name.h"
+#include "core/nc/text/characters.h"
 
 namespace trc::program {
 
@@ -210,8 +212,18 @@ std::size_t Flow::first_with(char letter, int first, int second, std::size_t beg
 // No call resolves this contour (D-143).
 bool Flow::refuse_contour_behind_end(std::size_t line) {
   frames_.erase(frames_.begin() + 1, frames_.end());
+  std::string detail = "G41, G42";
+  const ProgramText& text = texts_.front();
+  const auto ends = [&](std::size_t at) {
+    return has_function(text.line(at), 'M', 2, 30) || has_function(text.line(at), 'M', 17, 99);
+  };
+  std::size_t end = frames_.front().current;
+  while (end < line && !without_blanks_in_front(text.line(end)).starts_with('%') && !ends(end))
+    ++end;
+  if (end < line && !ends(end))
+    detail.append(reason::after_percent).append(std::to_string(text.number(end)));
   frames_.front().current = line;
-  return refuse(Code::side_behind_end, 0, "G41, G42");
+  return refuse(Code::side_behind_end, 0, std::move(detail));
 }
 
 bool Flow::computes_behind_end(std::string_view line) const { return computes(setup_, line); }

@@ -96,7 +96,9 @@ GcodeWord GcodeReader::next() {
   if (byte < 0x20 || byte >= 0x7f)
     return fail(Code::nc_not_text, begin, line_.size(),
                 name_of_character(line_.substr(begin)) + ", outside a comment");
-  return fail(Code::nc_syntax, begin, begin + 1, std::string(1, sign));
+  // After these the rest of the line is no words: a name of Okuma, a comment of another control.
+  const bool takes_line = sign == '$' || sign == '\'' || sign == '"';
+  return fail(Code::nc_syntax, begin, takes_line ? line_.size() : begin + 1, std::string(1, sign));
 }
 
 GcodeWord GcodeReader::comment() {
