@@ -39,6 +39,8 @@ inline constexpr std::string_view beside_m98 = " beside M98";
 inline constexpr std::string_view beside_m98_with_calls = " beside M98, where L counts the calls";
 inline constexpr std::string_view beside_g65 = " beside G65";
 inline constexpr std::string_view beside_g66 = " beside G66";
+inline constexpr std::string_view percentages_beside_a_motion =
+    ", percentages of axes, beside a motion or another function of axes";
 inline constexpr std::string_view after_percent = ", after the % in line ";  // and its number
 inline constexpr std::string_view with_axis_words = " with axis words";
 inline constexpr std::string_view as_in_dialect = ", as in ";  // and the name of the dialect

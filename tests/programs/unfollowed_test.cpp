@@ -280,5 +280,133 @@ TEST(Unfollowed, IsToldByItsNameWithinAContour) {
   EXPECT_NE(told(sinumerik, "TRANS X5").find("TRANS, "), std::string::npos);
 }
 
+// The axis words are percentages: nothing moves, also within a contour (D-182).
+TEST(AxisWeights, OfIsgArePassedOn) {
+  const std::string head = "G71 G17 G90 D1\nG00 X-20 Y0\n";
+  const std::string contour = "G41 G01 X0 Y0 F500\nY40\nX40\nG40 X60\nM30\n";
+  const auto setup = setup_with_tool(isg);
+  const std::string plain = to_text(head + contour, setup).text;
+  for (const std::string weights :
+       {"G130 X80 Y80 Z80", "G132 X200", "G136 X80 Y95 Z0", "G230 X=70", "G333 Y50", "G338 Z60",
+        "G135 G136 X80", "G136 Y95 G135", "G130 X50 M8", "G231=80", "G233 = 80", "G334=80",
+        "G339=80", "G129=70"}) {
+    const ProgramRun before = to_text(head + weights + "\n" + contour, setup);
+    EXPECT_FALSE(before.stopped) << before.report();
+    EXPECT_EQ(before.text, head + weights + "\n" + plain.substr(head.size())) << weights;
+    const ProgramRun within =
+        to_text(head + "G41 G01 X0 Y0 F500\nY40\n" + weights + "\nX40\nG40 X60\nM30\n", setup);
+    EXPECT_FALSE(within.stopped) << within.report();
+    std::string without = within.text;
+    const std::size_t place = without.find(weights);
+    ASSERT_NE(place, std::string::npos) << within.text;
+    without.erase(place, weights.size() + 1);
+    EXPECT_EQ(without, plain) << weights;
+  }
+  // What moves or says a place in the same block is not told apart from them.
+  for (const std::string words :
+       {"G01 G130 X80", "G130 X80 I5", "G130 X80 R5", "G41 G130 X80", "G40 G132 X80",
+        "G04 G130 X80", "G92 G130 X80", "G136 G54 X80", "G74 G130 X1", "G33 G130 X80",
+        "G130 X80 #RND=5", "G130 #SUPPRESS OFFSETS X80", "G112 X80", "G131=80 X80"})
+    EXPECT_EQ(refusal_of(head + words + "\nM30\n", setup), std::pair(900003, 3U)) << words;
+  const ProgramRun refused = to_text(head + "G130 G01 X80\nM30\n", setup);
+  EXPECT_EQ(refused.diagnostics.front().detail,
+            "G130, percentages of axes, beside a motion or another function of axes");
+  // Increments count from where the tool stands.
+  EXPECT_EQ(refusal_of(head + "G130 X80\nG91 X-5\nG90\n" + contour, setup), std::pair(0, 0U));
+}
+
+TEST(RapidWeights, OfIsgMayStandBesideAMotion) {
+  const std::string text =
+      "G71 G17 G90 D1\nG00 X-20 Y0\nG129 = 70 X-10 Y0\nG41 G01 X0 Y0 F500\n"
+      "G293 Y40 F400\nG193 X40 F300\nG40 X60\nM30\n";
+  const ProgramRun ran = to_text(text, setup_with_tool(isg));
+  EXPECT_FALSE(ran.stopped) << ran.report();
+  EXPECT_NE(ran.text.find("\nG129 = 70 X-10 Y0\n"), std::string::npos) << ran.text;
+  EXPECT_NE(ran.text.find("G293"), std::string::npos) << ran.text;
+}
+
+// The motion of the block goes to a place of the machine (D-183).
+TEST(SuppressedOffsets, OfIsgAreCopiedWhileTrcIsOff) {
+  const auto setup = setup_with_tool(isg);
+  const std::string head = "G71 G17 G90 D1\nG00 X-20 Y0\n";
+  const std::string contour = "G41 G01 X0 Y0 F500\nY40\nG40 X-20\nM30\n";
+  const std::string known = "G00 X-20 Y0\n";
+  for (const std::string line :
+       {"#SUPPRESS OFFSETS X50 Y100", "N30 #SUPPRESS OFFSETS [ZERO ADD_ZERO] X50 (park)",
+        "#SUPPRESS OFFSETS[ZERO] G01 Y5 F300", "G00 #SUPPRESS OFFSETS X=50 M9",
+        "# suppress offsets [TOOL] X0 Y0 ; home"}) {
+    const std::string lines = head + line + "\n";
+    EXPECT_EQ(flat_of(lines + "M30\n", setup), lines + "M30\n");
+    EXPECT_EQ(refusal_of(lines + contour, setup), std::pair(900106, 4U)) << line;
+    EXPECT_EQ(refusal_of(lines + known + contour, setup), std::pair(0, 0U)) << line;
+    EXPECT_EQ(refusal_of(head + "G41 G01 X0 Y0 F500\n" + line + "\nY40\nG40 X-20\nM30\n", setup),
+              std::pair(900003, 4U))
+        << line;
+    EXPECT_EQ(refusal_of(head + "G41 G01 X0 Y0 F500\nY40\nG40\n" + line + "\nM30\n", setup),
+              std::pair(900003, 6U))
+        << line;
+  }
+  // The axes that it does not name stay where they are.
+  EXPECT_EQ(refusal_of(head + "#SUPPRESS OFFSETS Z50\n" + contour, setup), std::pair(0, 0U));
+  EXPECT_EQ(refusal_of(head + "#SUPPRESS OFFSETS G41 X50\nM30\n", setup), std::pair(900003, 3U));
+  const ProgramRun refused =
+      to_text(head + "G41 G01 X0 Y0 F500\n#SUPPRESS OFFSETS X50\nG40 X-20\nM30\n", setup);
+  EXPECT_EQ(refused.diagnostics.front().detail, "#SUPPRESS OFFSETS while TRC is active");
+  // Values of a program that computes.
+  EXPECT_EQ(flat_of("P1=50\n#SUPPRESS OFFSETS XP1 Y=P1\nM30\n", setup),
+            "#SUPPRESS OFFSETS X50 Y=50\nM30\n");
+}
+
+// The motion takes the feed in force: the output has that of the program again before it.
+TEST(SuppressedOffsets, OfIsgMoveAtTheFeedOfTheProgram) {
+  ProgramSessionSetup setup = setup_with_tool(isg);
+  const std::string before =
+      "G71 G17 G90 D1\nG00 X-20 Y0\nG41 G11 G01 X0 Y0 F500\nG02 X20 Y0 I10\nG40 G01 X40\n";
+  const std::string moved = to_text(before + "G01 X50\nM30\n", setup).text;
+  const std::string copied = to_text(before + "#SUPPRESS OFFSETS X50\nM30\n", setup).text;
+  EXPECT_NE(copied.find("F500\n#SUPPRESS"), std::string::npos) << copied << moved;
+}
+
+// A zero offset that the program writes, as G10 L2 elsewhere (D-184).
+TEST(ZeroOffsets, OfIsgAreWrittenWhileTrcIsOff) {
+  const auto setup = setup_with_tool(isg);
+  const std::string head = "G71 G17 G90 D1\nG54\nG00 X-20 Y0\n";
+  const std::string contour = "G41 G01 X0 Y0 F500\nY40\nG40 X-20\nM30\n";
+  for (const std::string line :
+       {"V.G.NP[1].V.X = 11", "N05 v.g.np[12].V.Y=22 (G54)", "V.G.NP[1].V[0] = -1.5",
+        "V.G.NP_AKT.V.X = 200", "V.G.NP_AKT.V[0] = 200", "V.G.NP_AKT.ALL += V.G.NP[2].ALL",
+        "V.G.NP[12].ALL=V.G.NP_AKT.ALL + V.G.NP[2].ALL ; saved", "V.G.NP_DEFAULT = 2"}) {
+    const std::string lines = head + line + "\n";
+    EXPECT_EQ(flat_of(lines + "M30\n", setup), lines + "M30\n");
+    EXPECT_EQ(refusal_of(lines + contour, setup), std::pair(900106, 5U)) << line;
+    EXPECT_EQ(refusal_of(lines + "G54\nG00 X-20 Y0\n" + contour, setup), std::pair(0, 0U)) << line;
+    EXPECT_EQ(refusal_of(lines + "G00 X-20 Y0\nG54\n" + contour, setup), std::pair(900106, 7U))
+        << line;
+    EXPECT_EQ(refusal_of(head + "G41 G01 X0 Y0 F500\n" + line + "\nY40\nG40 X-20\nM30\n", setup),
+              std::pair(900003, 5U))
+        << line;
+  }
+  for (const std::string line : {"V.G.NP[1].V.X = 11 G01 X5", "G01 X5 V.G.NP[1].V.X = 11",
+                                 "V.G.NP[1].V.X", "V.G.NP = 5", "V.G.NPX = 5"})
+    EXPECT_EQ(refusal_of(head + line + "\nM30\n", setup).second, 4U) << line;
+  const ProgramRun refused =
+      to_text(head + "G41 G01 X0 Y0 F500\nV.G.NP[1].V.X=1\nG40 X-20\nM30\n", setup);
+  EXPECT_EQ(refused.diagnostics.front().detail,
+            "V.G.NP, a zero offset, in a contour or beside other words");
+  // In a program that computes.
+  EXPECT_EQ(flat_of("P1=5 P2=1\nV.G.NP[1].V.X = 2*P1\nV.G.NP[P2].V.Y = P1\nV.G.NP_AKT.V.X = 3\n"
+                    "V.G.NP[12].ALL = V.G.NP_AKT.ALL\nG0 XP1\nM30\n",
+                    setup),
+            "V.G.NP[1].V.X = 10\nV.G.NP[1].V.Y = 5\nV.G.NP_AKT.V.X = 3\n"
+            "V.G.NP[12].ALL = V.G.NP_AKT.ALL\nG0 X5\nM30\n");
+  EXPECT_EQ(refusal_of("P1=5\nG0 X0 Y0\nV.G.NP[1].V.X = P1\n" + contour, setup),
+            std::pair(900106, 4U));
+  // The machine does not get the radius that TRC resolves.
+  EXPECT_EQ(flat_of("D1\nV.G.NP[1].V.X = V.G.WZ_AKT.R\nM30\n", setup),
+            "D1\nV.G.NP[1].V.X = 2\nM30\n");
+  EXPECT_EQ(refusal_of("P1=5\nV.G.NP[1].ALL = V.G.NP[2].ALL + P1\nM30\n", setup),
+            std::pair(900307, 2U));
+}
+
 }  // namespace
 }  // namespace trc::support

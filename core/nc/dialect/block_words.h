@@ -122,8 +122,10 @@ struct BlockWords {
     std::optional<double> tangfeed{};     // #TANGFEED
     std::optional<std::uint32_t> number_alone{};
     std::optional<std::uint32_t> passed_function{};  // a G function of ProgramSetup::pass_words
-    std::uint32_t command = 0;                       // where a # command stands
-    std::string corner{};                            // G301, G302, #CHR=, #RND=: what it is
+    std::optional<std::uint32_t> weights{};     // G130 and the like: axis words are percentages
+    std::optional<std::uint32_t> suppresses{};  // #SUPPRESS OFFSETS
+    std::uint32_t command = 0;                  // where a # command stands
+    std::string corner{};                       // G301, G302, #CHR=, #RND=: what it is
     std::uint32_t corner_begin = 0;
     bool corner_has_i_word = false;       // of G301, G302: I is its size
     std::optional<bool> cycle_contour{};  // #CONTOUR BEGIN, #CONTOUR END

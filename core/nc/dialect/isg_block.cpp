@@ -49,6 +49,43 @@ bool take_isg_corner(Reading& reading, ProgramLine& line, BlockWords& block) {
   return true;
 }
 
+// G130 X80: the axis words are percentages, and nothing moves (D-182).
+bool take_axis_weights(Reading& reading, ProgramLine& line, BlockWords& block) {
+  using enum GGroup;
+  if (!block.isg.weights || !(block.axis || block.center)) return true;
+  const bool other_function = block.has(motion) || block.has(side) || block.has(dwell) ||
+                              block.has(zero_shift) || block.has(single_move) ||
+                              !block.isg.corner.empty() || block.isg.suppresses ||
+                              block.isg.passed_function;
+  if (other_function || block.center)
+    return reading.refuse(line,
+                          TextFault{.code = Code::nc_unsupported,
+                                    .begin = *block.isg.weights,
+                                    .detail = word_to_pass(line.text, *block.isg.weights)
+                                                  .append(reason::percentages_beside_a_motion)});
+  block.axis.reset();
+  block.move.end = {};
+  block.move.tracking.clear();
+  take_for_technology(line, WordRole::coordinate);
+  return true;
+}
+
+// #SUPPRESS OFFSETS X50: the block leads to a place in the coordinates of the machine (D-183).
+bool copy_without_offsets(Reading& reading, ProgramLine& line, BlockWords& block) {
+  if (!block.isg.suppresses) return true;
+  const bool active = reading.contour_open();
+  if (active || block.selects())
+    return reading.refuse(line, TextFault{.code = Code::nc_unsupported,
+                                          .begin = *block.isg.suppresses,
+                                          .detail = active ? "#SUPPRESS OFFSETS while TRC is active"
+                                                           : "TRC beside #SUPPRESS OFFSETS"});
+  block.copied = true;
+  block.forget |= block.named_axes();
+  take_for_technology(line, WordRole::coordinate);
+  take_for_technology(line, WordRole::trc);
+  return true;
+}
+
 // Words that may not stand in one block, or look like those of another dialect.
 bool check_isg_words(Reading& reading, const ProgramLine& line, const BlockWords& block) {
   using enum GGroup;
@@ -97,7 +134,9 @@ bool check_isg_words(Reading& reading, const ProgramLine& line, const BlockWords
 
 bool check_isg_block(Reading& reading, ProgramLine& line, BlockWords& block) {
   using enum GGroup;
-  if (!check_isg_words(reading, line, block)) return false;
+  if (!take_axis_weights(reading, line, block) || !copy_without_offsets(reading, line, block) ||
+      !check_isg_words(reading, line, block))
+    return false;
   // The retract of a mill may lift it.
   const AxisBits retracting = block.deselects() ? main_axis_bit(2) : AxisBits{0};
   note_axes(reading, static_cast<AxisBits>(block.named_axes() & ~retracting));

@@ -1,6 +1,7 @@
 #include "core/nc/dialect/isg_block_words.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -38,6 +39,11 @@ WordRole role_of(GGroup group) {
     default:
       return WordRole::technology;
   }
+}
+
+bool weighs_axes(int function) {
+  constexpr std::array weights{130, 132, 136, 230, 333, 338};
+  return std::ranges::find(weights, function) != weights.end();
 }
 
 bool is_of_isg_alone(GGroup group) {
@@ -159,6 +165,7 @@ bool read_g_function(Reading& reading, const Word& word, ProgramLine& line, Bloc
         named(*function, reading.trc_active() ? " while TRC is active" : behind_lost_retract));
   constexpr int homing = 74;
   block.isg.homes |= function->number == homing;
+  if (weighs_axes(function->number)) block.isg.weights = word.begin;
   const bool may_have_argument = group == GGroup::zero_shift || group == GGroup::technology ||
                                  group == GGroup::axis_technology;
   if (word.has_argument && !may_have_argument) return reading.refuse(line, word, Code::nc_syntax);

@@ -172,6 +172,13 @@ bool read_command(Reading& reading, const Word& word, ProgramLine& line, BlockWo
     add(line, word, WordRole::trc);
     return true;
   }
+  // Before the words of the motion in whose block it stands.
+  if (name == "SUPPRESS OFFSETS") {
+    block.isg.has_command = false;
+    block.isg.suppresses = word.begin;
+    add(line, word, WordRole::technology);
+    return true;
+  }
   // Beside the words of a motion, before the corner that they cut, and the feed there.
   if (name == "CHR " || name == "RND " || name == "FRC ") {
     block.isg.has_command = false;

@@ -110,6 +110,27 @@ bool assigns_variable(std::string_view text) {
   return value.front() == '=' && !holds_words(value.substr(1));
 }
 
+// V.G.NP[1].V.X = 11, V.G.NP_AKT.ALL += V.G.NP[2].ALL (D-184).
+bool writes_zero_offset(std::string_view text) {
+  if (!begins_zero_offset(text)) return false;
+  int brackets = 0;
+  std::size_t at = 0;
+  for (; at < text.size(); ++at) {
+    const char sign = text[at];
+    if (sign == '[') ++brackets;
+    if (sign == ']') --brackets;
+    const bool of_name = is_letter(sign) || is_digit(sign) || sign == '_' || sign == '.';
+    if (brackets == 0 && !of_name && sign != ']') break;
+  }
+  std::string_view value = without_blanks_in_front(text.substr(at));
+  const bool changes = value.size() > 1 && value[1] == '=' &&
+                       std::string_view("+-*/").find(value[0]) != std::string_view::npos;
+  if (changes) value.remove_prefix(1);
+  if (!value.starts_with('=')) return false;
+  value = without_blanks_in_front(value.substr(1));
+  return !value.empty() && value.front() != '(' && value.front() != ';' && !holds_words(value);
+}
+
 // V.G.WZ[5].R = 4: a tool of the machine's table and its radius.
 std::optional<std::pair<std::int64_t, double>> tool_data_of(std::string_view text) {
   constexpr std::string_view beginning = "V.G.WZ[";
@@ -178,7 +199,8 @@ bool read_passing_line(Reading& reading, ProgramLine& line, BlockWords& block) {
     block.tools.edges.push_back({.row = tool->first,
                                  .length = tool->second * reading.length_unit(),
                                  .begin = static_cast<std::uint32_t>(begin)});
-  const bool passes = (calls || tool || assigns_variable(words)) &&
+  const bool shifts = writes_zero_offset(words);
+  const bool passes = (calls || tool || shifts || assigns_variable(words)) &&
                       first_byte_that_is_no_text(text) == std::string_view::npos;
   if (!passes) {
     line.source.number = Source::no_number;
@@ -188,6 +210,10 @@ bool read_passing_line(Reading& reading, ProgramLine& line, BlockWords& block) {
   line.words.push_back({.begin = static_cast<std::uint32_t>(begin),
                         .end = static_cast<std::uint32_t>(text.size()),
                         .role = WordRole::technology});
+  if (shifts) {
+    block.forget = all_axes;
+    reading.gcode.coordinates.work_offset = 0;
+  }
   if (!calls) return true;
   const std::string_view call = words.substr(0, words.find_first_of("(;"));
   if (begins_modal_cycle(call)) reading.gcode.calls.modal_cycle = line.source;

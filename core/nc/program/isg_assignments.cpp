@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -100,6 +101,29 @@ void IsgFlow::write_assigned(const Assigned& assigned, const Value& value, std::
   const bool is_plain = value.is_text || read_number(line_.substr(assigned.value_begin), number,
                                                      whole) == end - assigned.value_begin;
   if (!is_plain || changes) pieces_.back().instead = std::move(text);
+}
+
+// V.G.NP[P1].V.X = 2*P2 becomes a number; a value that the machine has stays as it stands.
+bool IsgFlow::scan_zero_offset(std::size_t& at) {
+  Assigned assigned{.begin = at};
+  const std::size_t comment = std::min(line_.find_first_of("(;", at), line_.size());
+  at = end_without_blanks(line_, assigned.begin, comment);
+  pieces_.push_back({.begin = assigned.begin, .end = at});
+  if (!zero_offset_hangs_on_program(line_.substr(assigned.begin))) return true;
+  if (!read_assigned(assigned)) return false;
+  kept_text_.begin("");
+  ExpressionReader expression = expression_at(assigned.value_begin);
+  const Value value = expression.expression();
+  if (expression.failed()) return refuse(expression.fault());
+  kept_text_.end();
+  if (behind_blanks(line_, expression.at()) < at)
+    return refuse(Code::expression_invalid, expression.at(),
+                  name_of_character(line_.substr(expression.at())));
+  std::string text = assigned.name + " ";
+  if (assigned.changed_by != '\0') text += assigned.changed_by;
+  append_number(text.append("= "), value);
+  pieces_.back().instead = std::move(text);
+  return true;
 }
 
 // V.G.WZ_AKT.R = V.G.WZ_AKT.R - P1: tool wear. `value` is the position of the sign.

@@ -182,6 +182,7 @@ class IsgFlow : public Flow, private Variables {
   bool scan_assignment(std::size_t& at);
   void write_assigned(const Assigned& assigned, const Value& value, std::size_t at);
   bool scan_radius(std::size_t& at, std::size_t value);
+  bool scan_zero_offset(std::size_t& at);
   bool end_or_return(bool& ends, bool& returns);
   [[nodiscard]] bool has_changed_words() const;
   bool write_words(std::string& flat);

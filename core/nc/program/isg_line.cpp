@@ -6,6 +6,7 @@
 #include "core/nc/program/expression.h"
 #include "core/nc/program/gcode_line.h"
 #include "core/nc/text/characters.h"
+#include "core/nc/text/words.h"
 
 namespace trc::program {
 namespace {
@@ -93,6 +94,20 @@ bool computes_command(std::string_view line, std::size_t begin, std::size_t end)
 
 }  // namespace
 
+bool zero_offset_hangs_on_program(std::string_view text) {
+  text = text.substr(0, text.find_first_of("(;"));
+  for (std::size_t at = 1; at < text.size(); ++at) {
+    if (goes_on_as_name(text[at - 1]) || text[at - 1] == '.') continue;
+    if (is_isg_parameter_at(text, at)) return true;
+    if (!is_isg_variable_at(text, at)) continue;
+    const std::string name = in_upper_case(text.substr(at, 6));
+    if (name.starts_with("V.P.") || name.starts_with("V.L.") || name == "V.CYC." ||
+        name == "V.G.WZ")
+      return true;
+  }
+  return false;
+}
+
 bool is_plain_isg(std::string_view text) {
   return std::ranges::all_of(signs_of_computing,
                              [&](char sign) { return text.find(sign) == npos; });
@@ -151,6 +166,7 @@ std::size_t behind_isg_comment(std::string_view line, std::size_t at) {
 }
 
 std::size_t end_of_isg_command(std::string_view line, std::size_t at) {
+  if (const std::size_t length = behind_suppressed_offsets(line.substr(at))) return at + length;
   const std::size_t begin = at;
   std::size_t depth = 0;
   bool quoted = false;
@@ -296,7 +312,9 @@ bool isg_computes(const ProgramSetup& setup, std::string_view line) {
       if (computes_command(line, at, end)) return true;
       at = std::max(end, at + 1);
     } else if (is_isg_variable_at(line, at)) {
-      return !is_plain_assignment(line, at);
+      const std::string_view words = line.substr(at);
+      return begins_zero_offset(words) ? zero_offset_hangs_on_program(words)
+                                       : !is_plain_assignment(line, at);
     } else if (is_isg_parameter_at(line, at)) {
       // P500 alone is a word of another language.
       std::size_t behind = at;

@@ -33,6 +33,9 @@ struct IsgHead {
 // Whether a parameter (P1, PP1, P[P1]) or a variable (V.P.NAME) begins there.
 [[nodiscard]] bool is_isg_parameter_at(std::string_view line, std::size_t at);
 [[nodiscard]] bool is_isg_variable_at(std::string_view line, std::size_t at);
+// Whether text from a zero offset on (V.G.NP[1].V.X = P1) is to be computed: the machine knows its
+// own values, but neither those of the program nor the radii that TRC resolves.
+[[nodiscard]] bool zero_offset_hangs_on_program(std::string_view text);
 // Whether the value there has to be computed: a variable, a bracket or a
 // function, with a sign or without. Whether a variable stands in S[M3
 // REV=P1].

@@ -5,6 +5,7 @@
 #include "core/nc/program/isg_flow.h"
 #include "core/nc/program/isg_line.h"
 #include "core/nc/text/characters.h"
+#include "core/nc/text/words.h"
 
 // Lines of words of ISG with computed values.
 
@@ -110,7 +111,8 @@ bool IsgFlow::scan_word(std::size_t& at) {
         {.begin = begin, .end = end_without_blanks(line_, begin, at), .instead = std::string()});
     return true;
   }
-  if (is_isg_variable_at(line_, at)) return scan_assignment(at);
+  if (is_isg_variable_at(line_, at))
+    return begins_zero_offset(line_.substr(at)) ? scan_zero_offset(at) : scan_assignment(at);
   if (is_isg_parameter_at(line_, at)) {
     ExpressionReader expression = expression_at(at);
     static_cast<void>(place_at(expression));

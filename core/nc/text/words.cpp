@@ -111,6 +111,27 @@ std::size_t behind_spindle_words(std::string_view text) {
   return commands ? close + 1 : 0;
 }
 
+std::size_t behind_suppressed_offsets(std::string_view text) {
+  if (!text.starts_with('#')) return 0;
+  std::size_t at = 1;
+  for (const std::string_view name : {"SUPPRESS", "OFFSETS"}) {
+    while (const std::size_t blank = blank_at_start(text.substr(at))) at += blank;
+    if (in_upper_case(text.substr(at, name.size())) != name) return 0;
+    at += name.size();
+  }
+  if (at < text.size() && (is_letter(text[at]) || text[at] == '_')) return 0;
+  const std::string_view kinds = without_blanks_in_front(text.substr(at));
+  const std::size_t close = kinds.starts_with('[') ? kinds.find(']') : std::string_view::npos;
+  return close == std::string_view::npos ? at : text.size() - kinds.size() + close + 1;
+}
+
+bool begins_zero_offset(std::string_view text) {
+  constexpr std::string_view beginning = "V.G.NP";
+  return in_upper_case(text.substr(0, beginning.size())) == beginning &&
+         text.size() > beginning.size() &&
+         (text[beginning.size()] == '[' || text[beginning.size()] == '_');
+}
+
 std::size_t first_byte_that_is_no_text(std::string_view text) {
   return first_bad_byte(text, ControlCharacters::are_bad);
 }
@@ -238,6 +259,8 @@ Word WordReader::command() {
     if (*at_ == ']' && depth > 0) --depth;
     if (depth == 0 && (*at_ == '(' || *at_ == ';')) break;
   }
+  if (const std::size_t length = behind_suppressed_offsets(line_.substr(place_of(begin))))
+    at_ = begin + length;
   const std::string_view text(begin, static_cast<std::size_t>(at_ - begin));
   const std::size_t bad = first_byte_that_is_no_text(text);
   if (bad != std::string_view::npos) return no_text(begin, bad);
@@ -387,6 +410,8 @@ Word WordReader::variable() {
     return fail(Code::nc_unsupported, begin,
                 name == "V.G.WZ" && peek() == '['
                     ? "V.G.WZ[ ] beside other words: write it into a line of its own"
+                : begins_zero_offset(line_.substr(place_of(begin)))
+                    ? "V.G.NP, a zero offset, in a contour or beside other words"
                     : name.append(", a variable"));
   Word word{.kind = WordKind::variable, .begin = place_of(begin)};
   if (!skip_blanks() || peek() != '=')

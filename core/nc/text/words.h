@@ -111,6 +111,13 @@ inline constexpr double largest_whole = 1e15;
 // expression.
 [[nodiscard]] std::size_t behind_spindle_words(std::string_view text);
 
+// #SUPPRESS OFFSETS [ZERO] of ISG, from the # on: after its name and its brackets, where the words
+// of its motion begin; 0: it is another command.
+[[nodiscard]] std::size_t behind_suppressed_offsets(std::string_view text);
+
+// V.G.NP[1].V.X, V.G.NP_AKT.ALL and V.G.NP_DEFAULT of ISG: zero offsets.
+[[nodiscard]] bool begins_zero_offset(std::string_view text);
+
 // The place of the first byte that no text may have: a control character other than tab and line
 // end, or a byte that is not UTF-8. npos when there is none.
 [[nodiscard]] std::size_t first_byte_that_is_no_text(std::string_view text);

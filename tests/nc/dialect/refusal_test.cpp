@@ -108,7 +108,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"HomingWithinAContour", "G41 G01 X0 Y10\nG74 X1", "2:1 900003"},
         Refused{"RadiusProgramming", "G163", "1:1 900003"},
         Refused{"AnUnknownCommand", "#OTC ON", "1:1 900003"},
-        Refused{"AxisWeightsWithPositions", "G130 X50", "1:1 900003"},
+        Refused{"AxisWeightsWithAMotion", "G01 G130 X50", "1:5 900003"},
         Refused{"APresetWithAMotion", "G92 G01 X0", "1:1 900003"},
         Refused{"AnOpenBracket", "#TRC [REVERSE=1", "1:6 900009"},
         Refused{"ALineContinuedToNothing", "X1\nX2 \\", "2:0 900009"},
