@@ -76,11 +76,12 @@ struct KlartextModes {
   // while one of them is read.
   std::map<std::string, std::uint32_t> labels_of_cycles{};
   std::uint32_t cycle_section = 0;
-  WordPlace open_corner{};     // RND, CHF whose next motion is still to come
-  bool behind_corner = false;  // no motion has come since RND or CHF
-  bool after_number = false;   // the line before is a block with a number, or the rest of one
-  bool after_blank = false;    // BLK FORM was the last block
-  bool in_columns = false;     // blocks with a number go on in indented lines without one
+  WordPlace open_corner{};        // RND, CHF whose next motion is still to come
+  bool behind_corner = false;     // no motion has come since RND or CHF
+  bool after_number = false;      // the line before is a block with a number, or the rest of one
+  bool after_blank = false;       // BLK FORM was the last block
+  bool program_is_cycle = false;  // one that may be called without its name (D-175)
+  bool in_columns = false;        // blocks with a number go on in indented lines without one
   ContourStart start{};
   // RND, CHF of a contour whose next motion is still to come.
   WordPlace corner_in_contour{};
@@ -95,7 +96,7 @@ struct KlartextModes {
             contours, labels, calls, called_section, open_labels, section, unfollowed_call,
             tool_of_label, jump, labels_of_cycles, cycle_section, pole_across, open_corner,
             feed_of_control, behind_corner, pole_said, pole_lost, start, corner_in_contour,
-            corner_name, after_number, scaling, scale, after_blank, in_columns);
+            corner_name, after_number, scaling, scale, after_blank, in_columns, program_is_cycle);
   }
   // The modes of `unfollowed` in which no contour is compensated.
   [[nodiscard]] std::uint32_t uncompensated() const { return unfollowed & ~scaling; }

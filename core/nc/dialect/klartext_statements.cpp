@@ -159,17 +159,28 @@ void enter_scale(Reading& reading) {
   (void)reading.state.set_scale(scale, at);
 }
 
+// Programs that a later CYCL CALL, M89 or M99 calls: those of cycle 12, and cycles of the machine
+// builder, 300 to 399. Such a call may end a scale.
+bool makes_cycle_of_program(std::string_view statement) {
+  constexpr std::string_view own = "CYCL DEF 3";
+  return begins_with_word(statement, "CYCL DEF 12") || begins_with_word(statement, "SEL CYCLE") ||
+         (statement.starts_with(own) && statement.size() > own.size() + 1 &&
+          is_digit(statement[own.size()]) && is_digit(statement[own.size() + 1]));
+}
+
 // Beyond the largest scale the last decimal of the output would be coarser than a micrometre.
 void take_scale(Reading& reading, std::string_view statement) {
   constexpr std::uint32_t scales = KlartextLead::axes | KlartextLead::cycle | KlartextLead::trans;
   constexpr double smallest = 0.01;
   constexpr double largest = 2;
   KlartextModes& modes = reading.klartext_modes;
+  modes.program_is_cycle |= makes_cycle_of_program(statement);
   const KlartextScale scale = scale_of_statement(statement);
   const bool is_alone = (modes.unfollowed & scales) == scale.mode;
   const bool of_axes = (scale.mode & KlartextLead::axes) != 0;
   const bool in_plane = !of_axes || reading.state.mode().plane == Plane::xy;
   if (scale.mode == 0 || !is_alone || !in_plane || reading.contour_open()) return;
+  if (modes.program_is_cycle) return;
   if (scale.factor < smallest || scale.factor > largest) return;
   modes.scaling = scale.mode;
   modes.scale = scale.factor;
