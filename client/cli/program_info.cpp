@@ -9,6 +9,7 @@
 #include <utility>
 #include <variant>
 
+#include "client/cli/fixed_text.h"
 #include "client/cli/passed_words.h"
 #include "client/cli/reporter.h"
 #include "client/cli/speech.h"
@@ -101,16 +102,9 @@ std::optional<Diagnostic> missing_radius(const std::string& program,
   return missing == found.end() ? std::nullopt : std::optional(*missing);
 }
 
-std::string rounded(double value) {
-  std::ostringstream text;
-  text.precision(1);
-  text << std::fixed << value;
-  return text.str();
-}
-
 // What lengths count in: at first, and with the lines from which on another unit holds.
 struct Units {
-  bool inch = false;
+  LengthUnit first = LengthUnit::mm;
   std::string told{};
 };
 
@@ -119,7 +113,7 @@ Units units_of(const std::string& program, const SessionSetup& setup,
   ContourReader reader(setup);
   reader.read(program, [](const std::vector<Block>&) { return true; });
   bool inch = reader.is_inch(blocks.empty() ? 0 : blocks.front().source.index);
-  Units units{.inch = inch, .told = inch ? "inch" : "mm"};
+  Units units{.first = inch ? LengthUnit::inch : LengthUnit::mm, .told = inch ? "inch" : "mm"};
   for (const CompensatedBlock& block : blocks) {
     if (reader.is_inch(block.source.index) == inch) continue;
     inch = !inch;
@@ -212,8 +206,7 @@ ProgramInfo describe_program(const std::string& program, ProgramSessionSetup set
                            (executed == 1 ? " line executed" : " lines executed"));
   say(std::string(info.refused ? "selections before the fault: " : "selections: ") +
       std::to_string(contours.selections) + ", " + std::to_string(contours.blocks) + " blocks, " +
-      rounded(contours.length / mm_of(units.inch ? LengthUnit::inch : LengthUnit::mm)) +
-      (units.inch ? " in" : " mm"));
+      fixed(contours.length / mm_of(units.first), 1) + name_of_unit(units.first));
   if (!words.passed.empty()) say("passed on (line): " + list_of(words.passed));
   std::vector<Diagnostic> found = whole.diagnostics;
   if (missing && !info.refused) found.insert(found.begin(), *missing);

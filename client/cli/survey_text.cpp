@@ -69,12 +69,8 @@ constexpr SurveyText::Words SurveyText::german{
 SurveyText::SurveyText(Language language, LengthUnit unit, const ToolNames& names)
     : words_(language == Language::german ? german : english), unit_(unit), names_(names) {}
 
-std::string SurveyText::length(double mm) const {
-  return unit_ == LengthUnit::inch ? fixed(mm / mm_per_inch, 4) : fixed(mm, 3);
-}
-std::string SurveyText::with_unit(double mm) const {
-  return length(mm) + (unit_ == LengthUnit::inch ? " in" : " mm");
-}
+std::string SurveyText::length(double mm) const { return length_in(unit_, mm, 3); }
+std::string SurveyText::with_unit(double mm) const { return length(mm) + name_of_unit(unit_); }
 
 std::string SurveyText::name_of(const v1::SurveyPlace& place) const {
   if (place.line() == 0) return words_.block + std::to_string(place.source_index());

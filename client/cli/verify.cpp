@@ -7,6 +7,7 @@
 #include "client/cli/command.h"
 #include "client/cli/file_name.h"
 #include "client/cli/files.h"
+#include "client/cli/fixed_text.h"
 #include "client/cli/job.h"
 #include "client/cli/job_record.h"
 #include "client/cli/printable.h"
@@ -19,17 +20,12 @@
 #include "client/cli/verbose_text.h"
 #include "core/base/length_unit.h"
 #include "core/base/tolerances.h"
-#include "core/nc/text/number_format.h"
 #include "core/verify/clearance.h"
 
 namespace trc::cli {
 namespace {
 
-std::string percent(double share) {
-  std::string text;
-  append_fixed(text, 100 * share, 1);
-  return text + " %";
-}
+std::string percent(double share) { return fixed(100 * share, 1) + " %"; }
 
 std::string block_name(const Source& source) {
   std::string name =
@@ -53,14 +49,8 @@ class VerifyText {
   void print_coverage(const verify::ClearanceReport& report, const UntouchedWalls& untouched) const;
 
  private:
-  [[nodiscard]] std::string length(double mm) const {
-    std::string text;
-    append_fixed(text, mm / mm_of(unit_), unit_ == LengthUnit::inch ? 5 : 4);
-    return text;
-  }
-  [[nodiscard]] std::string with_unit(double mm) const {
-    return length(mm) + (unit_ == LengthUnit::inch ? " in" : " mm");
-  }
+  [[nodiscard]] std::string length(double mm) const { return length_in(unit_, mm, 4); }
+  [[nodiscard]] std::string with_unit(double mm) const { return length(mm) + name_of_unit(unit_); }
   void print_share(const UntouchedWalls::Share& share, const char* what) const;
 
   LengthUnit unit_;

@@ -14,6 +14,15 @@ struct OwnHelp {
   std::string_view german;
 };
 
+constexpr std::string_view smaller_tool_or_masking =
+    "Use a smaller tool: SurveyRadii (trc radii) says which one fits. The setting contour_masking "
+    "masks such blocks where it is not on yet, and with it options.remove_masked_blocks leaves out "
+    "whole loops.";
+constexpr std::string_view smaller_tool_or_masking_in_german =
+    "Einen kleineren Fräser nehmen: SurveyRadii (trc radii) sagt, welcher passt. Die Einstellung "
+    "contour_masking blendet solche Sätze aus, wo sie noch nicht eingeschaltet ist, und dann lässt "
+    "options.remove_masked_blocks ganze Schleifen weg.";
+
 // Help for codes whose rows name words of ISG, as far as programs of other controls meet them.
 constexpr auto own_helps = std::to_array<OwnHelp>({
     {.code = Code::circle_center_misfit,
@@ -36,21 +45,11 @@ constexpr auto own_helps = std::to_array<OwnHelp>({
      .german = "Mittelpunkt oder Endpunkt berichtigen, oder den Mittelpunkt durch "
                "circle_center_mode.correction verschieben lassen."},
     {.code = Code::line_reversed,
-     .english = "Use a smaller tool: SurveyRadii (trc radii) says which one fits. The setting "
-                "contour_masking masks such blocks where it is not on yet, and with it "
-                "options.remove_masked_blocks leaves out whole loops.",
-     .german = "Einen kleineren Fräser nehmen: SurveyRadii (trc radii) sagt, welcher passt. Die "
-               "Einstellung contour_masking blendet solche Sätze aus, wo sie noch nicht "
-               "eingeschaltet ist, und dann lässt options.remove_masked_blocks ganze Schleifen "
-               "weg."},
+     .english = smaller_tool_or_masking,
+     .german = smaller_tool_or_masking_in_german},
     {.code = Code::arc_wrapped,
-     .english = "Use a smaller tool: SurveyRadii (trc radii) says which one fits. The setting "
-                "contour_masking masks such blocks where it is not on yet, and with it "
-                "options.remove_masked_blocks leaves out whole loops.",
-     .german = "Einen kleineren Fräser nehmen: SurveyRadii (trc radii) sagt, welcher passt. Die "
-               "Einstellung contour_masking blendet solche Sätze aus, wo sie noch nicht "
-               "eingeschaltet ist, und dann lässt options.remove_masked_blocks ganze Schleifen "
-               "weg."},
+     .english = smaller_tool_or_masking,
+     .german = smaller_tool_or_masking_in_german},
     {.code = Code::circle_incomplete,
      .klartext_alone = true,
      .english = "Program CC before it, or CR with R, or L if it is meant to be straight.",

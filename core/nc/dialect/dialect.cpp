@@ -124,6 +124,10 @@ bool sets_or_reads_r_parameter(std::string_view words) {
 
 const Dialect& dialect_of(DialectName name) { return dialects()[static_cast<std::size_t>(name)]; }
 
+LineLimits limits_of(const Dialect& dialect, const ProgramSetup& setup) {
+  return setup.decimals ? LineLimits{.characters = dialect.limits.characters} : dialect.limits;
+}
+
 std::span<const Dialect> all_dialects() { return dialects(); }
 
 std::optional<DialectName> dialect_spelled(std::string_view spelling) {

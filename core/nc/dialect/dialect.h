@@ -44,6 +44,9 @@ struct Dialect {
 };
 
 [[nodiscard]] const Dialect& dialect_of(DialectName name);
+// The limits for lines of the result in this dialect. Whoever gives `decimals` knows which numbers
+// the control takes (D-180).
+[[nodiscard]] LineLimits limits_of(const Dialect& dialect, const ProgramSetup& setup);
 [[nodiscard]] std::span<const Dialect> all_dialects();
 // By its spelling, whatever the case.
 [[nodiscard]] std::optional<DialectName> dialect_spelled(std::string_view spelling);

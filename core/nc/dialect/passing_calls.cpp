@@ -89,6 +89,16 @@ bool holds_words(std::string_view value) {
   return false;
 }
 
+// What is assigned after a name: 3 of "= 3" and of "+= 3".
+std::optional<std::string_view> assigned_value(std::string_view behind_name) {
+  std::string_view value = without_blanks_in_front(behind_name);
+  const bool changes = value.size() > 1 && value[1] == '=' &&
+                       std::string_view("+-*/").find(value[0]) != std::string_view::npos;
+  if (changes) value.remove_prefix(1);
+  if (!value.starts_with('=')) return std::nullopt;
+  return without_blanks_in_front(value.substr(1));
+}
+
 // V.P.DEPTH = 3, V.E.SUM += 2, P10 = 5, also declared between #VAR and #ENDVAR: V.P.DEPTH : REAL64.
 // False for V.G., the tool in force, which gives the radius.
 bool assigns_variable(std::string_view text) {
@@ -102,12 +112,10 @@ bool assigns_variable(std::string_view text) {
       text.substr(1, text.find('[') - 1).substr(0, behind - 1).find_first_not_of(digits) ==
       std::string_view::npos;
   if (is_parameter && !is_number) return false;  // P1.5
-  std::string_view value = without_blanks_in_front(text.substr(behind));
-  const bool changes = value.size() > 1 && value[1] == '=' &&
-                       std::string_view("+-*/").find(value[0]) != std::string_view::npos;
-  if (changes) value.remove_prefix(1);
-  if (value.empty() || value.front() == ':') return is_variable || value.starts_with(':');
-  return value.front() == '=' && !holds_words(value.substr(1));
+  const std::string_view rest = without_blanks_in_front(text.substr(behind));
+  if (rest.empty() || rest.front() == ':') return is_variable || rest.starts_with(':');
+  const auto value = assigned_value(rest);
+  return value && !holds_words(*value);
 }
 
 // V.G.NP[1].V.X = 11, V.G.NP_AKT.ALL += V.G.NP[2].ALL (D-184).
@@ -122,13 +130,9 @@ bool writes_zero_offset(std::string_view text) {
     const bool of_name = is_letter(sign) || is_digit(sign) || sign == '_' || sign == '.';
     if (brackets == 0 && !of_name && sign != ']') break;
   }
-  std::string_view value = without_blanks_in_front(text.substr(at));
-  const bool changes = value.size() > 1 && value[1] == '=' &&
-                       std::string_view("+-*/").find(value[0]) != std::string_view::npos;
-  if (changes) value.remove_prefix(1);
-  if (!value.starts_with('=')) return false;
-  value = without_blanks_in_front(value.substr(1));
-  return !value.empty() && value.front() != '(' && value.front() != ';' && !holds_words(value);
+  const auto value = assigned_value(text.substr(at));
+  if (!value || value->empty() || value->front() == '(' || value->front() == ';') return false;
+  return !holds_words(*value);
 }
 
 // V.G.WZ[5].R = 4: a tool of the machine's table and its radius.

@@ -220,8 +220,8 @@ bool GcodeFlow::rounds_places() const {
 
 int GcodeFlow::decimals_of(const ComputedWord& word) const {
   int decimals = decimals_of(word.letter);
-  const int digits = dialect_of(grammar_.dialect).limits.digits;
-  if (setup_.decimals || digits > most_decimals) return decimals;
+  const int digits = limits_of(dialect_of(grammar_.dialect), setup_).digits;
+  if (digits > most_decimals) return decimals;
   while (decimals > 0 && std::abs(to_units(word.value.number, decimals)) >= units_per_one(digits))
     --decimals;
   return decimals;

@@ -84,9 +84,9 @@ class GcodeFlow : public Flow, protected Variables {
   [[nodiscard]] PointStyle style_of(char letter) const;
   // Whether positions in the line, which has been read, need no more decimals than the output has.
   [[nodiscard]] bool rounds_places() const;
-  [[nodiscard]] int decimals_of(char letter) const;
-  // As many, or those that the control takes.
+  // Of the value of the word, at most as many as leave it the digits that the control takes.
   [[nodiscard]] int decimals_of(const ComputedWord& word) const;
+  [[nodiscard]] int decimals_of(char letter) const;
 
   const Grammar& grammar_;
 };

@@ -7,13 +7,11 @@ namespace trc {
 
 NcWriter::Setup writer_setup(const ProgramSetup& program, const Dialect& dialect) {
   const bool klartext = dialect.name == DialectName::heidenhain;
-  // Decimals out of range are refused before anything is written. Whoever gives them knows what the
-  // control takes.
+  // Decimals out of range are refused before anything is written.
   NcWriter::Setup writer{
       .decimals = std::clamp(program.decimals.value_or(default_decimals), 0, most_decimals - 1),
       .follows_decimals = !program.decimals,
-      .limits =
-          program.decimals ? LineLimits{.characters = dialect.limits.characters} : dialect.limits,
+      .limits = limits_of(dialect, program),
       .start = program.start,
       .motion = dialect.motion.value_or(MotionKind::rapid),
       .absolute_center = program.absolute_center || klartext,

@@ -4,6 +4,16 @@
 
 namespace trc {
 
+PathBlock outline_of(const PathBlock& block) {
+  PathBlock outline;
+  outline.programmed.path = block.programmed.path;
+  outline.programmed.mode = block.programmed.mode;
+  outline.role = block.role;
+  outline.at_start = block.at_start;
+  outline.at_end = block.at_end;
+  return outline;
+}
+
 void give_offsets(PathBlock& block) {
   const Segment& programmed = block.programmed.path;
   block.tangent_at_start = tangent_at_start(programmed);

@@ -20,6 +20,9 @@ namespace trc {
   return radius <= tolerances.rounding * std::max(std::abs(shift), 1.0);
 }
 
+// The data that a corner needs of a block, but for what give_offsets() sets.
+[[nodiscard]] PathBlock outline_of(const PathBlock& block);
+
 // Sets tangents, P and Q of the block, even where its circle vanishes.
 void give_offsets(PathBlock& block);
 

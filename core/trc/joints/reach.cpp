@@ -9,14 +9,9 @@
 namespace trc {
 namespace {
 
-// The data that a corner needs of a block, with another radius (D-145).
+// The outline with another radius (D-145).
 PathBlock with_radius(const PathBlock& block, double radius) {
-  PathBlock changed;
-  changed.programmed.path = block.programmed.path;
-  changed.programmed.mode = block.programmed.mode;
-  changed.role = block.role;
-  changed.at_start = block.at_start;
-  changed.at_end = block.at_end;
+  PathBlock changed = outline_of(block);
   for (Compensation* end : {&changed.at_start, &changed.at_end})
     if (end->active) end->shift = std::copysign(radius, end->shift);
   give_offsets(changed);

@@ -20,14 +20,9 @@ namespace {
 
 bool is_contour(const PathBlock& block) { return block.role == Role::contour; }
 
-// The data that a corner needs of a block. SUPPRESS_TRC (D-155) does not change the tool here.
-PathBlock outline_of(const PathBlock& block) {
-  PathBlock outline;
-  outline.programmed.path = block.programmed.path;
-  outline.programmed.mode = block.programmed.mode;
-  outline.role = block.role;
-  outline.at_start = block.at_start;
-  outline.at_end = block.at_end;
+// SUPPRESS_TRC (D-155) does not change the tool here.
+PathBlock outline_with_tool(const PathBlock& block) {
+  PathBlock outline = outline_of(block);
   const TrcMode& mode = block.mode();
   if (mode.options.suppress_trc) {
     const double shift = shift_of_tool(mode);
@@ -190,7 +185,7 @@ bool KerfMasking::feed(PathBlockPtr block, PathBlocks& out) {
                          !block->perpendicular_entry;
   if (held_.size() == 2) {
     std::optional<PathBlock> outline;
-    if (continues) outline = outline_of(*block);
+    if (continues) outline = outline_with_tool(*block);
     if (continues || !begins_in_end_of_path(*block, *held_.back()))
       raise_notch(outline ? &*outline : nullptr);
     release(out);
@@ -212,7 +207,7 @@ bool KerfMasking::drain(PathBlocks& out) {
 }
 
 void KerfMasking::release(PathBlocks& out) {
-  before_ = outline_of(*held_.front());
+  before_ = outline_with_tool(*held_.front());
   out.push_back(std::move(held_.front()));
   held_.erase(held_.begin());
 }
@@ -223,8 +218,8 @@ void KerfMasking::raise_notch(const PathBlock* next) {
   if (!wanted(first) || !wanted(second) || !is_contour(first) || !is_contour(second)) return;
   if (!circular_ && (is_arc(first.programmed.path) || is_arc(second.programmed.path))) return;
   const Notch notch{.before = before_ ? &*before_ : nullptr,
-                    .first = outline_of(first),
-                    .second = outline_of(second),
+                    .first = outline_with_tool(first),
+                    .second = outline_with_tool(second),
                     .behind = next};
   if (notch.first.at_start != notch.second.at_end || notch.first.at_end.shift == 0) return;
   const Corner corner = corner_between(notch.first, notch.second, tolerances_);
